@@ -1,0 +1,93 @@
+"""Where each part of a frame lies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.layout.record import Orders
+from fieldspec.model.link import Link, Part
+from fieldspec.model.value import Value
+
+CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
+
+
+@dataclass(frozen=True, slots=True)
+class PartLayout:
+    """A part before the body at `offset` bytes from the first part, or the check behind it.
+
+    The offset of the check counts from the end of the frame and is negative.
+    """
+
+    part: Part
+    name: str
+    role: str
+    offset: int
+    size: int
+    value: Value | None
+    algorithm: str
+    order: str
+
+
+@dataclass(frozen=True, slots=True)
+class FrameLayout:
+    """The parts before the body, `head_size` bytes; then the body; then `tail_size` bytes.
+
+    All sizes are those of the parts themselves, before they are written as characters and marked.
+    """
+
+    direction: str
+    head: tuple[PartLayout, ...]
+    head_size: int
+    tail: tuple[PartLayout, ...]
+    tail_size: int
+
+    def role(self, role: str) -> PartLayout | None:
+        """The part with a role."""
+        return next((part for part in (*self.head, *self.tail) if part.role == role), None)
+
+    @property
+    def check(self) -> PartLayout | None:
+        """The check."""
+        return self.role("check")
+
+
+@dataclass(frozen=True, slots=True)
+class LinkLayout:
+    """The frames of a link in both directions."""
+
+    link: Link
+    name: str
+    request: FrameLayout
+    response: FrameLayout
+
+    def frame(self, direction: str) -> FrameLayout:
+        """The frame in one direction."""
+        return self.request if direction == "request" else self.response
+
+
+def link_layout(link: Link) -> LinkLayout:
+    """The layout of a link."""
+    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"))
+
+
+def _frame(link: Link, direction: str) -> FrameLayout:
+    parts = link.parts(direction)
+    body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
+    orders = Orders(link.byte_order or "big", link.word_order or link.byte_order or "big")
+    head, head_size = _laid(parts[:body], orders)
+    tail, tail_size = _laid(parts[body + 1 :], orders)
+    behind = tuple(
+        PartLayout(p.part, p.name, p.role, p.offset - tail_size, p.size, p.value, p.algorithm, p.order) for p in tail
+    )
+    return FrameLayout(direction, head, head_size, behind, tail_size)
+
+
+def _laid(parts: tuple[Part, ...], orders: Orders) -> tuple[tuple[PartLayout, ...], int]:
+    at = 0
+    laid = []
+    for part in parts:
+        size = CHECK_SIZES[part.algorithm] if part.algorithm else part.value.size if part.value else 0
+        order = "little" if part.algorithm else orders.of(part.value)[0]
+        laid.append(PartLayout(part, part.name, part.role, at, size, part.value, part.algorithm, order))
+        at += size
+    return tuple(laid), at

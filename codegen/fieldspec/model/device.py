@@ -1,0 +1,102 @@
+"""A device at one version: everything that its spec says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from fieldspec.model.enum import Enum
+from fieldspec.model.erratum import Erratum
+from fieldspec.model.example import Example
+from fieldspec.model.fact import Citation
+from fieldspec.model.flags import Flags
+from fieldspec.model.limit import Limit
+from fieldspec.model.link import Link
+from fieldspec.model.lookup import Lookup
+from fieldspec.model.message import Message
+from fieldspec.model.note import Note
+from fieldspec.model.parameter import ParameterSet
+from fieldspec.model.place import Place
+from fieldspec.model.record import Record
+from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.table import Table
+
+
+@dataclass(frozen=True, slots=True)
+class Manual:
+    """The authority for a device's facts."""
+
+    title: str
+    edition: str
+    language: str
+    file: str
+    sha256: str
+    lines: int
+
+
+@dataclass(frozen=True, slots=True)
+class Version:
+    """One version of a line."""
+
+    id: str
+    title: str
+    doc: str
+    inferred: str
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class VersionLine:
+    """Versions that follow one another, the oldest first. Outputs are written for those of the built line."""
+
+    name: str
+    title: str
+    builds: bool
+    versions: tuple[Version, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """A device at one version. Mappings are by name, in the order of the spec."""
+
+    id: str
+    version: str
+    place: Place
+    name: str
+    vendor: str
+    title: str
+    doc: str
+    manual: Manual
+    lines: tuple[VersionLine, ...]
+    links: Mapping[str, Link]
+    messages: Mapping[str, Message]
+    records: Mapping[str, Record]
+    enums: Mapping[str, Enum]
+    flags: Mapping[str, Flags]
+    groups: tuple[RegisterGroup, ...]
+    tables: Mapping[str, Table]
+    parameters: Mapping[str, ParameterSet]
+    lookups: tuple[Lookup, ...]
+    limits: tuple[Limit, ...]
+    notes: tuple[Note, ...]
+    examples: Mapping[str, Example]
+    errata: tuple[Erratum, ...]
+
+    def registers(self) -> Iterator[Register]:
+        """All registers in the order of the spec."""
+        for group in self.groups:
+            yield from group.registers
+
+    def register(self, name: str) -> Register | None:
+        """The register with a name."""
+        return next((register for register in self.registers() if register.name == name), None)
+
+    @property
+    def byte_order(self) -> str:
+        """The byte order of the device's links."""
+        return next((link.byte_order for link in self.links.values() if link.byte_order), "big")
+
+    @property
+    def word_order(self) -> str:
+        """The order of the words in values of several registers; `big` where no link says it."""
+        return next((link.word_order for link in self.links.values() if link.word_order), "big")

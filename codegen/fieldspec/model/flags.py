@@ -1,0 +1,47 @@
+"""A word whose bits have meanings of their own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.model.fact import Fact
+from fieldspec.model.primitive import Primitive
+from fieldspec.model.ranges import Ranges
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bit(Fact):
+    """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant."""
+
+    first: int
+    last: int
+    zero: str
+    one: str
+    enum: str
+    edge: str
+    active: str
+    reserved: bool
+    when: str
+
+    @property
+    def width(self) -> int:
+        """How many bits it has."""
+        return self.last - self.first + 1
+
+    @property
+    def mask(self) -> int:
+        """The bits in the word."""
+        return ((1 << self.width) - 1) << self.first
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Flags(Fact):
+    """A word and its bits, lowest first."""
+
+    type: Primitive
+    ranges: Ranges | None
+    bits: tuple[Bit, ...]
+
+    def named(self, name: str) -> Bit | None:
+        """The bit, or field of bits, with a name."""
+        return next((bit for bit in self.bits if bit.name == name), None)

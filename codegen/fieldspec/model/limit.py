@@ -1,0 +1,20 @@
+"""Single numbers of a manual."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+from fieldspec.model.fact import Fact
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limit(Fact):
+    """A timing, a maximum, a supply: a value, bounds, or a text."""
+
+    kind: str
+    value: Decimal | None
+    low: Decimal | None
+    high: Decimal | None
+    text: str
+    unit: str

@@ -1,0 +1,75 @@
+"""How frames look on one kind of line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.place import Place
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part(Fact):
+    """One part of a frame. Its role is station, code, length, body, check or plain."""
+
+    role: str
+    value: Value | None
+    algorithm: str
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorReply:
+    """The bit in the code that marks a refusal, and the record in its body."""
+
+    flag: int
+    record: str
+
+
+@dataclass(frozen=True, slots=True)
+class Stations:
+    """The addresses on the line."""
+
+    place: Place
+    ranges: Ranges | None
+    broadcast: int | None
+    rule: str
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Serial:
+    """The settings of a serial line; empty where the manual gives none."""
+
+    baud: tuple[int, ...]
+    default_baud: int | None
+    data_bits: tuple[int, ...]
+    parity: tuple[str, ...]
+    stop_bits: tuple[int, ...]
+    start_bits: int | None
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Link(Fact):
+    """A frame: `start`, the encoded parts, `end`. Requests go to the device, responses come from it."""
+
+    title: str
+    encoding: str
+    start: bytes
+    end: bytes
+    byte_order: str
+    word_order: str
+    request: tuple[Part, ...]
+    response: tuple[Part, ...]
+    error: ErrorReply | None
+    stations: Stations | None
+    serial: Serial | None
+    silence_characters: Decimal | None
+    silence_milliseconds: Decimal | None
+
+    def parts(self, direction: str) -> tuple[Part, ...]:
+        """The parts of a frame in one direction."""
+        return self.request if direction == "request" else self.response

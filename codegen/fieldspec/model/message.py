@@ -1,0 +1,36 @@
+"""Functions and commands: a request and its response."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Record
+
+
+@dataclass(frozen=True, slots=True)
+class RegisterAccess:
+    """That a message reads or writes registers, and which fields hold the address, the number and the words.
+
+    `count` is empty where it is always one word.
+    """
+
+    operation: str
+    start: str
+    count: str
+    values: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Message(Fact):
+    """A code, the data of its request and of its response. The lengths are the frame's, as printed, in bytes."""
+
+    title: str
+    group: str
+    code: int | None
+    request: Record
+    response: Record
+    request_length: int | None
+    response_length: int | None
+    broadcast: bool
+    accesses: RegisterAccess | None

@@ -1,0 +1,29 @@
+"""The values that a number may take: one or several intervals."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Ranges:
+    """Intervals of whole numbers, both ends included, in the order of the spec."""
+
+    intervals: tuple[tuple[int, int], ...]
+
+    @property
+    def low(self) -> int:
+        """The least value."""
+        return min(low for low, _ in self.intervals)
+
+    @property
+    def high(self) -> int:
+        """The greatest value."""
+        return max(high for _, high in self.intervals)
+
+    def __contains__(self, value: object) -> bool:
+        return isinstance(value, int) and any(low <= value <= high for low, high in self.intervals)
+
+    def text(self) -> str:
+        """`0..127, 10000..10127`"""
+        return ", ".join(f"{low}" if low == high else f"{low}..{high}" for low, high in self.intervals)

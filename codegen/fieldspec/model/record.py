@@ -1,0 +1,52 @@
+"""Fields in a fixed order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.model.fact import Fact
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """That a field holds the size of another one: its `bytes`, or its number of `items`."""
+
+    of: str
+    field: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Field(Fact):
+    """A value or a record at one place, once, `count` times, or repeated to the end of the data.
+
+    Exactly one of `value` and `record` (a name, else empty) is given. `at`, `words` and `span` are what the
+    manual prints.
+    """
+
+    value: Value | None
+    record: str
+    count: int | None
+    repeat: Ranges | None
+    measures: Measure | None
+    reserved: bool
+    at: int | None
+    words: int | None
+    span: tuple[int, int] | None
+    access: str
+    restart: bool | None
+    same_as: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Record(Fact):
+    """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints."""
+
+    size: int | None
+    words: int | None
+    fields: tuple[Field, ...]
+
+    def named(self, name: str) -> Field | None:
+        """The field with a name."""
+        return next((field for field in self.fields if field.name == name), None)

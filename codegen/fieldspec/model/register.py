@@ -1,0 +1,62 @@
+"""Registers: words at addresses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Register(Fact):
+    """One register, or `count` equal ones that are `stride` words apart, numbered from `index_from`.
+
+    `words` and `decimal` are what the manual prints; `access` is empty, and `restart` None, where it does not
+    say. `element_lines` has the place of each element, where they have rows of their own.
+    """
+
+    address: int
+    decimal: int | None
+    words: int | None
+    value: Value
+    access: str
+    restart: bool | None
+    atomic: bool
+    trigger: bool
+    same_as: str
+    count: int
+    stride: int
+    index_from: int
+    element_name: str
+    element_sources: tuple[Citation, ...]
+
+    @property
+    def width(self) -> int:
+        """The words of one element."""
+        return (self.value.size + 1) // 2
+
+    @property
+    def end(self) -> int:
+        """The address behind the last word."""
+        return self.address + (self.count - 1) * self.stride + self.width
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Addresses that the manual leaves out, and why."""
+
+    addresses: Ranges
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RegisterGroup(Fact):
+    """Registers that the manual lists together."""
+
+    title: str
+    section: str
+    ascending: bool
+    gaps: tuple[Gap, ...]
+    registers: tuple[Register, ...]

@@ -1,0 +1,58 @@
+"""A name is a list of words; each output writes them in its own case. Cases live here only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """Lower-case words. `Name.of("servo_on")` has the words `servo` and `on`."""
+
+    words: tuple[str, ...]
+
+    @staticmethod
+    @lru_cache(maxsize=None)
+    def of(text: str) -> Name:
+        """A name from words that are joined by `_`, `-`, `.`, `/` or blanks."""
+        for joint in "-./ ":
+            text = text.replace(joint, "_")
+        return Name(tuple(word.lower() for word in text.split("_") if word))
+
+    def __add__(self, other: Name) -> Name:
+        return Name(self.words + other.words)
+
+    def snake(self) -> str:
+        """`servo_on`"""
+        return "_".join(self.words)
+
+    def upper(self) -> str:
+        """`SERVO_ON`"""
+        return "_".join(self.words).upper()
+
+    def pascal(self) -> str:
+        """`ServoOn`; two digits never meet: `Line1_2`."""
+        return _joined([word[:1].upper() + word[1:] for word in self.words])
+
+    def camel(self) -> str:
+        """`servoOn`"""
+        pascal = self.pascal()
+        return pascal[:1].lower() + pascal[1:]
+
+    def kebab(self) -> str:
+        """`servo-on`"""
+        return "-".join(self.words)
+
+    def title(self) -> str:
+        """`Servo on`"""
+        text = " ".join(self.words)
+        return text[:1].upper() + text[1:]
+
+
+def _joined(words: list[str]) -> str:
+    """Words in one, with an underscore between two digits, which would otherwise be one number."""
+    text = ""
+    for word in words:
+        text += "_" + word if text[-1:].isdigit() and word[:1].isdigit() else word
+    return text

@@ -1,0 +1,1 @@
+"""Node tree -> model. One noun a file; the tree is typed and fits the schema."""

@@ -1,0 +1,220 @@
+"""What every builder needs: keys of a mapping as plain values, citations, and the list of findings."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from decimal import Decimal
+from functools import lru_cache
+from typing import Any
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.fact import Citation, Claim, Plain
+from fieldspec.model.place import Place
+from fieldspec.model.ranges import Ranges
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
+from fieldspec.source import Span
+
+_CLAIM_META = ("source", "doc")
+
+
+class Entry:
+    """A mapping of the tree with its path and what it inherits: the section and the sources around it.
+
+    `defaults` are keys of an enclosing group that stand in for missing ones.
+    """
+
+    __slots__ = ("defaults", "found", "node", "path", "section", "sources")
+
+    def __init__(
+        self,
+        node: Mapping,
+        path: str,
+        found: list[Diagnostic],
+        section: str = "",
+        sources: tuple[Citation, ...] = (),
+        defaults: Mapping | None = None,
+    ) -> None:
+        self.node, self.path, self.found, self.defaults = node, path, found, defaults
+        self.section = self.text("section") or section
+        own = self.text("source")
+        self.sources = citations(own, self.section) if own else sources
+
+    def get(self, key: str) -> Node | None:
+        """The node under a key, or the default for it."""
+        node = self.node.values.get(key)
+        if node is None and self.defaults is not None:
+            node = self.defaults.values.get(key)
+        return node
+
+    def value(self, key: str) -> Plain:
+        """The typed value of a scalar, or None."""
+        node = self.get(key)
+        return node.value if isinstance(node, Scalar) else None
+
+    def text(self, key: str) -> str:
+        """A text, or an empty one."""
+        value = self.value(key)
+        return value if isinstance(value, str) else ""
+
+    def integer(self, key: str) -> int | None:
+        """A whole number, or None."""
+        value = self.value(key)
+        return value if isinstance(value, int) and not isinstance(value, bool) else None
+
+    def decimal(self, key: str) -> Decimal | None:
+        """An exact number, or None."""
+        value = self.value(key)
+        return Decimal(value) if isinstance(value, int | Decimal) else None
+
+    def flag(self, key: str) -> bool:
+        """A truth value; false where it is not given."""
+        return self.value(key) is True
+
+    def maybe(self, key: str) -> bool | None:
+        """A truth value, or None where it is not given."""
+        value = self.value(key)
+        return value if isinstance(value, bool) else None
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """A list of texts, or one text."""
+        node = self.get(key)
+        if isinstance(node, Sequence):
+            return tuple(item.text for item in node.items if isinstance(item, Scalar))
+        return (node.text,) if isinstance(node, Scalar) else ()
+
+    def integers(self, key: str) -> tuple[int, ...]:
+        """A list of whole numbers."""
+        node = self.get(key)
+        items = node.items if isinstance(node, Sequence) else ()
+        return tuple(item.value for item in items if isinstance(item, Scalar) and isinstance(item.value, int))
+
+    def reasons(self, key: str) -> dict[str, str]:
+        """A mapping of texts; that of the defaults comes first, the own keys win."""
+        reasons: dict[str, str] = {}
+        for holder in (self.defaults, self.node):
+            node = holder.values.get(key) if holder is not None else None
+            if isinstance(node, Mapping):
+                reasons |= {k: v.text for k, v in node.values.items() if isinstance(v, Scalar)}
+        return reasons
+
+    def entry(self, key: str) -> Entry | None:
+        """The mapping under a key."""
+        node = self.node.values.get(key)
+        if not isinstance(node, Mapping):
+            return None
+        return Entry(node, f"{self.path}/{key}", self.found, self.section, self.sources)
+
+    def entries(self, key: str, name: str = "name", defaults: Mapping | None = None) -> Iterator[Entry]:
+        """The mappings of the list under a key, each with its own path."""
+        yield from self._listed(self.node.values.get(key), f"{self.path}/{key}", name, defaults)
+
+    def named(self, key: str, path: str, defaults: Mapping | None = None, name: str = "name") -> Iterator[Entry]:
+        """The same, where paths leave out the key."""
+        yield from self._listed(self.node.values.get(key), path, name, defaults)
+
+    def _listed(
+        self, node: Node | None, path: str, name: str, defaults: Mapping | None
+    ) -> Iterator[Entry]:
+        for number, item in enumerate(node.items if isinstance(node, Sequence) else ()):
+            if isinstance(item, Mapping):
+                held = item.values.get(name)
+                step = held.text if isinstance(held, Scalar) else str(number)
+                yield Entry(item, f"{path}/{step}", self.found, self.section, self.sources, defaults)
+
+    def place(self) -> Place:
+        """The place of this entry in the spec."""
+        spans = {key: value.span for key, value in self.node.values.items()}
+        return Place(self.path, self.node.span, spans)
+
+    def span(self, key: str) -> Span:
+        """The span of a key's value, or of the name."""
+        return self.place()[key]
+
+    def refuse(self, code: str, key: str, message: str, help: str, *labels: Label) -> None:
+        """Adds a finding at a key's value."""
+        self.found.append(Diagnostic(code, message, self.span(key), labels, help))
+
+    def citations(self, key: str) -> tuple[Citation, ...]:
+        """The places that a key cites."""
+        return citations(self.text(key), self.section)
+
+    def ranges(self, key: str) -> tuple[tuple[Decimal, Decimal], ...] | None:
+        """The intervals under a key, as exact numbers."""
+        node = self.get(key)
+        return intervals(node.text) if isinstance(node, Scalar) else None
+
+    def whole_ranges(self, key: str) -> Ranges | None:
+        """The intervals under a key, whose bounds must be whole numbers."""
+        found = self.ranges(key)
+        if found is None:
+            return None
+        whole = tuple((int(low), int(high)) for low, high in found)
+        if any(Decimal(low) != a or Decimal(high) != b for (low, high), (a, b) in zip(whole, found, strict=True)):
+            self.refuse("wrong_form", key, "a bound is no whole number", "counts are whole; use `unit_range`")
+        elif any(low > high for low, high in whole):
+            self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
+        return Ranges(whole)
+
+    def fact(self) -> dict[str, Any]:
+        """The arguments that every fact of the model takes."""
+        return {
+            "name": self.text("name"),
+            "place": self.place(),
+            "printed_name": self.text("printed_name"),
+            "label": self.text("label"),
+            "doc": self.text("doc"),
+            "sources": self.sources,
+            "notes": self.texts("notes"),
+            "inferred": self.reasons("inferred"),
+            "allowed": self.reasons("allow"),
+            "restated": tuple(self._claims()),
+            "since": self.text("since"),
+            "until": self.text("until"),
+            "only": self.texts("only"),
+        }
+
+    def _claims(self) -> Iterator[Claim]:
+        for entry in self.entries("restated"):
+            values = {
+                key: value.value
+                for key, value in entry.node.values.items()
+                if isinstance(value, Scalar) and key not in _CLAIM_META
+            }
+            yield Claim(entry.place(), entry.sources, values)
+
+
+def free(node: Node | None) -> dict[str, object]:
+    """A mapping of free form as plain data."""
+    data = exact(node) if node is not None else {}
+    return data if isinstance(data, dict) else {}
+
+
+def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
+    """`0..127, 10000..10127` as pairs of exact numbers."""
+    pairs = []
+    for part in text.split(", "):
+        low, _, high = part.partition("..")
+        pairs.append((_number(low), _number(high or low)))
+    return tuple(pairs)
+
+
+def _number(text: str) -> Decimal:
+    return Decimal(int(text, 16)) if "x" in text else Decimal(text)
+
+
+_NUMBERS = re.compile(r"[0-9]+")
+
+
+@lru_cache(maxsize=65536)
+def citations(text: str, section: str) -> tuple[Citation, ...]:
+    """`8.2 L1622-1623, 1630; 9.1 L5` as citations; a part without a section takes the one given."""
+    found = []
+    for part in text.split("; ") if text else ():
+        head, _, numbers = part.rpartition("L")
+        lines = []
+        for piece in numbers.split(","):
+            bounds = [int(number) for number in _NUMBERS.findall(piece)]
+            lines.append((bounds[0], bounds[-1]))
+        found.append(Citation(head.strip() or section, tuple(lines)))
+    return tuple(found)

@@ -1,0 +1,72 @@
+"""Links: parts of frames, stations, serial settings."""
+
+from __future__ import annotations
+
+from fieldspec.model.link import ErrorReply, Link, Part, Serial, Stations
+from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.values import value
+
+_VALUED = ("station", "code", "length", "plain")
+
+
+def link(entry: Entry) -> Link:
+    """A link."""
+    error, silence = entry.entry("error"), entry.entry("silence")
+    return Link(
+        **entry.fact(),
+        title=entry.text("title"),
+        encoding=entry.text("encoding") or "binary",
+        start=bytes.fromhex(entry.text("start")),
+        end=bytes.fromhex(entry.text("end")),
+        byte_order=entry.text("byte_order"),
+        word_order=entry.text("word_order"),
+        request=tuple(_part(inner) for inner in entry.entries("request")),
+        response=tuple(_part(inner) for inner in entry.entries("response")),
+        error=ErrorReply(error.integer("flag") or 0, error.text("record")) if error else None,
+        stations=_stations(entry),
+        serial=_serial(entry),
+        silence_characters=silence.decimal("characters") if silence else None,
+        silence_milliseconds=silence.decimal("milliseconds") if silence else None,
+    )
+
+
+def _part(entry: Entry) -> Part:
+    role = entry.text("role") or "plain"
+    algorithm = entry.text("algorithm")
+    if (role == "check") != bool(algorithm):
+        entry.refuse("wrong_form", "role", "a check, and nothing else, has an algorithm", "give or remove `algorithm`")
+        algorithm = algorithm or "sum8"
+    return Part(
+        **entry.fact(),
+        role=role,
+        value=value(entry) if role in _VALUED else None,
+        algorithm=algorithm,
+    )
+
+
+def _stations(entry: Entry) -> Stations | None:
+    held = entry.entry("stations")
+    if held is None:
+        return None
+    return Stations(
+        place=held.place(),
+        ranges=held.whole_ranges("range"),
+        broadcast=held.integer("broadcast"),
+        rule=held.text("rule"),
+        sources=held.sources,
+    )
+
+
+def _serial(entry: Entry) -> Serial | None:
+    held = entry.entry("serial")
+    if held is None:
+        return None
+    return Serial(
+        baud=held.integers("baud"),
+        default_baud=held.integer("default_baud"),
+        data_bits=held.integers("data_bits"),
+        parity=held.texts("parity"),
+        stop_bits=held.integers("stop_bits"),
+        start_bits=held.integer("start_bits"),
+        sources=held.sources,
+    )

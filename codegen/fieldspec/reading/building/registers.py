@@ -1,0 +1,133 @@
+"""Registers in groups, tables of records, and numbered parameters."""
+
+from __future__ import annotations
+
+from fieldspec.model.fact import Citation
+from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.register import Gap, Register, RegisterGroup
+from fieldspec.model.table import PrintedElement, Table
+from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.values import value
+from fieldspec.reading.nodes import Mapping
+
+
+def group(entry: Entry) -> RegisterGroup:
+    """A group of registers."""
+    held = entry.node.values.get("defaults")
+    defaults = held if isinstance(held, Mapping) else None
+    arguments = entry.fact() | {"name": entry.text("group")}
+    return RegisterGroup(
+        **arguments,
+        title=entry.text("title"),
+        section=entry.section,
+        ascending=entry.text("order") != "as_listed",
+        gaps=tuple(
+            Gap(inner.whole_ranges("at") or Ranges(()), inner.text("reason")) for inner in entry.entries("gaps")
+        ),
+        registers=tuple(_register(inner) for inner in _rows(entry, defaults)),
+    )
+
+
+def _rows(entry: Entry, defaults: Mapping | None) -> list[Entry]:
+    """Rows take their sources from themselves: a group's source is where its table stands."""
+    rows = list(entry.named("rows", "registers", defaults))
+    for row in rows:
+        if not row.node.values.get("source"):
+            row.sources = ()
+    return rows
+
+
+def _register(entry: Entry) -> Register:
+    words = entry.integer("words")
+    content = value(entry, words=words)
+    width = (content.size + 1) // 2
+    count = entry.integer("count") or 1
+    elements = _elements(entry)
+    if not entry.sources and elements:
+        entry.sources = (elements[0],)
+    if elements and len(elements) != count:
+        text = f"{len(elements)} lines are cited for {count} registers"
+        entry.refuse("sources_present", "element_sources", text, "cite one line for each")
+    address = entry.integer("at")
+    if address is None:
+        entry.refuse("missing_key", "at", "a register needs an address", "give it under `at`")
+    return Register(
+        **entry.fact(),
+        address=address or 0,
+        decimal=entry.integer("decimal"),
+        words=words,
+        value=content,
+        access=entry.text("access"),
+        restart=entry.maybe("restart"),
+        atomic=entry.flag("atomic"),
+        trigger=entry.flag("trigger"),
+        same_as=entry.text("same_as"),
+        count=count,
+        stride=entry.integer("stride") or width,
+        index_from=entry.integer("index_from") or 0,
+        element_name=entry.text("element_name"),
+        element_sources=elements,
+    )
+
+
+def _elements(entry: Entry) -> tuple[Citation, ...]:
+    """One citation for each cited line."""
+    return tuple(
+        Citation(citation.section, ((line, line),))
+        for citation in entry.citations("element_sources")
+        for first, last in citation.lines
+        for line in range(first, last + 1)
+    )
+
+
+def table(entry: Entry) -> Table:
+    """A table of records."""
+    return Table(
+        **entry.fact(),
+        title=entry.text("title"),
+        base=entry.integer("base") or 0,
+        decimal=entry.integer("decimal"),
+        stride=entry.integer("stride") or 1,
+        count=entry.integer("count") or 1,
+        index_from=entry.integer("index_from") or 0,
+        record=entry.text("record"),
+        words=entry.integer("words"),
+        access=entry.text("access"),
+        elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
+    )
+
+
+def _printed_element(entry: Entry) -> PrintedElement:
+    first, _, last = entry.text("at").partition("..")
+    return PrintedElement(
+        place=entry.place(),
+        index=entry.integer("index") or 0,
+        first=int(first, 16) if first else None,
+        last=int(last, 16) if last else None,
+        words=entry.integer("words"),
+        sources=entry.sources,
+    )
+
+
+def parameter_set(entry: Entry) -> ParameterSet:
+    """A set of numbered parameters."""
+    held = entry.node.values.get("defaults")
+    defaults = held if isinstance(held, Mapping) else None
+    rows = entry.named("rows", entry.path, defaults)
+    return ParameterSet(
+        **entry.fact(),
+        title=entry.text("title"),
+        parameters=tuple(_parameter(inner, entry.text("type")) for inner in rows),
+    )
+
+
+def _parameter(entry: Entry, type_name: str) -> Parameter:
+    return Parameter(
+        **entry.fact(),
+        number=entry.integer("number") or 0,
+        value=value(entry, type_name),
+        access=entry.text("access"),
+        restart=entry.maybe("restart"),
+        reserved=entry.flag("reserved"),
+    )

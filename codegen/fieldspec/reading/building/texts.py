@@ -1,0 +1,100 @@
+"""Lookups, limits, notes, examples and errata."""
+
+from __future__ import annotations
+
+from fieldspec.model.erratum import Erratum
+from fieldspec.model.example import Example
+from fieldspec.model.limit import Limit
+from fieldspec.model.lookup import Column, Lookup, Row
+from fieldspec.model.note import Note
+from fieldspec.reading.building.context import Entry, free
+from fieldspec.reading.nodes import Scalar, Sequence
+
+
+def lookup(entry: Entry) -> Lookup:
+    """A table that is not on the wire."""
+    columns = tuple(
+        Column(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
+        for inner in entry.entries("columns")
+    )
+    return Lookup(
+        **entry.fact(),
+        title=entry.text("title"),
+        kind=entry.text("kind") or "table",
+        columns=columns,
+        rows=tuple(_row(inner, len(columns)) for inner in entry.entries("rows")),
+    )
+
+
+def _row(entry: Entry, width: int) -> Row:
+    held = entry.node.values.get("cells")
+    items = held.items if isinstance(held, Sequence) else ()
+    cells = tuple(item.value for item in items if isinstance(item, Scalar))
+    if len(cells) != width:
+        text = f"the row has {len(cells)} cells, the table {width} columns"
+        entry.refuse("wrong_size", "cells", text, "write `~` for an empty cell")
+        cells = (cells + (None,) * width)[:width]
+    return Row(entry.place(), cells, entry.text("notes"), entry.sources, entry.texts("only"))
+
+
+def limit(entry: Entry) -> Limit:
+    """A single number."""
+    return Limit(
+        **entry.fact(),
+        kind=entry.text("kind") or "limit",
+        value=entry.decimal("value"),
+        low=entry.decimal("min"),
+        high=entry.decimal("max"),
+        text=entry.text("text"),
+        unit=entry.text("unit"),
+    )
+
+
+def note(entry: Entry) -> Note:
+    """A caveat."""
+    return Note(
+        name=entry.text("name"),
+        place=entry.place(),
+        title=entry.text("title"),
+        text=entry.text("text"),
+        about=entry.texts("about"),
+        sources=entry.sources,
+    )
+
+
+def example(entry: Entry) -> Example:
+    """A frame with its meaning."""
+    return Example(
+        id=entry.text("id"),
+        place=entry.place(),
+        title=entry.text("title"),
+        link=entry.text("link"),
+        direction=entry.text("direction"),
+        message=entry.text("message"),
+        error=entry.flag("error"),
+        refused=entry.text("refused"),
+        reply_to=entry.text("reply_to"),
+        frame=bytes.fromhex(entry.text("frame")),
+        elided=entry.texts("elided"),
+        characters=entry.text("characters").replace("\\r", "\r").replace("\\n", "\n"),
+        values=free(entry.get("values")),
+        origin=entry.text("origin") or "printed",
+        sources=entry.sources,
+        notes=entry.texts("notes"),
+    )
+
+
+def erratum(entry: Entry) -> Erratum:
+    """A departure from the print."""
+    return Erratum(
+        id=entry.text("id"),
+        place=entry.place(),
+        fact=entry.text("fact"),
+        printed=free(entry.get("printed")),
+        literal=entry.text("literal"),
+        reason=entry.text("reason"),
+        confidence=entry.text("confidence"),
+        effect=entry.text("effect"),
+        proof=entry.text("proof"),
+        sources=entry.sources,
+    )

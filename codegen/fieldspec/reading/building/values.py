@@ -1,0 +1,81 @@
+"""Values: types, scales, ranges."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import ParameterPart, Sentinel, Value
+from fieldspec.reading.building.context import Entry
+
+UNTYPED = PRIMITIVES["u16"]
+
+
+def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
+    """The value that an entry describes. A missing type is a finding; `u16` then stands in for it."""
+    primitive = PRIMITIVES.get(entry.text("type") or type_name)
+    if primitive is None:
+        entry.refuse("type_given", "type", "nothing says how this value lies on the wire", "give it a `type`")
+        primitive = UNTYPED
+    scale = entry.decimal("scale")
+    if scale == 0:
+        entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "give the worth of one count")
+        scale = None
+    offset = entry.decimal("offset") or Decimal(0)
+    part = entry.entry("parameter")
+    return Value(
+        type=primitive,
+        size=_size(entry, primitive, words),
+        characters=entry.integer("characters"),
+        byte_order=entry.text("byte_order"),
+        scale=scale if scale is not None else Decimal(1),
+        offset=offset,
+        unit=entry.text("unit"),
+        ranges=_ranges(entry, scale or Decimal(1), offset),
+        default=_default(entry, scale or Decimal(1), offset),
+        const=entry.integer("const"),
+        enum=entry.text("enum"),
+        flags=entry.text("flags"),
+        parameter=ParameterPart(part.text("set"), part.text("part"), part.text("number")) if part else None,
+        sentinels=tuple(
+            Sentinel(inner.integer("value") or 0, inner.text("name"), inner.text("doc"), inner.sources)
+            for inner in entry.entries("sentinels")
+        ),
+    )
+
+
+def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
+    if primitive.kind not in (Kind.TEXT, Kind.BYTES):
+        return primitive.size
+    length = entry.integer("length")
+    if length is None and words is not None:
+        return 2 * words
+    if length is None:
+        entry.refuse("type_given", "type", f"a {primitive.name} has no size of its own", "give its `length` in bytes")
+        return 2
+    return length
+
+
+def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
+    in_unit = entry.ranges("unit_range")
+    if in_unit is None:
+        return entry.whole_ranges("range")
+    counts = []
+    for low, high in in_unit:
+        raw = sorted(((low - offset) / scale, (high - offset) / scale))
+        if any(bound != bound.to_integral_value() for bound in raw):
+            entry.refuse("wrong_form", "unit_range", "a bound is no whole number of counts", "compare it with `scale`")
+        counts.append((int(raw[0]), int(raw[1])))
+    return Ranges(tuple(counts))
+
+
+def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
+    in_unit = entry.decimal("unit_default")
+    if in_unit is None:
+        given = entry.value("default")
+        return given if isinstance(given, int | str) else None
+    raw = (in_unit - offset) / scale
+    if raw != raw.to_integral_value():
+        entry.refuse("wrong_form", "unit_default", "it is no whole number of counts", "compare it with `scale`")
+    return int(raw)

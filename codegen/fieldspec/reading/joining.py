@@ -1,0 +1,88 @@
+"""Joins the files of a device, and lays the device over the protocols that it uses."""
+
+from __future__ import annotations
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
+
+_OWN_SECTIONS = ("device", "protocol", "uses", "versions")
+
+
+def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
+    """One tree of all files: the items of lists follow each other, every other section stands once."""
+    whole = files[0]
+    found: list[Diagnostic] = []
+    for tree in files[1:]:
+        for key, value in tree.values.items():
+            have = whole.values.get(key)
+            if isinstance(have, Sequence) and isinstance(value, Sequence):
+                whole = whole.with_value(key, _both(have, value))
+            elif have is None:
+                whole = Mapping(
+                    whole.file, whole.start, whole.end, {**whole.keys, key: tree.keys[key]}, {**whole.values, key: value}
+                )
+            else:
+                first = Label(whole.keys[key].span, "the first one")
+                text = f"the section `{key}` stands in two files of the device"
+                found.append(Diagnostic("section_twice", text, tree.keys[key].span, (first,), "keep one of them"))
+    return whole, found
+
+
+def _both(first: Sequence, second: Sequence) -> Sequence:
+    return Sequence(first.file, first.start, first.end, first.items + second.items)
+
+
+def laid_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The device's tree with what it takes from a protocol; where both have an item, the device's keys win."""
+    found: list[Diagnostic] = []
+    for section, base in protocol.values.items():
+        if section in _OWN_SECTIONS or not isinstance(base, Sequence):
+            continue
+        chosen, missing = _chosen(base, use.values.get(section), section)
+        found += missing
+        own = device.values.get(section)
+        value = chosen if own is None else _merged(chosen, own)
+        if section in device.keys:
+            device = device.with_value(section, value)
+        else:
+            keys = {**device.keys, section: protocol.keys[section]}
+            device = Mapping(device.file, device.start, device.end, keys, {**device.values, section: value})
+    return device, found
+
+
+def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence, list[Diagnostic]]:
+    """The items of a section whose names are listed, or all where nothing is listed."""
+    if not isinstance(names, Sequence):
+        return base, []
+    have = {identity(item): item for item in base.items}
+    found = []
+    items = []
+    for name in names.items:
+        if isinstance(name, Scalar) and name.text not in have:
+            known = ", ".join(f"`{other}`" for other in have)
+            text = f"the protocol has no {section[:-1]} `{name.text}`"
+            found.append(Diagnostic("references_resolve", text, name.span, help=f"it has {known}"))
+        elif isinstance(name, Scalar):
+            items.append(have[name.text])
+    return Sequence(base.file, base.start, base.end, tuple(items)), found
+
+
+def _merged(base: Node, over: Node) -> Node:
+    """`over` laid over `base`: mappings key by key, lists of named items name by name, all else whole."""
+    if isinstance(base, Mapping) and isinstance(over, Mapping):
+        result = Mapping(over.file, over.start, over.end, base.keys, base.values)
+        for key, value in over.values.items():
+            have = base.values.get(key)
+            new = value if have is None else _merged(have, value)
+            keys = {**result.keys, key: over.keys[key]}
+            result = Mapping(over.file, over.start, over.end, keys, {**result.values, key: new})
+        return result
+    if isinstance(base, Sequence) and isinstance(over, Sequence) and _named(base) and _named(over):
+        extra = {identity(item): item for item in over.items}
+        items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
+        return Sequence(over.file, over.start, over.end, (*items, *extra.values()))
+    return over
+
+
+def _named(sequence: Sequence) -> bool:
+    return bool(sequence.items) and all(identity(item) is not None for item in sequence.items)

@@ -1,0 +1,108 @@
+"""The untyped tree of a YAML file. Every key and value keeps its place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from typing import TypeAlias
+
+from fieldspec.source import SourceFile, Span
+
+Plain: TypeAlias = None | bool | int | Decimal | str
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A scalar: its text, whether it was quoted, and its value once the schema has typed it."""
+
+    file: SourceFile
+    start: int
+    end: int
+    text: str
+    quoted: bool
+    value: Plain = None
+
+    @property
+    def span(self) -> Span:
+        return Span(self.file, self.start, self.end)
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """A list of nodes."""
+
+    file: SourceFile
+    start: int
+    end: int
+    items: tuple[Node, ...]
+
+    @property
+    def span(self) -> Span:
+        return Span(self.file, self.start, self.end)
+
+
+@dataclass(frozen=True, slots=True)
+class Mapping:
+    """Nodes by key, in the order of the file. `keys` holds the places of the keys."""
+
+    file: SourceFile
+    start: int
+    end: int
+    keys: dict[str, Scalar]
+    values: dict[str, Node]
+
+    @property
+    def span(self) -> Span:
+        return Span(self.file, self.start, self.end)
+
+    def with_value(self, key: str, value: Node) -> Mapping:
+        """The same mapping with one value set."""
+        keys = self.keys
+        if key not in keys:
+            keys = {**keys, key: Scalar(value.file, value.start, value.end, key, False, key)}
+        return replace(self, keys=keys, values={**self.values, key: value})
+
+    def without(self, key: str) -> Mapping:
+        """The same mapping without one key."""
+        keys = {k: v for k, v in self.keys.items() if k != key}
+        return replace(self, keys=keys, values={k: v for k, v in self.values.items() if k != key})
+
+
+Node: TypeAlias = Scalar | Sequence | Mapping
+
+
+def children(node: Node) -> Iterator[tuple[str | int, Node]]:
+    """The nodes directly below a node, with their keys or numbers."""
+    if isinstance(node, Mapping):
+        yield from node.values.items()
+    elif isinstance(node, Sequence):
+        yield from enumerate(node.items)
+
+
+def identity(node: Node) -> str | None:
+    """The name by which a path knows an item of a list."""
+    if isinstance(node, Mapping):
+        for key in ("name", "id", "group", "line", "protocol"):
+            held = node.values.get(key)
+            if isinstance(held, Scalar):
+                return held.text
+    return None
+
+
+def plain(node: Node) -> object:
+    """The node as plain Python data; decimals become floats, for validation only."""
+    if isinstance(node, Scalar):
+        return float(node.value) if isinstance(node.value, Decimal) else node.value
+    if isinstance(node, Sequence):
+        return [plain(item) for item in node.items]
+    return {key: plain(value) for key, value in node.values.items()}
+
+
+def exact(node: Node) -> object:
+    """The node as plain Python data with exact decimals."""
+    if isinstance(node, Scalar):
+        return node.value
+    if isinstance(node, Sequence):
+        return [exact(item) for item in node.items]
+    return {key: exact(value) for key, value in node.values.items()}

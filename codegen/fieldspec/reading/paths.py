@@ -1,0 +1,94 @@
+"""Paths of facts: `section/name/...`, each step a key, the name of a list's item, or its number.
+
+In `registers` the groups are skipped: `registers/servo` is the row `servo` of whichever group holds it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from fieldspec.reading.nodes import Mapping, Node, Sequence, identity
+
+Change = Callable[[Node], Node | None]
+
+
+def find(node: Node, path: str) -> Node | None:
+    """The node at a path, or None."""
+    at: Node | None = node
+    for step in path.split("/"):
+        if at is None:
+            return None
+        at = _step(at, step)
+    return at
+
+
+def changed(node: Node, path: str, change: Change) -> Node | None:
+    """The tree with the node at a path changed, or None where the path leads nowhere."""
+    return _changed(node, path.split("/"), change)
+
+
+def _inner(mapping: Mapping, step: str) -> tuple[str, Node] | None:
+    """The key under which a step finds its node in a mapping, and that node's holder."""
+    if step in mapping.values:
+        return step, mapping.values[step]
+    for key in ("rows", "members", "fields", "bits"):
+        held = mapping.values.get(key)
+        if isinstance(held, Sequence) and _index(held, step) is not None:
+            return key, held
+    return None
+
+
+def _index(sequence: Sequence, step: str) -> int | None:
+    """Which item of a list a step means: by name, by the name of a row within it, or by number."""
+    for number, item in enumerate(sequence.items):
+        if identity(item) == step:
+            return number
+    for number, item in enumerate(sequence.items):
+        if isinstance(item, Mapping) and "group" in item.values and _inner(item, step):
+            return number
+    if step.isdigit() and int(step) < len(sequence.items):
+        return int(step)
+    return None
+
+
+def _step(node: Node, step: str) -> Node | None:
+    if isinstance(node, Sequence):
+        number = _index(node, step)
+        if number is None:
+            return None
+        item = node.items[number]
+        if identity(item) != step and isinstance(item, Mapping) and "group" in item.values:
+            return _step(item, step)
+        return item
+    if isinstance(node, Mapping):
+        inner = _inner(node, step)
+        if inner is None:
+            return None
+        key, held = inner
+        return held if key == step else _step(held, step)
+    return None
+
+
+def _changed(node: Node, steps: list[str], change: Change) -> Node | None:
+    if not steps:
+        return change(node)
+    step, *rest = steps
+    if isinstance(node, Sequence):
+        number = _index(node, step)
+        if number is None:
+            return None
+        item = node.items[number]
+        grouped = identity(item) != step and isinstance(item, Mapping) and "group" in item.values
+        new = _changed(item, steps if grouped else rest, change)
+        if new is None:
+            return None
+        items = (*node.items[:number], new, *node.items[number + 1 :])
+        return Sequence(node.file, node.start, node.end, items)
+    if isinstance(node, Mapping):
+        inner = _inner(node, step)
+        if inner is None:
+            return None
+        key, held = inner
+        new = _changed(held, rest if key == step else steps, change)
+        return None if new is None else node.with_value(key, new)
+    return None

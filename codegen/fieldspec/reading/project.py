@@ -1,0 +1,163 @@
+"""All specs of a folder: protocols, and devices with their versions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping as Table
+from dataclasses import dataclass
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.device import Device
+from fieldspec.reading.building.device import built
+from fieldspec.reading.joining import joined, laid_over
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.reading.scalars import typed
+from fieldspec.reading.versions import Lines, selected
+from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.source import Span
+
+PROTOCOLS = "protocols"
+MAIN = "device.yaml"
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceSpec:
+    """The joined tree of a device, with its protocols, before a version is picked."""
+
+    id: str
+    tree: Mapping
+    lines: Lines
+
+    def versions(self) -> list[str]:
+        """The versions that outputs are written for, the oldest first."""
+        return self.lines.versions()
+
+    def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
+        """The model at one version."""
+        return built(self.tree_at(version), version)
+
+    def tree_at(self, version: str) -> Mapping:
+        """The tree with the facts of one version."""
+        tree = selected(self.tree, version, self.lines)
+        assert isinstance(tree, Mapping)
+        return tree
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """The devices by id, and what is wrong with the files."""
+
+    devices: Table[str, DeviceSpec]
+    found: list[Diagnostic]
+
+
+def read(files: Table[str, bytes], only: frozenset[str] = frozenset()) -> Project:
+    """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders."""
+    return _Reader(files).project(only)
+
+
+class _Reader:
+    def __init__(self, files: Table[str, bytes]) -> None:
+        self.files = files
+        self.found: list[Diagnostic] = []
+        self.protocols: dict[str, Mapping | None] = {}
+
+    def project(self, only: frozenset[str]) -> Project:
+        folders: dict[str, list[str]] = {}
+        for path in sorted(self.files):
+            folder, _, name = path.partition("/")
+            if name.endswith(".yaml") and "/" not in name and folder != PROTOCOLS:
+                folders.setdefault(folder, []).append(path)
+        devices: dict[str, DeviceSpec] = {}
+        for folder, paths in folders.items():
+            if only and folder not in only:
+                continue
+            spec = self._device(folder, paths)
+            if spec is None:
+                continue
+            if spec.id in devices:
+                first = Label(_id_span(devices[spec.id].tree), "the first one")
+                text = f"two devices have the id `{spec.id}`"
+                span = _id_span(spec.tree)
+                self.found.append(Diagnostic("device_id_unique", text, span, (first,), "give one another id"))
+                continue
+            devices[spec.id] = spec
+        return Project(devices, self.found)
+
+    def _tree(self, path: str) -> Mapping | None:
+        """The typed tree of one file, or None where it cannot be used."""
+        file, found = decoded(path, self.files[path])
+        if not found:
+            node, found = parsed(file)
+            if node is None and not found:
+                text = "the file is empty"
+                found = [Diagnostic("file_empty", text, Span(file, 0, 0), help="write a section, or remove the file")]
+            elif node is not None:
+                result, more = typed(node)
+                found += more
+                if isinstance(result, Mapping) and not found:
+                    return result
+        self.found += found
+        return None
+
+    def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
+        main = f"{folder}/{MAIN}"
+        paths = sorted(paths, key=lambda path: (path != main, path))
+        trees = [self._tree(path) for path in paths]
+        usable = [tree for tree in trees if tree is not None]
+        if len(usable) < len(trees):
+            return None
+        whole, found = joined(usable)
+        self.found += found
+        head = whole.values.get("device")
+        if not isinstance(head, Mapping):
+            text = f"no file of the folder `{folder}` has the section `device`"
+            span = Span(whole.file, 0, 1)
+            self.found.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
+            return None
+        whole = self._with_protocols(whole, ())
+        lines = Lines(whole)
+        self.found += lines.found
+        self.found += lines.unknown(whole)
+        identity = head.values["id"]
+        assert isinstance(identity, Scalar)
+        return DeviceSpec(identity.text, whole, lines)
+
+    def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
+        """The tree laid over every protocol that it uses."""
+        uses = tree.values.get("uses")
+        for use in uses.items if isinstance(uses, Sequence) else ():
+            if not isinstance(use, Mapping):
+                continue
+            name = use.values["protocol"]
+            assert isinstance(name, Scalar)
+            protocol = self._protocol(name, within)
+            if protocol is not None:
+                tree, found = laid_over(tree, protocol, use)
+                self.found += found
+        return tree
+
+    def _protocol(self, name: Scalar, within: tuple[str, ...]) -> Mapping | None:
+        if name.text in within:
+            chain = " -> ".join((*within, name.text))
+            text = f"the protocol uses itself: {chain}"
+            self.found.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
+            return None
+        if name.text not in self.protocols:
+            path = f"{PROTOCOLS}/{name.text}.yaml"
+            if path not in self.files:
+                known = sorted(p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/"))
+                hint = f"there are {', '.join(known)}" if known else f"there is no folder `{PROTOCOLS}`"
+                text = f"there is no file `{path}`"
+                self.found.append(Diagnostic("file_missing", text, name.span, help=hint))
+                return None
+            tree = self._tree(path)
+            if tree is not None:
+                tree = self._with_protocols(tree, (*within, name.text))
+            self.protocols[name.text] = tree
+        return self.protocols[name.text]
+
+
+def _id_span(tree: Node) -> Span:
+    head = tree.values["device"] if isinstance(tree, Mapping) else tree
+    held = head.values["id"] if isinstance(head, Mapping) else head
+    return held.span

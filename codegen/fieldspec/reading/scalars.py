@@ -1,0 +1,187 @@
+"""Types the scalars of a node tree by the schema, and validates the result against it.
+
+Until here every scalar is text, so `on`, `010` and `12:30` are no surprises: a scalar becomes a number or a
+truth value only where the schema wants one and the text is one.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+from decimal import Decimal
+from functools import lru_cache
+from importlib import resources
+from typing import Any
+
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, plain
+from fieldspec.source import Span
+
+MOST_FINDINGS = 200
+
+Schema = dict[str, Any]
+
+_INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]+|0b[01]+|0|[1-9][0-9]*)")
+_NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
+_CONSTANTS: dict[str, Plain] = {"true": True, "false": False, "~": None, "null": None}
+
+
+@lru_cache(maxsize=1)
+def schema() -> Schema:
+    """The language as JSON Schema."""
+    text = resources.files("fieldspec.schema").joinpath("spec.schema.json").read_text("utf-8")
+    return json.loads(text)  # type: ignore[no-any-return]
+
+
+@lru_cache(maxsize=1)
+def _validator() -> Any:
+    import jsonschema_rs
+
+    return jsonschema_rs.Draft202012Validator(schema())
+
+
+def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
+    """The tree of one file with typed scalars, and what the schema has against it."""
+    result = _typed(node, schema())
+    found: list[Diagnostic] = []
+    for error in _validator().iter_errors(plain(result)):
+        found += _findings(error, result)
+        if len(found) > MOST_FINDINGS:
+            text = f"more than {MOST_FINDINGS} findings; the rest of this file is not listed"
+            found.append(Diagnostic("too_many_findings", text, found[-1].span, help="mend the first ones"))
+            break
+    return result, found
+
+
+def _resolved(part: Schema) -> Schema:
+    while "$ref" in part:
+        part = schema()["$defs"][part["$ref"].rsplit("/", 1)[1]]
+    return part
+
+
+def _typed(node: Node, part: Schema) -> Node:
+    part = _resolved(part)
+    if isinstance(node, Scalar):
+        return Scalar(node.file, node.start, node.end, node.text, node.quoted, _value(node, part))
+    if isinstance(node, Sequence):
+        inner = part.get("items", {})
+        items = tuple(_typed(item, inner) for item in node.items)
+        return Sequence(node.file, node.start, node.end, items)
+    known = part.get("properties", {})
+    others = part.get("additionalProperties") or {}
+    values = {key: _typed(value, known.get(key, others)) for key, value in node.values.items()}
+    return Mapping(node.file, node.start, node.end, node.keys, values)
+
+
+def _value(node: Scalar, part: Schema) -> Plain:
+    """The scalar's value if the schema part wants what its text is, else its text."""
+    wanted = part.get("type")
+    if wanted is None and "enum" in part:
+        wanted = "string"
+    kinds = [wanted] if isinstance(wanted, str) else wanted or ["integer", "number", "boolean", "null", "string"]
+    text = node.text
+    if node.quoted:
+        return text
+    if "integer" in kinds and _INTEGER.fullmatch(text):
+        return int(text, 0)
+    if "number" in kinds and _INTEGER.fullmatch(text):
+        return int(text, 0)
+    if "number" in kinds and _NUMBER.fullmatch(text):
+        return Decimal(text)
+    if "boolean" in kinds and text in ("true", "false"):
+        return text == "true"
+    if "null" in kinds and text in ("~", "null", ""):
+        return None
+    return text
+
+
+def _findings(error: Any, root: Node) -> list[Diagnostic]:
+    """A validation error of the library: one finding, or one for each unknown key."""
+    node = _at(root, error.instance_path)
+    part = _schema_part(error.schema_path)
+    if error.schema_path[-1] == "additionalProperties" and isinstance(node, Mapping):
+        return [_unknown_key(node, key, part) for key in error.kind.as_dict()["unexpected"]]
+    return [_finding(error, node, part)]
+
+
+def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
+    """A validation error of the library in our words, at its place."""
+    last = error.instance_path[-1] if error.instance_path else "the file"
+    what = f"`{last}`" if isinstance(last, str) and error.instance_path else "this"
+    facts = error.kind.as_dict()
+    keyword = error.schema_path[-1]
+    text = node.text if isinstance(node, Scalar) else None
+    if keyword == "required":
+        missing = facts["property"]
+        return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=_described(part, missing))
+    if keyword == "enum" and text is not None:
+        options = [str(option) for option in part.get("enum", [])]
+        near = difflib.get_close_matches(text, options, 1)
+        hint = f"did you mean `{near[0]}`?" if near else "one of " + ", ".join(f"`{o}`" for o in options)
+        return Diagnostic("unknown_word", f"{what} cannot be `{text}`", node.span, help=hint)
+    description = part.get("description", "")
+    if keyword == "type":
+        wanted = part.get("type")
+        names = [wanted] if isinstance(wanted, str) else list(wanted or [])
+        shown = " or ".join(_KINDS.get(name, name) for name in names)
+        have = f"`{text}`" if text is not None else "a list" if isinstance(node, Sequence) else "a mapping"
+        message = f"{what} must be {shown}, not {have}"
+        return Diagnostic("wrong_type", message, _head(node), help=description)
+    if keyword == "pattern":
+        return Diagnostic("wrong_form", f"{what} cannot be written as `{text}`", node.span, help=description)
+    if keyword in ("minimum", "maximum"):
+        limit = part.get(keyword)
+        return Diagnostic("wrong_value", f"{what} is {text}; the {keyword} is {limit}", node.span, help=description)
+    if keyword in ("minItems", "minProperties", "maxProperties"):
+        return Diagnostic("wrong_size", f"{what} has too few or too many entries", _head(node), help=description)
+    return Diagnostic("wrong_form", error.message, _head(node), help=description)
+
+
+_KINDS = {
+    "integer": "a whole number",
+    "number": "a number",
+    "boolean": "true or false",
+    "string": "a text",
+    "array": "a list",
+    "object": "a mapping",
+    "null": "empty",
+}
+
+
+def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
+    legal = list(part.get("properties", {}))
+    near = difflib.get_close_matches(key, legal, 1, 0.6)
+    hint = f"did you mean `{near[0]}`?" if near else "legal keys: " + ", ".join(sorted(legal))
+    return Diagnostic("unknown_key", f"there is no key `{key}` here", node.keys[key].span, help=hint)
+
+
+def _described(part: Schema, key: str) -> str:
+    return str(part.get("properties", {}).get(key, {}).get("description", ""))
+
+
+def _schema_part(path: list[str | int]) -> Schema:
+    """The part of the schema that holds the last keyword of a schema path."""
+    part: Any = schema()
+    for key in path[:-1]:
+        part = _resolved(part) if isinstance(part, dict) and key != "$ref" else part
+        if key == "$ref":
+            part = _resolved(part)
+        else:
+            part = part[key]
+    return _resolved(part) if isinstance(part, dict) else {}
+
+
+def _at(root: Node, path: list[str | int]) -> Node:
+    node = root
+    for step in path:
+        node = node.items[int(step)] if isinstance(node, Sequence) else node.values[str(step)]  # type: ignore[union-attr]
+    return node
+
+
+def _head(node: Node) -> Span:
+    """The first line of a node: underlining a whole block helps nobody."""
+    if isinstance(node, Scalar):
+        return node.span
+    end = node.file.text.find("\n", node.start)
+    return Span(node.file, node.start, max(node.start + 1, min(node.end, end if end > 0 else node.end)))

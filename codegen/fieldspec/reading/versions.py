@@ -1,0 +1,92 @@
+"""Picks the facts of one version from a device's tree."""
+
+from __future__ import annotations
+
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
+
+LONE_VERSION = "1"
+
+
+class Lines:
+    """The version lines of a device: which line a version is on, and where in its order."""
+
+    def __init__(self, tree: Mapping) -> None:
+        self.place: dict[str, tuple[int, int]] = {}
+        self.built: list[str] = []
+        self.found: list[Diagnostic] = []
+        lines = tree.values.get("versions")
+        for number, line in enumerate(lines.items if isinstance(lines, Sequence) else ()):
+            if isinstance(line, Mapping):
+                self._add(number, line)
+
+    def _add(self, number: int, line: Mapping) -> None:
+        members = line.values.get("members")
+        ids = [
+            node
+            for item in (members.items if isinstance(members, Sequence) else ())
+            if isinstance(item, Mapping) and isinstance(node := item.values.get("id"), Scalar)
+        ]
+        for order, node in enumerate(ids):
+            if node.text in self.place:
+                text = f"the version `{node.text}` is declared twice"
+                self.found.append(Diagnostic("version_twice", text, node.span, help="give it an identifier of its own"))
+            self.place[node.text] = (number, order)
+        builds = line.values.get("builds")
+        if isinstance(builds, Scalar) and builds.value is True:
+            if self.built:
+                text = "two lines of versions are to be built"
+                self.found.append(Diagnostic("version_twice", text, builds.span, help="build one of them"))
+            self.built = [node.text for node in ids]
+
+    def versions(self) -> list[str]:
+        """The versions that outputs are written for, the oldest first."""
+        return self.built or [LONE_VERSION]
+
+    def holds(self, node: Mapping, version: str) -> bool:
+        """Whether a fact holds for a version that is built. Another line's versions decide nothing here."""
+        if version not in self.place:
+            return True
+        line, order = self.place[version]
+        since, until, only = (node.values.get(key) for key in ("since", "until", "only"))
+        for bound, wrong in ((since, 1), (until, -1)):
+            if isinstance(bound, Scalar) and bound.text in self.place:
+                other, at = self.place[bound.text]
+                if other == line and (at - order) * wrong > 0:
+                    return False
+        if isinstance(only, Sequence):
+            named = [item.text for item in only.items if isinstance(item, Scalar)]
+            same = [v for v in named if self.place.get(v, (None, 0))[0] == line]
+            return not same or version in same
+        return True
+
+    def unknown(self, node: Node) -> list[Diagnostic]:
+        """A finding for every `since`, `until` or `only` that names no declared version."""
+        found = []
+        if isinstance(node, Mapping):
+            for key in ("since", "until", "only"):
+                bound = node.values.get(key)
+                named = bound.items if isinstance(bound, Sequence) else (bound,)
+                for item in named:
+                    if isinstance(item, Scalar) and item.text not in self.place:
+                        known = ", ".join(f"`{v}`" for v in self.place) or "none"
+                        text = f"the device declares no version `{item.text}`"
+                        found.append(Diagnostic("version_unknown", text, item.span, help=f"it declares {known}"))
+        for _, inner in children(node):
+            found += self.unknown(inner)
+        return found
+
+
+def selected(node: Node, version: str, lines: Lines) -> Node:
+    """The tree without the facts that do not hold for a version."""
+    if isinstance(node, Sequence):
+        items = tuple(
+            selected(item, version, lines)
+            for item in node.items
+            if not isinstance(item, Mapping) or lines.holds(item, version)
+        )
+        return Sequence(node.file, node.start, node.end, items)
+    if isinstance(node, Mapping):
+        values = {key: selected(value, version, lines) for key, value in node.values.items()}
+        return Mapping(node.file, node.start, node.end, node.keys, values)
+    return node

@@ -1,0 +1,196 @@
+"""YAML text -> nodes with places. A slip is a finding, never an exception.
+
+Built on PyYAML's parser events, of which only plain data is taken: no tags, no merge keys. An alias is
+the node it names; what a file may grow to through aliases is bounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import yaml
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.source import SourceFile, Span
+
+LARGEST_FILE = 32 * 1024 * 1024
+LARGEST_TREE = 5_000_000
+DEEPEST_TREE = 64
+
+_Parser = getattr(yaml, "CParser", None)
+
+
+def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
+    """The text of a file, which must be UTF-8 and not larger than `LARGEST_FILE` bytes."""
+    if len(data) > LARGEST_FILE:
+        file = SourceFile(path, "")
+        text = f"the file has {len(data)} bytes; a spec file may have {LARGEST_FILE}"
+        return file, [Diagnostic("file_too_large", text, Span(file, 0, 0), help="split it over several files")]
+    if data.startswith(b"\xef\xbb\xbf"):
+        data = data[3:]
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        file = SourceFile(path, data.decode("utf-8", "replace"))
+        at = len(data[: error.start].decode("utf-8", "replace"))
+        message = f"byte {data[error.start]:#04x} is not UTF-8"
+        return file, [Diagnostic("not_utf8", message, Span(file, at, at + 1), help="save the file as UTF-8")]
+    file = SourceFile(path, text)
+    bad = next((at for at, char in enumerate(text) if char < " " and char not in "\t\n\r"), None)
+    if bad is not None:
+        message = f"control character {ord(text[bad]):#04x}"
+        return SourceFile(path, text), [
+            Diagnostic("yaml_syntax", message, Span(file, bad, bad + 1), help="remove it")
+        ]
+    return file, []
+
+
+def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
+    """The node tree of a file, or None, and what is wrong with its YAML."""
+    tab = _indenting_tab(file)
+    if tab is not None:
+        help = "indent with blanks"
+        return None, [Diagnostic("tab_indent", "a tab indents this line", Span(file, tab, tab + 1), help=help)]
+    builder = _Builder(file)
+    try:
+        parser = _Parser(file.text) if _Parser else yaml.Loader(file.text)
+        return builder.document(parser)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        at = min(mark.index if mark else 0, max(0, len(file.text) - 1))
+        labels = ()
+        if error.context and error.context_mark and error.context_mark.index != at:
+            start = error.context_mark.index
+            labels = (Label(Span(file, start, start + 1), error.context),)
+        found = Diagnostic("yaml_syntax", error.problem or "not YAML", Span(file, at, at + 1), labels)
+    except yaml.reader.ReaderError as error:
+        at = min(error.position, max(0, len(file.text) - 1))
+        found = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))
+    except _Refused as refused:
+        found = refused.args[0]
+    return None, [*builder.found, found]
+
+
+def _indenting_tab(file: SourceFile) -> int | None:
+    """Where a line is indented with a tab: most parsers then say something that helps nobody."""
+    if "\t" not in file.text:
+        return None
+    at = 0
+    for line in file.text.split("\n"):
+        indent = line[: len(line) - len(line.lstrip(" \t"))]
+        if "\t" in indent and line.strip():
+            return at + indent.index("\t")
+        at += len(line) + 1
+    return None
+
+
+class _Refused(Exception):
+    """Carries the finding that ends the reading of a file."""
+
+
+class _Builder:
+    """Builds nodes from parser events."""
+
+    def __init__(self, file: SourceFile) -> None:
+        self.file = file
+        self.found: list[Diagnostic] = []
+        self.anchors: dict[str, Node | None] = {}
+        self.weights: dict[int, int] = {}
+        self.total = 0
+
+    def document(self, parser: object) -> tuple[Node | None, list[Diagnostic]]:
+        """The first document; a second one is a finding."""
+        root: Node | None = None
+        seen = 0
+        events = _events(parser)
+        for event in events:
+            if isinstance(event, yaml.DocumentStartEvent):
+                seen += 1
+                if seen > 1:
+                    span = self._span(event)
+                    text = "a second document starts here; a spec file is one document"
+                    self.found.append(Diagnostic("several_documents", text, span, help="use a file of its own"))
+                    return None, self.found
+                root = self._node(next(events), events, 0)
+        return root, self.found
+
+    def _span(self, event: yaml.Event) -> Span:
+        return Span(self.file, event.start_mark.index, event.end_mark.index)
+
+    def _refuse(self, code: str, message: str, event: yaml.Event, help: str) -> None:
+        raise _Refused(Diagnostic(code, message, self._span(event), help=help))
+
+    def _node(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Node:
+        if depth > DEEPEST_TREE:
+            self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
+        if isinstance(event, yaml.AliasEvent):
+            return self._alias(event)
+        if event.tag is not None and not (isinstance(event, yaml.ScalarEvent) and event.tag == "!"):
+            self._refuse("tag_used", f"tag {event.tag}: a spec holds plain data", event, "remove the tag")
+        if event.anchor:
+            self.anchors[event.anchor] = None
+        before = self.total
+        self.total += 1
+        node: Node
+        if isinstance(event, yaml.ScalarEvent):
+            node = Scalar(
+                self.file, event.start_mark.index, event.end_mark.index, event.value, not event.implicit[0]
+            )
+        elif isinstance(event, yaml.SequenceStartEvent):
+            node = self._sequence(event, events, depth)
+        else:
+            node = self._mapping(event, events, depth)
+        if event.anchor:
+            self.anchors[event.anchor] = node
+            self.weights[id(node)] = self.total - before
+        return node
+
+    def _alias(self, event: yaml.AliasEvent) -> Node:
+        node = self.anchors.get(event.anchor)
+        if node is None:
+            known = event.anchor in self.anchors
+            text = f"alias *{event.anchor} " + ("lies within what it names" if known else "names no anchor")
+            self._refuse("alias_unknown", text, event, "write the data out")
+            raise AssertionError
+        self.total += self.weights[id(node)]
+        if self.total > LARGEST_TREE:
+            text = f"aliases make this file grow beyond {LARGEST_TREE} values"
+            self._refuse("aliases_grow", text, event, "write the data out")
+        return node
+
+    def _sequence(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Sequence:
+        items: list[Node] = []
+        for inner in events:
+            if isinstance(inner, yaml.SequenceEndEvent):
+                return Sequence(self.file, event.start_mark.index, inner.end_mark.index, tuple(items))
+            items.append(self._node(inner, events, depth + 1))
+        raise AssertionError("the parser ends every sequence")
+
+    def _mapping(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Mapping:
+        keys: dict[str, Scalar] = {}
+        values: dict[str, Node] = {}
+        for inner in events:
+            if isinstance(inner, yaml.MappingEndEvent):
+                return Mapping(self.file, event.start_mark.index, inner.end_mark.index, keys, values)
+            key = self._node(inner, events, depth + 1)
+            value = self._node(next(events), events, depth + 1)
+            if not isinstance(key, Scalar):
+                self.found.append(
+                    Diagnostic("key_not_text", "a key must be a word", key.span, help="write a plain word")
+                )
+            elif key.text in keys:
+                first = Label(keys[key.text].span, "the first one")
+                text = f"the key `{key.text}` stands here twice"
+                self.found.append(Diagnostic("duplicate_key", text, key.span, (first,), "remove one of them"))
+            else:
+                keys[key.text], values[key.text] = key, value
+        raise AssertionError("the parser ends every mapping")
+
+
+def _events(parser: object) -> Iterator[yaml.Event]:
+    while True:
+        event = parser.get_event()  # type: ignore[attr-defined]
+        if event is None or isinstance(event, yaml.StreamEndEvent):
+            return
+        yield event

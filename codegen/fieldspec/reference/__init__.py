@@ -1,0 +1,10 @@
+"""The codec that is built from the layout at run time with construct: the oracle of all generated ones.
+
+>>> from fieldspec.reference import codec          # a DeviceCodec for a DeviceLayout
+>>> codec(layout).records["point"].parse(data)     # a plain construct Struct
+"""
+
+from fieldspec.reference.device import DeviceCodec, codec
+from fieldspec.reference.error import CodecError
+
+__all__ = ["CodecError", "DeviceCodec", "codec"]

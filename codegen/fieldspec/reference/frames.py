@@ -1,0 +1,184 @@
+"""Frames: marks, characters, head, body and check."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import construct
+
+from fieldspec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.reference.checksums import ALGORITHMS
+from fieldspec.reference.error import CodecError
+from fieldspec.reference.records import Values, decoded, encoded, value_construct
+
+
+@dataclass(frozen=True)
+class Decoded:
+    """A frame's meaning. `message` is None for an error reply to a code that the device does not know.
+
+    `head` holds the parts before the body but for the length; the code of an error reply is there without its
+    flag. `parts` is the frame's binary form.
+    """
+
+    link: str
+    direction: str
+    message: MessageLayout | None
+    error: bool
+    head: Values
+    values: Values
+    parts: bytes = field(repr=False)
+    body: RecordLayout | None = field(repr=False)
+
+
+class FrameCodec:
+    """Encodes and decodes the frames of one link."""
+
+    def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
+        self.layout, self.link = layout, link
+        self.heads = {
+            direction: construct.Struct(
+                *(part.name / value_construct(part.value, part.order, False) for part in link.frame(direction).head)
+            )
+            for direction in ("request", "response")
+        }
+
+    def parts(self, frame: bytes) -> bytes:
+        """A frame without its marks, as bytes instead of characters."""
+        link = self.link.link
+        if not frame.startswith(link.start):
+            raise CodecError("wrong_mark", f"the frame does not start with {link.start.hex(' ')}", 0)
+        if not frame.endswith(link.end) or len(frame) < len(link.start) + len(link.end):
+            raise CodecError("wrong_mark", f"the frame does not end with {link.end.hex(' ')}", len(frame))
+        inner = frame[len(link.start) : len(frame) - len(link.end)]
+        if link.encoding == "binary":
+            return inner
+        for at, char in enumerate(inner):
+            if char not in b"0123456789ABCDEFabcdef":
+                raise CodecError("not_hex", f"byte {char:#04x} is no hexadecimal character", len(link.start) + at)
+        if len(inner) % 2:
+            raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(link.end))
+        return bytes.fromhex(inner.decode("ascii"))
+
+    def decode(self, frame: bytes, direction: str, message: str = "") -> Decoded:
+        """The meaning of a whole frame.
+
+        `message` names the message where the frame does not carry a code. Raises CodecError.
+        """
+        data = self.parts(frame)
+        shape = self.link.frame(direction)
+        if len(data) < shape.head_size + shape.tail_size:
+            least = shape.head_size + shape.tail_size
+            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
+        head = dict(self.heads[direction].parse(data[: shape.head_size]))
+        head.pop("_io", None)
+        self._check_length(shape, head, data)
+        self._check_sum(shape, data)
+        laid, body, error = self._body(shape, head, message)
+        inner = data[shape.head_size : len(data) - shape.tail_size]
+        values = decoded(body, inner, self.layout.device, shape.head_size)
+        shown = {part.name: head[part.name] for part in shape.head if part.role != "length"}
+        return Decoded(self.link.name, direction, laid, error, shown, values, data, body)
+
+    def _check_length(self, shape: FrameLayout, head: Values, data: bytes) -> None:
+        part = shape.role("length")
+        if part is not None and head[part.name] != len(data):
+            text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
+            raise CodecError("wrong_length", text, part.offset)
+
+    def _check_sum(self, shape: FrameLayout, data: bytes) -> None:
+        part = shape.check
+        if part is not None:
+            at = len(data) + part.offset
+            have = int.from_bytes(data[at : at + part.size], "little")
+            want = ALGORITHMS[part.algorithm](data[:at])
+            if have != want:
+                width = 2 * part.size
+                raise CodecError("wrong_check", f"{part.name} is {have:0{width}X}, not {want:0{width}X}", at)
+
+    def _body(
+        self, shape: FrameLayout, head: Values, message: str
+    ) -> tuple[MessageLayout | None, RecordLayout, bool]:
+        """The message and the record of the body that a head announces."""
+        part = shape.role("code")
+        error = self.link.link.error
+        if part is None:
+            laid = self.layout.messages.get(message)
+            if laid is None:
+                raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
+            return laid, laid.data(shape.direction), False
+        code = head[part.name]
+        if error is not None and shape.direction == "response" and code & error.flag:
+            head[part.name] = code & ~error.flag
+            return self.layout.message_with_code(code & ~error.flag), self.layout.records[error.record], True
+        laid = self.layout.message_with_code(code)
+        if laid is None:
+            raise CodecError("unknown_code", f"no message has the code {code:#04x}", part.offset)
+        if message and laid.name != message:
+            raise CodecError("unknown_code", f"the code {code:#04x} is that of {laid.name}, not of {message}", part.offset)
+        return laid, laid.data(shape.direction), False
+
+    def encode(
+        self, direction: str, message: str, values: Mapping[str, Any], *, error: bool = False, code: int | None = None
+    ) -> bytes:
+        """The frame of a message: the parts of its head and the fields of its body by name.
+
+        For an error reply, `code` may stand in for a message that the device does not know. Raises CodecError.
+        """
+        shape = self.link.frame(direction)
+        laid = self.layout.messages.get(message)
+        if laid is None and not (error and code is not None):
+            raise CodecError("unknown_code", f"there is no message {message!r}")
+        refusal = self.link.link.error
+        if error and refusal is None:
+            raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
+        body = self.layout.records[refusal.record] if error and refusal else laid.data(direction) if laid else None
+        assert body is not None
+        names = {part.name for part in shape.head}
+        inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
+        head: Values = {}
+        for part in shape.head:
+            head[part.name] = self._head_value(part, values, laid, error, code)
+        length = shape.role("length")
+        total = shape.head_size + len(inner) + shape.tail_size
+        if length is not None:
+            if total > 256**length.size - 1:
+                raise CodecError("wrong_length", f"a frame of {total} bytes is too long for {length.name}")
+            head[length.name] = total
+        data = self.heads[direction].build(head) + inner
+        if shape.check is not None:
+            data += ALGORITHMS[shape.check.algorithm](data).to_bytes(shape.check.size, "little")
+        return self._marked(data)
+
+    def _head_value(
+        self, part: PartLayout, values: Mapping[str, Any], laid: MessageLayout | None, error: bool, code: int | None
+    ) -> int:
+        if part.role == "length":
+            return 0
+        if part.role == "code":
+            number = code if code is not None else laid.message.code if laid else None
+            if number is None:
+                raise CodecError("unknown_code", "the message has no code")
+            refusal = self.link.link.error
+            return number | refusal.flag if error and refusal else number
+        held = values.get(part.name, part.value.const if part.value else None)
+        if not isinstance(held, int):
+            raise CodecError("missing_value", f"{part.name} is not given")
+        assert part.value is not None
+        allowed = part.value.ranges
+        stations = self.link.link.stations if part.role == "station" else None
+        if stations is not None and stations.ranges is not None:
+            allowed = stations.ranges
+            if held == stations.broadcast:
+                return held
+        if not part.value.type.low <= held <= part.value.type.high or (allowed is not None and held not in allowed):
+            raise CodecError("out_of_range", f"{part.name} is {held}")
+        return held
+
+    def _marked(self, data: bytes) -> bytes:
+        link = self.link.link
+        inner = data.hex().upper().encode("ascii") if link.encoding == "hex_ascii" else data
+        return link.start + inner + link.end

@@ -1,0 +1,236 @@
+"""Records as construct Structs, and the rules that a Struct does not know."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import construct
+
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+from fieldspec.reference.error import CodecError
+
+Values = dict[str, Any]
+
+_NUMBERS = {
+    ("u", 1): "Int8u",
+    ("i", 1): "Int8s",
+    ("u", 2): "Int16u",
+    ("i", 2): "Int16s",
+    ("u", 4): "Int32u",
+    ("i", 4): "Int32s",
+    ("u", 8): "Int64u",
+    ("i", 8): "Int64s",
+}
+
+
+def record_struct(record: RecordLayout) -> construct.Struct:
+    """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
+    return construct.Struct(*(field.name / _construct(field) for field in record.fields))
+
+
+def _construct(field: FieldLayout) -> construct.Construct:
+    element = record_struct(field.record) if field.record else value_construct(field.value, field.order, field.swapped)
+    if field.field.repeat is not None:
+        return construct.GreedyRange(element)
+    return element[field.count] if field.listed else element
+
+
+def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
+    """One value as a construct."""
+    assert value is not None
+    kind, size = value.type.kind, value.size
+    if kind in (Kind.TEXT, Kind.BYTES):
+        return construct.Bytes(size)
+    suffix = "b" if (order == "big") != swapped else "l"
+    if kind is Kind.FLOAT:
+        number = getattr(construct, "Float32" + suffix)
+    else:
+        number = getattr(construct, _NUMBERS["i" if value.type.signed else "u", size] + suffix)
+    if swapped:
+        # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
+        return construct.Transformed(number, _words_turned, size, _words_turned, size)
+    return number
+
+
+def _words_turned(data: bytes) -> bytes:
+    return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+
+
+def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) -> Values:
+    """The values of a record's bytes, which must be exactly that long.
+
+    Raises CodecError; `offset` is where the data start in the frame.
+    """
+    _check_length(record, len(data), offset)
+    parsed = record_struct(record).parse(data)
+    values: Values = {}
+    for field in record.fields:
+        values[field.name] = _decoded_field(field, parsed[field.name], device, offset)
+    _check_measures(record, values, offset)
+    return values
+
+
+def _check_length(record: RecordLayout, length: int, offset: int) -> None:
+    if length < record.least:
+        text = f"{record.name} has at least {record.least} bytes, not {length}"
+        raise CodecError("incomplete", text, offset + length)
+    if record.most is not None and length > record.most:
+        raise CodecError("wrong_length", f"{record.name} has at most {record.most} bytes, not {length}", offset + record.most)
+    last = record.fields[-1] if record.fields else None
+    if last is not None and last.count is None and (length - last.offset) % last.size:
+        raise CodecError("wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length)
+
+
+def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
+    at = offset + field.offset
+    if field.listed:
+        return [_decoded_one(field, item, device, at + n * field.size) for n, item in enumerate(raw)]
+    return _decoded_one(field, raw, device, at)
+
+
+def _decoded_one(field: FieldLayout, raw: Any, device: Device, at: int) -> Any:
+    if field.record is not None:
+        inner = {name: raw[name] for name in (f.name for f in field.record.fields)}
+        return {f.name: _decoded_field(f, inner[f.name], device, at) for f in field.record.fields}
+    if field.field.reserved:
+        return raw
+    return decoded_value(field.name, field.value, raw, device, at)
+
+
+def decoded_value(name: str, value: Value | None, raw: Any, device: Device, at: int | None) -> Any:
+    """One raw value: booleans as such, text as a str; closed enums and constants are enforced."""
+    assert value is not None
+    kind = value.type.kind
+    if kind is Kind.BOOLEAN:
+        if raw not in (0, 1):
+            raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", at)
+        return bool(raw)
+    if kind is Kind.TEXT:
+        if any(byte > 0x7F for byte in raw):
+            raise CodecError("unknown_value", f"{name} holds bytes that are not ASCII", at)
+        return raw.rstrip(b"\0").decode("ascii")
+    if kind is Kind.BYTES:
+        return bytes(raw)
+    if value.const is not None and raw != value.const:
+        raise CodecError("wrong_const", f"{name} is {raw}, not {value.const}", at)
+    if value.enum and not _known(device, value, raw):
+        raise CodecError("unknown_value", f"{name} is {raw}, which {value.enum} does not list", at)
+    return raw
+
+
+def _known(device: Device, value: Value, raw: int) -> bool:
+    enum = device.enums[value.enum]
+    if enum.open or any(sentinel.value == raw for sentinel in value.sentinels):
+        return True
+    member = enum.member(raw)
+    return member is not None and not member.unavailable
+
+
+def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
+    for field in record.fields:
+        measured = _measured(record, field, values)
+        if measured is not None and values[field.name] != measured:
+            text = f"{field.name} is {values[field.name]}, but there are {measured}"
+            raise CodecError("wrong_measure", text, offset + field.offset)
+
+
+def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
+    """What a field that measures another one must hold."""
+    measure = field.field.measures
+    if measure is None:
+        return None
+    other = record.named(measure.field)
+    assert other is not None
+    held = values[measure.field]
+    items = len(held) if other.listed else 1
+    return items * other.size if measure.of == "bytes" else items
+
+
+def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> bytes:
+    """The bytes of a record. Raises CodecError for values that are missing, unknown or out of range."""
+    unknown = sorted(set(values) - {field.name for field in record.fields})
+    if unknown:
+        raise CodecError("unknown_field", f"{record.name} has no field {unknown[0]}")
+    raw: Values = {}
+    for field in record.fields:
+        if field.field.measures is None:
+            raw[field.name] = _encoded_field(field, values, device)
+    for field in record.fields:
+        measured = _measured(record, field, raw)
+        if measured is not None:
+            raw[field.name] = _in_range(field.name, field.value, measured)
+    data: bytes = record_struct(record).build(raw)
+    return data
+
+
+def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:
+    held = values.get(field.name)
+    if held is None:
+        held = _implied(field)
+    if not field.listed:
+        return _encoded_one(field, held, device)
+    if not isinstance(held, list | tuple):
+        raise CodecError("wrong_type", f"{field.name} is a list")
+    repeat = field.field.repeat
+    if repeat is not None and len(held) not in repeat:
+        raise CodecError("wrong_length", f"{field.name} has {repeat.text()} elements, not {len(held)}")
+    if repeat is None and len(held) != field.count:
+        raise CodecError("wrong_length", f"{field.name} has {field.count} elements, not {len(held)}")
+    return [_encoded_one(field, item, device) for item in held]
+
+
+def _implied(field: FieldLayout) -> Any:
+    """What a field holds that nobody gives a value: its constant, or zeros where it is reserved."""
+    value = field.value
+    implied: Any = None
+    if value is not None and value.const is not None:
+        implied = value.const
+    elif field.field.reserved and value is not None:
+        zero: Any = bytes(value.size) if value.type.letter == "s" else 0
+        implied = value.default if isinstance(value.default, int) else zero
+    if implied is None:
+        raise CodecError("missing_value", f"{field.name} is not given")
+    return [implied] * (field.count or 0) if field.listed else implied
+
+
+def _encoded_one(field: FieldLayout, held: Any, device: Device) -> Any:
+    if field.record is not None:
+        unknown = sorted(set(held) - {inner.name for inner in field.record.fields})
+        if unknown:
+            raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
+        return {inner.name: _encoded_field(inner, held, device) for inner in field.record.fields}
+    return encoded_value(field.name, field.value, held, device)
+
+
+def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> Any:
+    """One value as raw number or bytes, refused where it is out of range."""
+    assert value is not None
+    kind = value.type.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        data = held.encode("ascii") if isinstance(held, str) else bytes(held)
+        if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
+            raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
+        return data.ljust(value.size, b"\0")
+    if kind is Kind.FLOAT:
+        return float(held)
+    if not isinstance(held, int):
+        raise CodecError("wrong_type", f"{name} is a whole number, not {held!r}")
+    if value.const is not None and held != value.const:
+        raise CodecError("wrong_const", f"{name} is {held}, not {value.const}")
+    if value.enum and not _known(device, value, int(held)):
+        raise CodecError("unknown_value", f"{name} is {held}, which {value.enum} does not list")
+    return _in_range(name, value, int(held))
+
+
+def _in_range(name: str, value: Value | None, held: int) -> int:
+    assert value is not None
+    known = any(sentinel.value == held for sentinel in value.sentinels)
+    fits = value.type.low <= held <= value.type.high
+    if not fits or (value.ranges is not None and held not in value.ranges and not known):
+        allowed = value.ranges.text() if value.ranges else f"{value.type.low}..{value.type.high}"
+        raise CodecError("out_of_range", f"{name} is {held}, not in {allowed}")
+    return held

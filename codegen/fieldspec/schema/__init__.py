@@ -1,0 +1,1 @@
+"""The language: `spec.schema.json` is the one table of legal keys."""

@@ -1,0 +1,53 @@
+"""Files and places in them. Lines and columns are worked out only when something is printed."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, eq=False)
+class SourceFile:
+    """A text and the path by which users know it, with forward slashes."""
+
+    path: str
+    text: str
+    _line_starts: list[int] = field(default_factory=list, repr=False)
+
+    def line_starts(self) -> list[int]:
+        """Offsets of the first character of every line."""
+        if not self._line_starts:
+            self._line_starts.append(0)
+            self._line_starts.extend(at + 1 for at, char in enumerate(self.text) if char == "\n")
+        return self._line_starts
+
+    def line(self, number: int) -> str:
+        """The text of a line, counted from 1, without its end."""
+        starts = self.line_starts()
+        end = starts[number] - 1 if number < len(starts) else len(self.text)
+        return self.text[starts[number - 1] : end].rstrip("\r")
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Characters `start` to `end` (exclusive) of a file."""
+
+    file: SourceFile
+    start: int
+    end: int
+
+    def position(self) -> tuple[int, int]:
+        """Line and column of the start, both counted from 1."""
+        starts = self.file.line_starts()
+        line = bisect_right(starts, self.start)
+        return line, self.start - starts[line - 1] + 1
+
+    def end_position(self) -> tuple[int, int]:
+        """Line and column of the end, both counted from 1; the column is exclusive."""
+        starts = self.file.line_starts()
+        line = bisect_right(starts, max(self.start, self.end - 1))
+        return line, self.end - starts[line - 1] + 1
+
+    def order(self) -> tuple[str, int, int]:
+        """A key that sorts spans by file and place."""
+        return self.file.path, self.start, self.end
