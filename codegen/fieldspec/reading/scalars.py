@@ -44,14 +44,19 @@ def _validator() -> Any:
 def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     """The tree of one file with typed scalars, and what the schema has against it."""
     result = _typed(node, schema())
+    return result, violations(result)
+
+
+def violations(node: Node) -> list[Diagnostic]:
+    """What the schema has against a typed tree; at most `MOST_FINDINGS` findings."""
     found: list[Diagnostic] = []
-    for error in _validator().iter_errors(plain(result)):
-        found += _findings(error, result)
+    for error in _validator().iter_errors(plain(node)):
+        found += _findings(error, node)
         if len(found) > MOST_FINDINGS:
             text = f"more than {MOST_FINDINGS} findings; the rest of this file is not listed"
             found.append(Diagnostic("too_many_findings", text, found[-1].span, help="mend the first ones"))
             break
-    return result, found
+    return found
 
 
 def _resolved(part: Schema) -> Schema:

@@ -74,7 +74,7 @@ def example(entry: Entry) -> Example:
         error=entry.flag("error"),
         refused=entry.text("refused"),
         reply_to=entry.text("reply_to"),
-        frame=bytes.fromhex(entry.text("frame")),
+        frame=_frame(entry),
         elided=entry.texts("elided"),
         characters=entry.text("characters").replace("\\r", "\r").replace("\\n", "\n"),
         values=free(entry.get("values")),
@@ -82,6 +82,14 @@ def example(entry: Entry) -> Example:
         sources=entry.sources,
         notes=entry.texts("notes"),
     )
+
+
+def _frame(entry: Entry) -> bytes:
+    try:
+        return bytes.fromhex(entry.text("frame"))
+    except ValueError:
+        entry.refuse("wrong_form", "frame", "these are not whole bytes", "write pairs of hexadecimal digits")
+        return b""
 
 
 def erratum(entry: Entry) -> Erratum:

@@ -1,0 +1,45 @@
+"""The outputs: one folder each. A back end turns the layouts of a device's versions into texts by path."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from typing import cast
+
+from fieldspec.layout.device import DeviceLayout
+
+Texts = dict[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """An output by the name of its folder here and below `generated/`.
+
+    Its module is imported when it is first used, so that nobody pays for outputs that are not asked for.
+    """
+
+    name: str
+    title: str
+
+    def files(self, versions: Sequence[DeviceLayout]) -> Texts:
+        """The texts for all versions of one device, the oldest first, by path."""
+        return cast("Callable[[Sequence[DeviceLayout]], Texts]", self._backend("files"))(versions)
+
+    def shared(self) -> Texts:
+        """The texts that belong to no device, by path."""
+        return cast("Callable[[], Texts]", self._backend("shared"))()
+
+    def _backend(self, function: str) -> object:
+        return getattr(import_module(f"fieldspec.backends.{self.name}.backend"), function)
+
+
+OUTPUTS = {
+    output.name: output
+    for output in (
+        Output("python", "Python codecs"),
+        Output("c", "C headers with self-tests"),
+        Output("docs", "Documentation as HTML and Markdown"),
+        Output("vectors", "Example frames as JSON"),
+    )
+}

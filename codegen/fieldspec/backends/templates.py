@@ -1,0 +1,25 @@
+"""Fills templates. The only module that knows jinja2."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import jinja2
+
+
+@lru_cache(maxsize=1)
+def _environment() -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.PackageLoader("fieldspec", "backends"),
+        undefined=jinja2.StrictUndefined,
+        autoescape=lambda name: name is not None and name.endswith(".html.j2"),
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+
+
+def fill(template: str, **view: Any) -> str:
+    """The text of a template, given by its path below `backends/`, over a view of computed values."""
+    return _environment().get_template(template).render(**view)

@@ -1,0 +1,38 @@
+"""The whole compiler as a table of contents: files -> project -> findings -> layouts -> texts by path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from fieldspec.backends import OUTPUTS
+from fieldspec.diagnostics import Diagnostic, in_order
+from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.proofs.running import proven
+from fieldspec.reading.project import DeviceSpec, Project, read
+
+
+def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Project:
+    """The project of spec files by path, relative to the specs' folder; of all devices, or of `only` some."""
+    return read(files, only)
+
+
+def checked(project: Project) -> list[Diagnostic]:
+    """All findings of all files and devices, in order."""
+    found = [finding for spec in project.devices.values() for finding in proven(spec)]
+    return in_order([*project.found, *found])
+
+
+def layouts(spec: DeviceSpec) -> list[DeviceLayout]:
+    """The layouts of all versions of a device that has no findings, the oldest first."""
+    return [device_layout(spec.at(version)[0]) for version in spec.versions()]
+
+
+def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, str]:
+    """The texts of some outputs of some devices, by path relative to the folder of generated files."""
+    devices = list(devices)
+    texts: dict[str, str] = {}
+    for name in names:
+        output = OUTPUTS[name]
+        files = [output.shared(), *(output.files(versions) for versions in devices)]
+        texts |= {f"{name}/{path}": text for part in files for path, text in part.items()}
+    return texts

@@ -1,0 +1,1 @@
+"""What is proven by running things: examples through the reference codec, errata by putting the print back."""

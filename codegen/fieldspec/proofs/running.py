@@ -1,0 +1,50 @@
+"""Runs checks and proofs on a device."""
+
+from __future__ import annotations
+
+from fieldspec import checks
+from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.layout.device import device_layout
+from fieldspec.model.device import Device
+from fieldspec.proofs.errata import errata_proven
+from fieldspec.proofs.examples import examples_proven
+from fieldspec.reading.project import DeviceSpec
+
+EXAMPLE_PROOFS = (
+    "check_code_correct",
+    "length_byte_correct",
+    "meaning_matches_bytes",
+    "characters_match_bytes",
+)
+ERRATA_PROOFS = ("errata_differ", "errata_paths_resolve", "errata_proven")
+
+
+def findings(device: Device, name: str) -> list[Diagnostic]:
+    """The findings of one check or proof of examples."""
+    if name not in EXAMPLE_PROOFS:
+        return checks.run_named(device, name)
+    if has_errors(checks.run_named(device, "references_resolve")):
+        return []
+    return [found for found in examples_proven(device_layout(device)) if found.code == name]
+
+
+def known() -> frozenset[str]:
+    """The names of all checks that an erratum may name as its proof."""
+    return frozenset(name for name, _ in checks.CHECKS) | frozenset(EXAMPLE_PROOFS)
+
+
+def proven(spec: DeviceSpec) -> list[Diagnostic]:
+    """All findings of a device at all its versions. Examples and errata are proven where the checks pass."""
+    found: list[Diagnostic] = []
+    settled: set[str] = set()
+    for version in reversed(spec.versions()):
+        device, broken = spec.at(version)
+        broken = [*broken, *checks.run(device)]
+        found += broken
+        if has_errors(broken):
+            continue
+        found += examples_proven(device_layout(device))
+        errata = [erratum for erratum in device.errata if erratum.id not in settled]
+        settled |= {erratum.id for erratum in errata}
+        found += errata_proven(spec, version, device, errata, findings, known())
+    return found
