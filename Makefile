@@ -1,0 +1,54 @@
+# make         set up what is needed and build every output
+# make test    set up and test everything
+# make accept  rewrite the tests' expectations; read the difference before you commit it
+# make pins    choose new versions of the dependencies
+# make clean   remove what make has set up
+PYTHON ?= python3
+
+VENV := .venv
+BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
+PIP := $(BIN)/python -m pip --disable-pip-version-check
+PINS := requirements/dev.txt
+INSTALLED := $(VENV)/.installed
+TOOLS := tests/tools/node_modules/.package-lock.json
+NPM := $(shell command -v npm 2>/dev/null)
+UV := uv==0.13.8
+
+.PHONY: build test accept pins clean
+
+build: $(INSTALLED)
+	$(BIN)/fieldspec build
+
+# Without npm the tests of editors are skipped; where CI is set, they fail.
+test: $(INSTALLED) $(if $(NPM),$(TOOLS))
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/pytest
+
+accept: $(INSTALLED)
+	$(BIN)/pytest --accept
+
+pins: $(INSTALLED)
+	$(PIP) install --quiet $(UV)
+	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.10 --generate-hashes \
+	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
+	  --extra dev pyproject.toml --output-file $(PINS)
+
+clean:
+	rm -rf $(VENV) tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+
+$(BIN)/python:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 10))' || \
+	  { echo "$(PYTHON) is missing or older than 3.10; name a newer one: make PYTHON=python3.12" >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo "$(PYTHON) cannot make virtual environments; install python3-venv (as root: apt-get install python3-venv)" >&2; exit 1; }
+	$(PYTHON) -m venv $(VENV)
+
+$(INSTALLED): $(PINS) pyproject.toml codegen/fieldspec/__init__.py | $(BIN)/python
+	$(PIP) install --quiet --require-hashes --requirement $(PINS)
+	$(PIP) install --quiet --no-build-isolation --no-deps --editable .
+	@touch $@
+
+$(TOOLS): tests/tools/package.json tests/tools/package-lock.json
+	cd tests/tools && npm ci --no-audit --no-fund
+	@touch $@
