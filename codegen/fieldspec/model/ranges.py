@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import Decimal
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,3 +28,16 @@ class Ranges:
     def text(self) -> str:
         """`0..127, 10000..10127`"""
         return ", ".join(f"{low}" if low == high else f"{low}..{high}" for low, high in self.intervals)
+
+
+def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
+    """`0..127, 10000..10127` as pairs of exact numbers."""
+    pairs = []
+    for part in text.split(", "):
+        low, _, high = part.partition("..")
+        pairs.append((_number(low), _number(high or low)))
+    return tuple(pairs)
+
+
+def _number(text: str) -> Decimal:
+    return Decimal(int(text, 16)) if "x" in text else Decimal(text)

@@ -11,7 +11,7 @@ from typing import Any
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Citation, Claim, Plain
 from fieldspec.model.place import Place
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.ranges import Ranges, intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
@@ -188,19 +188,6 @@ def free(node: Node | None) -> dict[str, object]:
     """A mapping of free form as plain data."""
     data = exact(node) if node is not None else {}
     return data if isinstance(data, dict) else {}
-
-
-def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
-    """`0..127, 10000..10127` as pairs of exact numbers."""
-    pairs = []
-    for part in text.split(", "):
-        low, _, high = part.partition("..")
-        pairs.append((_number(low), _number(high or low)))
-    return tuple(pairs)
-
-
-def _number(text: str) -> Decimal:
-    return Decimal(int(text, 16)) if "x" in text else Decimal(text)
 
 
 _NUMBERS = re.compile(r"[0-9]+")
