@@ -1,0 +1,61 @@
+"""Within a group, every register lies behind the one before it.
+
+Why: manuals list registers by address. A row that breaks the order is nearly always misprinted, or
+mistyped.
+
+Example: rows at 0x0709, 0x080A and 0x070B: the middle one is out of order.
+
+Cure: Put the address right, and write an erratum if it is printed so. If the manual lists the group in
+another order, say `order: as_listed` on the group.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+
+from fieldspec.checks.finding import finding, hexadecimal, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+
+
+def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
+    for group in device.groups:
+        if not group.ascending:
+            continue
+        rows = group.registers
+        in_order = longest_ascent([row.address for row in rows])
+        for number, row in enumerate(rows):
+            if number not in in_order:
+                other = rows[number - 1] if number else rows[1]
+                where = "behind" if number else "before"
+                yield finding(
+                    "addresses_ascending",
+                    row.place,
+                    "at",
+                    f"{row.name} at {hexadecimal(row.address)} breaks the order of {group.name}",
+                    "put the address right, or say `order: as_listed` on the group",
+                    label(
+                        other.place,
+                        "at",
+                        f"it is listed {where} {other.name} at {hexadecimal(other.address)}",
+                    ),
+                )
+
+
+def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
+    """The indices that are left when as few numbers as possible are taken out so that the rest never falls."""
+    tails: list[int] = []
+    ends: list[int] = []
+    before: list[int] = []
+    for index, number in enumerate(numbers):
+        at = bisect_left(tails, number + 1)
+        before.append(ends[at - 1] if at else -1)
+        tails[at : at + 1] = [number]
+        ends[at : at + 1] = [index]
+    kept = set()
+    index = ends[-1] if ends else -1
+    while index >= 0:
+        kept.add(index)
+        index = before[index]
+    return frozenset(kept)

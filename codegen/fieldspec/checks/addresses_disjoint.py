@@ -1,0 +1,57 @@
+"""No two registers, arrays of registers or tables claim the same address.
+
+Why: two names for one word are nearly always a slip of the pen, and whoever writes one changes the
+other.
+
+Example: a register of two words at 0x2000 and another register at 0x2001.
+
+Cure: Put the address or the number of words right, and write an erratum if it is printed so. If the
+overlap is meant, say `allow: {addresses_disjoint: <reason>}` on one of the two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from operator import attrgetter
+
+from fieldspec.checks.finding import addresses, finding, label
+from fieldspec.checks.occupied import Block, blocks
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+
+
+def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
+    yield from _elements_overlap(device)
+    furthest: Block | None = None
+    reported = set()
+    for block in sorted(blocks(device), key=attrgetter("first", "last")):
+        if furthest is not None and block.first <= furthest.last and furthest.fact is not block.fact:
+            pair = id(furthest.fact), id(block.fact)
+            if pair not in reported:
+                reported.add(pair)
+                yield finding(
+                    "addresses_disjoint",
+                    block.fact.place,
+                    block.key,
+                    f"{block.name} at {addresses(block.first, block.last)} overlaps {furthest.name}",
+                    "put one of the addresses or sizes right, or allow the overlap with a reason",
+                    label(
+                        furthest.fact.place,
+                        furthest.key,
+                        f"{furthest.name} holds {addresses(furthest.first, furthest.last)}",
+                    ),
+                )
+        if furthest is None or block.last > furthest.last:
+            furthest = block
+
+
+def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
+    for register in device.registers():
+        if register.count > 1 and register.stride < register.width:
+            yield finding(
+                "addresses_disjoint",
+                register.place,
+                "stride",
+                f"elements of {register.name} have {register.width} words and are {register.stride} apart",
+                "put the stride or the type right",
+            )

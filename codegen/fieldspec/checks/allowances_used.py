@@ -1,0 +1,33 @@
+"""Every `allow` names a check, and that check would fail here.
+
+Why: an allowance that is not needed any more hides the next slip at the same place.
+
+Example: `allow: {addresses_disjoint: an alias}` on a register that overlaps nothing.
+
+Cure: Remove the allowance, or put the name of the check right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+
+from fieldspec.checks.allowances import Allowance
+from fieldspec.checks.finding import finding
+from fieldspec.diagnostics import Diagnostic
+
+
+def allowances_used(
+    given: Iterable[Allowance], used: Collection[Allowance], names: Collection[str]
+) -> Iterator[Diagnostic]:
+    """Judges the allowances themselves; the runner calls it behind the checks, with what they found."""
+    for allowance in given:
+        if allowance.check not in names:
+            text = f"there is no check `{allowance.check}` that could be allowed to fail"
+            yield _finding(allowance, text, "`fieldspec rule` lists the checks")
+        elif allowance not in used:
+            text = f"`{allowance.check}` passes here, so nothing needs to be allowed"
+            yield _finding(allowance, text, "remove the allowance")
+
+
+def _finding(allowance: Allowance, text: str, help: str) -> Diagnostic:
+    return finding("allowances_used", allowance.fact.place, "allow", text, help)

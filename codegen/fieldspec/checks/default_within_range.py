@@ -1,0 +1,40 @@
+"""A default is a value that the fact may take: within its range, its type and its closed enum.
+
+Why: a device does not come with a setting that it refuses. Where the two disagree, one of them is
+misprinted.
+
+Example: a range of 1..127 with a default of -1.
+
+Cure: Put the range or the default right, and write an erratum. A special value outside of the range is a
+sentinel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import default_key, finding, label, range_key
+from fieldspec.checks.legal import Legal
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+
+
+def default_within_range(device: Device) -> Iterator[Diagnostic]:
+    legal = Legal(device)
+    for fact, value in values(device):
+        key = default_key(fact.place)
+        if isinstance(value.default, str):
+            if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+                text = f"the default of {fact.name} is a text"
+                yield finding("default_within_range", fact.place, key, text, "give it as a number of counts")
+            continue
+        if value.default is None:
+            continue
+        why = legal.objection(value, value.default)
+        if why:
+            text = f"the default of {fact.name} is {value.default}, which {why}"
+            help = "put one of them right, or list the value under `sentinels`"
+            labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
+            yield finding("default_within_range", fact.place, key, text, help, *labels)

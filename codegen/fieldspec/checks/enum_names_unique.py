@@ -1,0 +1,47 @@
+"""No two members of an enum have the same name, the same printed identifier or the same label.
+
+Why: where a manual gives two codes one text, a line was copied and not changed. Members that are not
+available, and reserved ones, may share their label.
+
+Example: two homing modes that are both called "positive direction, then back to the Z phase".
+
+Cure: Find out what the second one is, name it so, and write an erratum with what is printed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Enum, Member
+
+_KEYS = ("name", "printed_name", "label")
+
+
+def enum_names_unique(device: Device) -> Iterator[Diagnostic]:
+    for enum in device.enums.values():
+        for key in _KEYS:
+            yield from _of_key(enum, key)
+
+
+def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:
+    first: dict[str, Member] = {}
+    for member in enum.members:
+        text = getattr(member, key)
+        if not text or (member.unavailable and key != "name"):
+            continue
+        other = first.setdefault(text, member)
+        if other is not member:
+            yield finding(
+                "enum_names_unique",
+                member.place,
+                key,
+                f"{other.value} and {member.value} of {enum.name} have the same {_WORDS[key]}, `{text}`",
+                "find out what each of them is",
+                label(other.place, key, f"the value {other.value}"),
+            )
+
+
+_WORDS = {"name": "name", "printed_name": "printed name", "label": "label"}

@@ -1,0 +1,33 @@
+"""No two members of an enum have the same value.
+
+Why: a value that has two names means one of two things, and nobody can tell which.
+
+Example: 3 for homing and 3 for preset_position.
+
+Cure: Put one of the values right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Member
+
+
+def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
+    for enum in device.enums.values():
+        first: dict[int, Member] = {}
+        for member in enum.members:
+            other = first.setdefault(member.value, member)
+            if other is not member:
+                yield finding(
+                    "enum_values_unique",
+                    member.place,
+                    "value",
+                    f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",
+                    "put one of the values right",
+                    label(other.place, "value", f"{other.name}"),
+                )

@@ -1,0 +1,56 @@
+"""Every member of an enum lies within the range, and within the type, of each field that uses the enum.
+
+Why: a list of values that goes further than the printed range means that one of the two was not brought
+up to date.
+
+Example: a range of 0..13 beside a list of modes that goes to 16.
+
+Cure: Put the range right, and write an erratum. Members that the manual calls not available may lie
+outside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label, range_key, shown
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Member
+from fieldspec.model.fact import Fact
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+
+
+def enum_within_range(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        enum = device.enums.get(value.enum)
+        if enum is not None and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+            out = [member for member in enum.members if _excluded(value, member)]
+            if out:
+                yield _finding(fact, range_key(fact.place), f"the range of {fact.name}", out)
+    for flags in device.flags.values():
+        for bit in flags.bits:
+            enum = device.enums.get(bit.enum)
+            out = (
+                [member for member in enum.members if not 0 <= member.value < 1 << bit.width] if enum else []
+            )
+            if out:
+                yield _finding(bit, "enum", f"the bits of {bit.name}", out)
+
+
+def _excluded(value: Value, member: Member) -> bool:
+    if not value.type.low <= member.value <= value.type.high:
+        return True
+    if value.ranges is None or member.unavailable or member.value in value.ranges:
+        return False
+    return all(sentinel.value != member.value for sentinel in value.sentinels)
+
+
+def _finding(fact: Fact, key: str, what: str, out: list[Member]) -> Diagnostic:
+    text = f"{what} cannot hold {shown([f'{member.name} ({member.value})' for member in out])}"
+    there = label(out[0].place, "value", "listed here")
+    return finding(
+        "enum_within_range", fact.place, key, text, "put the range, the type or the list right", there
+    )

@@ -1,0 +1,79 @@
+"""What checks share to say what they found. Positions come from the places of facts, never from counting."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator
+from typing import TypeAlias
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.device import Device
+from fieldspec.model.place import Place
+from fieldspec.model.ranges import Ranges
+
+Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
+
+_SHOWN = 6
+
+
+def finding(code: str, place: Place, key: str, message: str, help: str, *labels: Label) -> Diagnostic:
+    """A finding of the rule `code` at the value of a fact's key."""
+    return Diagnostic(code, message, place[key], labels, help)
+
+
+def label(place: Place, key: str, text: str) -> Label:
+    """The value of another fact's key, and what it has to do with the finding."""
+    return Label(place[key], text)
+
+
+def hexadecimal(address: int) -> str:
+    """`0x2011`"""
+    return f"0x{address:04X}" if address >= 0 else str(address)
+
+
+def addresses(first: int, last: int) -> str:
+    """`0x2011`, or `0x2011..0x2014`"""
+    return hexadecimal(first) if first == last else f"{hexadecimal(first)}..{hexadecimal(last)}"
+
+
+def interval(first: int, last: int) -> str:
+    """`5`, or `5..8`"""
+    return str(first) if first == last else f"{first}..{last}"
+
+
+def shown(words: Collection[object]) -> str:
+    """`a, b and c`, or `a, b, c, d, e and 12 more`"""
+    texts = [str(word) for word in words]
+    if len(texts) > _SHOWN:
+        texts = [*texts[: _SHOWN - 1], f"{len(texts) - _SHOWN + 1} more"]
+    return texts[0] if len(texts) == 1 else ", ".join(texts[:-1]) + " and " + texts[-1]
+
+
+def range_key(place: Place) -> str:
+    """The key that holds a fact's range: in counts or in the unit."""
+    return "unit_range" if "unit_range" in place else "range"
+
+
+def default_key(place: Place) -> str:
+    """The key that holds a fact's default: in counts or in the unit."""
+    return "unit_default" if "unit_default" in place else "default"
+
+
+def outside(ranges: Ranges | None, low: int, high: int) -> bool:
+    """Whether any of the intervals leaves `low` to `high`."""
+    return ranges is not None and any(a < low or b > high for a, b in ranges.intervals)
+
+
+def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
+    """The parts of the intervals that none of the values lies in, in order."""
+    gaps = []
+    inside = sorted(set(have))
+    for low, high in sorted(ranges.intervals):
+        at = low
+        for value in inside:
+            if at <= value <= high:
+                if value > at:
+                    gaps.append((at, value - 1))
+                at = value + 1
+        if at <= high:
+            gaps.append((at, high))
+    return gaps

@@ -1,0 +1,67 @@
+"""Within a group, an address that no register holds lies in a declared gap, and a gap holds no register.
+
+Why: address plus words is the next address, unless the manual leaves addresses out. A hole that nobody
+declared hides a wrong number of words, a wrong address or a row that was not transcribed.
+
+Example: a register of one word at 0x010B and the next one at 0x010D: 0x010C is in no gap.
+
+Cure: Put the words or the address right, transcribe the missing row, or declare the addresses under the
+group's `gaps` with a reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import addresses, finding, label
+from fieldspec.checks.occupied import extents, free, merged
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.register import Register, RegisterGroup
+
+
+def gaps_declared(device: Device) -> Iterator[Diagnostic]:
+    taken = merged(extents(device))
+    for group in device.groups:
+        if group.ascending and group.registers:
+            yield from _undeclared(group, taken)
+        yield from _wrong(group, taken)
+
+
+def _undeclared(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
+    rows = sorted(group.registers, key=lambda row: row.address)
+    declared = (pair for gap in group.gaps for pair in gap.addresses.intervals)
+    known = merged([*taken, *declared])
+    ends = rows[0]
+    for row in rows[1:]:
+        if row.address > ends.end:
+            for low, high in free(ends.end, row.address - 1, known):
+                yield _hole(group, ends, row, low, high)
+        ends = max(ends, row, key=lambda register: register.end)
+
+
+def _hole(group: RegisterGroup, before: Register, behind: Register, low: int, high: int) -> Diagnostic:
+    return finding(
+        "gaps_declared",
+        behind.place,
+        "at",
+        f"no register and no gap of {group.name} holds {addresses(low, high)}",
+        "put an address or a number of words right, or declare the addresses under `gaps` with a reason",
+        label(before.place, "at", f"{before.name} ends at {addresses(before.end - 1, before.end - 1)}"),
+    )
+
+
+def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
+    help = "a gap names addresses between the rows of its group that nothing holds"
+    if not group.registers:
+        return
+    first = min(row.address for row in group.registers)
+    last = max(row.end for row in group.registers) - 1
+    for gap in group.gaps:
+        for low, high in gap.addresses.intervals:
+            if low < first or high > last:
+                text = f"the gap {addresses(low, high)} leaves the group at {addresses(first, last)}"
+                yield finding("gaps_declared", group.place, "gaps", text, help)
+            elif free(low, high, taken) != [(low, high)]:
+                text = f"the gap {addresses(low, high)} holds a register or table"
+                yield finding("gaps_declared", group.place, "gaps", text, help)

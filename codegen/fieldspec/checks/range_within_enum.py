@@ -1,0 +1,40 @@
+"""The range of a field is not wider than its enum, if the enum is closed.
+
+Why: a value that the range admits and the list does not name has no meaning. Either the list lacks a
+line, or the range is too wide, or the enum is open.
+
+Example: a range of 0..12 beside a list that goes from 0 to 11.
+
+Cure: Transcribe the missing line, put the range right and write an erratum, or say `open: true` on the
+enum if values without a name may occur.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label, missing, range_key, shown
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+
+
+def range_within_enum(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        enum = device.enums.get(value.enum)
+        if enum is None or enum.open or value.ranges is None:
+            continue
+        named = [
+            *(member.value for member in enum.members),
+            *(sentinel.value for sentinel in value.sentinels),
+        ]
+        holes = missing(value.ranges, named)
+        if holes:
+            yield finding(
+                "range_within_enum",
+                fact.place,
+                range_key(fact.place),
+                f"{fact.name} may be {shown([interval(*hole) for hole in holes])}, not named in {enum.name}",
+                "put the range or the list right, or say `open: true` on the enum",
+                label(enum.place, "name", "the list of values"),
+            )

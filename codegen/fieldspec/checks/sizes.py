@@ -1,0 +1,82 @@
+"""Sizes of records in bytes, as far as the spec decides them. What dangles or lies in itself has no size."""
+
+from __future__ import annotations
+
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field, Record
+
+MOST_LEVELS = 64
+
+
+class Sizes:
+    """The sizes of a device's records. They are worked out level by level, so that nothing recurses."""
+
+    def __init__(self, device: Device) -> None:
+        self._bounds: dict[str, tuple[int, int] | None] = {}
+        self._open: set[str] = set()
+        waiting = dict(device.records)
+        for _ in range(MOST_LEVELS):
+            ready = [
+                record for record in waiting.values() if all(f.record not in waiting for f in record.fields)
+            ]
+            for record in ready:
+                del waiting[record.name]
+                self._bounds[record.name] = self.bounds(record)
+                if any(field.repeat is not None for field in record.fields):
+                    self._open.add(record.name)
+            if not ready:
+                break
+        self.endless = frozenset(waiting)
+        """Records that lie in themselves, or are nested more than `MOST_LEVELS` deep, or hold such a one."""
+
+    def element(self, field: Field) -> int | None:
+        """The bytes of one element of a field, None where they are not fixed."""
+        if field.value is not None:
+            return field.value.size
+        both = self._bounds.get(field.record)
+        return both[0] if both is not None and field.record not in self._open else None
+
+    def field(self, field: Field) -> tuple[int, int] | None:
+        """The least and the most bytes of a field, None where nothing decides them."""
+        both = (
+            (field.value.size, field.value.size)
+            if field.value is not None
+            else self._bounds.get(field.record)
+        )
+        if both is None:
+            return None
+        if field.repeat is not None:
+            return field.repeat.low * both[0], field.repeat.high * both[1]
+        return (field.count or 1) * both[0], (field.count or 1) * both[1]
+
+    def bounds(self, record: Record) -> tuple[int, int] | None:
+        """The least and the most bytes of a record, None where nothing decides them."""
+        least = most = 0
+        for field in record.fields:
+            both = self.field(field)
+            if both is None:
+                return None
+            least, most = least + both[0], most + both[1]
+        return least, most
+
+    def fixed(self, record: Record) -> int | None:
+        """The bytes of a record that always has the same size."""
+        both = self.bounds(record)
+        return both[0] if both is not None and both[0] == both[1] else None
+
+    def named(self, name: str) -> int | None:
+        """The bytes of the record with a name, if it always has the same size."""
+        both = self._bounds.get(name)
+        return both[0] if both is not None and both[0] == both[1] else None
+
+    def offsets(self, record: Record) -> list[tuple[Field, int]]:
+        """The fields of a record with their offsets in bytes, as far as the fields before them are fixed."""
+        at = 0
+        placed = []
+        for field in record.fields:
+            placed.append((field, at))
+            both = self.field(field)
+            if both is None or both[0] != both[1]:
+                break
+            at += both[0]
+        return placed

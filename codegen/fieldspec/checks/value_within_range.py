@@ -1,0 +1,44 @@
+"""A constant, and every number in an example, is a value that its field may take.
+
+Why: the manual shows the value on the wire. Where the printed range excludes it, the range or the value
+is misprinted.
+
+Example: a field with a range of 1..100 that is 0 in a sample frame.
+
+Cure: Put the range or the value right, and write an erratum. A special value outside of the range is a
+sentinel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label, range_key
+from fieldspec.checks.legal import Legal
+from fieldspec.checks.walking import values
+from fieldspec.checks.written import numbers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+
+_HELP = "put one of them right, or list the value under `sentinels`"
+
+
+def value_within_range(device: Device) -> Iterator[Diagnostic]:
+    legal = Legal(device)
+    holders = {}
+    for fact, value in values(device):
+        holders[id(value)] = fact
+        why = legal.objection(value, value.const) if value.const is not None else ""
+        if why:
+            text = f"{fact.name} is always {value.const}, which {why}"
+            yield finding("value_within_range", fact.place, "const", text, _HELP)
+    for example in device.examples.values():
+        if example.refused:
+            continue
+        for path, value, number in numbers(device, example):
+            why = legal.objection(value, number)
+            if why:
+                text = f"{path} is {number} in the example {example.id}, which {why}"
+                place = holders[id(value)].place
+                there = label(place, range_key(place), "what it may be")
+                yield finding("value_within_range", example.place, "values", text, _HELP, there)
