@@ -40,7 +40,7 @@ COLUMNS = (
     "errata",
 )
 
-Cell: TypeAlias = None | int | Decimal | str | list[str] | dict[str, object]
+Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
 Row: TypeAlias = dict[str, Cell]
 
 
@@ -218,7 +218,14 @@ def _tables(layout: DeviceLayout) -> Iterator[Row]:
         yield from _fact("table", table, address=table.base, words=laid.words, access=table.access)
         for element in table.elements:
             path = element.place.path
-            yield _row("table_element", path, element.sources, name=f"{table.name}_{element.index}", address=table.address(element.index), words=laid.words)
+            yield _row(
+                "table_element",
+                path,
+                element.sources,
+                name=f"{table.name}_{element.index}",
+                address=table.address(element.index),
+                words=laid.words,
+            )
         if laid.record.name not in done:
             done.add(laid.record.name)
             yield from _fact("record", laid.record.record, words=laid.words, bytes=laid.record.size)
@@ -294,8 +301,8 @@ def _examples(layout: DeviceLayout) -> Iterator[Row]:
 def _add_errata(device: Device, found: list[Row]) -> None:
     """Adds every erratum to the row of the innermost fact that it is about."""
     by_path: dict[str, Row] = {}
-    for row in found:
-        by_path.setdefault(str(row["path"]), row)
+    for listed in found:
+        by_path.setdefault(str(listed["path"]), listed)
     for erratum in device.errata:
         path = erratum.fact
         while path and path not in by_path:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,7 +13,7 @@ class Name:
     words: tuple[str, ...]
 
     @staticmethod
-    @lru_cache(maxsize=None)
+    @cache
     def of(text: str) -> Name:
         """A name from words that are joined by `_`, `-`, `.`, `/` or blanks."""
         for joint in "-./ ":

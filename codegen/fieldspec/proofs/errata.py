@@ -115,4 +115,3 @@ def _same(used: object, printed: object, key: str) -> bool:
     if key == "frame":
         return str(used).replace(" ", "").upper() == str(printed).replace(" ", "").upper()
     return used == printed
-

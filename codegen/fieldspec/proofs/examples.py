@@ -85,9 +85,7 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
     yield Diagnostic("meaning_matches_bytes", text, example.place["refused"], help="give its meaning instead")
 
 
-def _meaning(
-    layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]
-) -> Iterator[Diagnostic]:
+def _meaning(layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. What a field measures need not be written."""
     code = layout.links[example.link].frame(example.direction).role("code")
     actual = {**decoded.head, **decoded.values}
@@ -122,9 +120,7 @@ def _same(written: Any, actual: Any) -> bool:
     return bool(written == actual)
 
 
-def _bytes(
-    reference: DeviceCodec, example: Example, decoded: Decoded, written: dict[str, Raw]
-) -> Iterator[Diagnostic]:
+def _bytes(reference: DeviceCodec, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:
     """The bytes of the written values against those in the spec."""
     link = reference.links[example.link]
     shape = link.link.frame(example.direction)

@@ -19,7 +19,11 @@ def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
                 whole = whole.with_value(key, _both(have, value))
             elif have is None:
                 whole = Mapping(
-                    whole.file, whole.start, whole.end, {**whole.keys, key: tree.keys[key]}, {**whole.values, key: value}
+                    whole.file,
+                    whole.start,
+                    whole.end,
+                    {**whole.keys, key: tree.keys[key]},
+                    {**whole.values, key: value},
                 )
             else:
                 first = Label(whole.keys[key].span, "the first one")

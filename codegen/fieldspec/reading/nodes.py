@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from fieldspec.source import SourceFile, Span
 
-Plain: TypeAlias = None | bool | int | Decimal | str
+Plain: TypeAlias = bool | int | Decimal | str | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -124,7 +124,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         options = [str(option) for option in part.get("enum", [])]
         near = difflib.get_close_matches(text, options, 1)
         hint = f"did you mean `{near[0]}`?" if near else "one of " + ", ".join(f"`{o}`" for o in options)
-        return Diagnostic("unknown_word", f"{what} cannot be `{text}`", node.span, help=hint)
+        code = "units_known" if last == "unit" else "unknown_word"
+        return Diagnostic(code, f"{what} cannot be `{text}`", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
         wanted = part.get("type")
@@ -170,10 +171,7 @@ def _schema_part(path: list[str | int]) -> Schema:
     part: Any = schema()
     for key in path[:-1]:
         part = _resolved(part) if isinstance(part, dict) and key != "$ref" else part
-        if key == "$ref":
-            part = _resolved(part)
-        else:
-            part = part[key]
+        part = _resolved(part) if key == "$ref" else part[key]
     return _resolved(part) if isinstance(part, dict) else {}
 
 

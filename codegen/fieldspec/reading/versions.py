@@ -7,6 +7,8 @@ from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
 
 LONE_VERSION = "1"
 
+_FREE = ("inferred", "printed", "allow", "values")
+
 
 class Lines:
     """The version lines of a device: which line a version is on, and where in its order."""
@@ -72,8 +74,9 @@ class Lines:
                         known = ", ".join(f"`{v}`" for v in self.place) or "none"
                         text = f"the device declares no version `{item.text}`"
                         found.append(Diagnostic("version_unknown", text, item.span, help=f"it declares {known}"))
-        for _, inner in children(node):
-            found += self.unknown(inner)
+        for step, inner in children(node):
+            if step not in _FREE:
+                found += self.unknown(inner)
         return found
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import yaml
+from yaml.events import CollectionStartEvent
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
@@ -40,9 +41,7 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
     bad = next((at for at, char in enumerate(text) if char < " " and char not in "\t\n\r"), None)
     if bad is not None:
         message = f"control character {ord(text[bad]):#04x}"
-        return SourceFile(path, text), [
-            Diagnostic("yaml_syntax", message, Span(file, bad, bad + 1), help="remove it")
-        ]
+        return SourceFile(path, text), [Diagnostic("yaml_syntax", message, Span(file, bad, bad + 1), help="remove it")]
     return file, []
 
 
@@ -59,7 +58,7 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         at = min(mark.index if mark else 0, max(0, len(file.text) - 1))
-        labels = ()
+        labels: tuple[Label, ...] = ()
         if error.context and error.context_mark and error.context_mark.index != at:
             start = error.context_mark.index
             labels = (Label(Span(file, start, start + 1), error.context),)
@@ -116,7 +115,7 @@ class _Builder:
         return root, self.found
 
     def _span(self, event: yaml.Event) -> Span:
-        return Span(self.file, event.start_mark.index, event.end_mark.index)
+        return Span(self.file, *_bounds(event))
 
     def _refuse(self, code: str, message: str, event: yaml.Event, help: str) -> None:
         raise _Refused(Diagnostic(code, message, self._span(event), help=help))
@@ -126,6 +125,7 @@ class _Builder:
             self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
         if isinstance(event, yaml.AliasEvent):
             return self._alias(event)
+        assert isinstance(event, yaml.ScalarEvent | CollectionStartEvent)
         if event.tag is not None and not (isinstance(event, yaml.ScalarEvent) and event.tag == "!"):
             self._refuse("tag_used", f"tag {event.tag}: a spec holds plain data", event, "remove the tag")
         if event.anchor:
@@ -134,9 +134,7 @@ class _Builder:
         self.total += 1
         node: Node
         if isinstance(event, yaml.ScalarEvent):
-            node = Scalar(
-                self.file, event.start_mark.index, event.end_mark.index, event.value, not event.implicit[0]
-            )
+            node = Scalar(self.file, *_bounds(event), event.value, not event.implicit[0])
         elif isinstance(event, yaml.SequenceStartEvent):
             node = self._sequence(event, events, depth)
         else:
@@ -147,7 +145,7 @@ class _Builder:
         return node
 
     def _alias(self, event: yaml.AliasEvent) -> Node:
-        node = self.anchors.get(event.anchor)
+        node = self.anchors.get(event.anchor or "")
         if node is None:
             known = event.anchor in self.anchors
             text = f"alias *{event.anchor} " + ("lies within what it names" if known else "names no anchor")
@@ -163,7 +161,7 @@ class _Builder:
         items: list[Node] = []
         for inner in events:
             if isinstance(inner, yaml.SequenceEndEvent):
-                return Sequence(self.file, event.start_mark.index, inner.end_mark.index, tuple(items))
+                return Sequence(self.file, _bounds(event)[0], _bounds(inner)[1], tuple(items))
             items.append(self._node(inner, events, depth + 1))
         raise AssertionError("the parser ends every sequence")
 
@@ -172,7 +170,7 @@ class _Builder:
         values: dict[str, Node] = {}
         for inner in events:
             if isinstance(inner, yaml.MappingEndEvent):
-                return Mapping(self.file, event.start_mark.index, inner.end_mark.index, keys, values)
+                return Mapping(self.file, _bounds(event)[0], _bounds(inner)[1], keys, values)
             key = self._node(inner, events, depth + 1)
             value = self._node(next(events), events, depth + 1)
             if not isinstance(key, Scalar):
@@ -186,6 +184,12 @@ class _Builder:
             else:
                 keys[key.text], values[key.text] = key, value
         raise AssertionError("the parser ends every mapping")
+
+
+def _bounds(event: yaml.Event) -> tuple[int, int]:
+    """The offsets of an event's first character and of the one behind its last."""
+    assert event.start_mark is not None and event.end_mark is not None
+    return event.start_mark.index, event.end_mark.index
 
 
 def _events(parser: object) -> Iterator[yaml.Event]:

@@ -99,9 +99,7 @@ class FrameCodec:
                 width = 2 * part.size
                 raise CodecError("wrong_check", f"{part.name} is {have:0{width}X}, not {want:0{width}X}", at)
 
-    def _body(
-        self, shape: FrameLayout, head: Values, message: str
-    ) -> tuple[MessageLayout | None, RecordLayout, bool]:
+    def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
         """The message and the record of the body that a head announces."""
         part = shape.role("code")
         error = self.link.link.error
@@ -118,7 +116,9 @@ class FrameCodec:
         if laid is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", part.offset)
         if message and laid.name != message:
-            raise CodecError("unknown_code", f"the code {code:#04x} is that of {laid.name}, not of {message}", part.offset)
+            raise CodecError(
+                "unknown_code", f"the code {code:#04x} is that of {laid.name}, not of {message}", part.offset
+            )
         return laid, laid.data(shape.direction), False
 
     def encode(

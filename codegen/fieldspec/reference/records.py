@@ -79,10 +79,14 @@ def _check_length(record: RecordLayout, length: int, offset: int) -> None:
         text = f"{record.name} has at least {record.least} bytes, not {length}"
         raise CodecError("incomplete", text, offset + length)
     if record.most is not None and length > record.most:
-        raise CodecError("wrong_length", f"{record.name} has at most {record.most} bytes, not {length}", offset + record.most)
+        raise CodecError(
+            "wrong_length", f"{record.name} has at most {record.most} bytes, not {length}", offset + record.most
+        )
     last = record.fields[-1] if record.fields else None
     if last is not None and last.count is None and (length - last.offset) % last.size:
-        raise CodecError("wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length)
+        raise CodecError(
+            "wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length
+        )
 
 
 def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:

@@ -113,9 +113,7 @@ class Entry:
         """The same, where paths leave out the key."""
         yield from self._listed(self.node.values.get(key), path, name, defaults)
 
-    def _listed(
-        self, node: Node | None, path: str, name: str, defaults: Mapping | None
-    ) -> Iterator[Entry]:
+    def _listed(self, node: Node | None, path: str, name: str, defaults: Mapping | None) -> Iterator[Entry]:
         for number, item in enumerate(node.items if isinstance(node, Sequence) else ()):
             if isinstance(item, Mapping):
                 held = item.values.get(name)

@@ -1,0 +1,108 @@
+"""The command line. Arguments are parsed here; each verb is a module of `commands`, imported when it is called.
+
+Exit codes: 0 fine, 1 findings, 2 wrong use or unreadable input.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from io import TextIOWrapper
+
+from fieldspec import __version__
+from fieldspec.commands.usage import UsageError
+
+FINE, FINDINGS, WRONG_USE = 0, 1, 2
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says wrong use in one line, with where to read more."""
+
+    def error(self, message: str) -> None:  # type: ignore[override]
+        raise UsageError(f"{message}; see: {self.prog} --help")
+
+
+def parser() -> argparse.ArgumentParser:
+    """All verbs with their arguments."""
+    top = _Parser(prog="fieldspec", description="Protocol specs to code: check, build, explain.")
+    top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
+    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Parser)
+
+    def verb(name: str, help: str) -> argparse.ArgumentParser:
+        inner = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
+        inner.add_argument("--specs", metavar="DIR", help="the folder of the specs")
+        return inner
+
+    build = verb("build", "write the outputs")
+    build.add_argument("devices", nargs="*", metavar="DEVICE[@VERSION]", help="left out: all devices")
+    build.add_argument("--to", metavar="NAME,...", help="the outputs to write; left out: all")
+    build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (generated)")
+    build.add_argument("--check", action="store_true", help="write nothing; tell which files are not fresh")
+
+    check = verb("check", "find what is wrong with the specs")
+    check.add_argument("devices", nargs="*", metavar="DEVICE", help="left out: all devices")
+    check.add_argument("--format", choices=("text", "json", "sarif", "github", "junit"), default="text")
+
+    show = verb("show", "show a device, or one item of it")
+    show.add_argument("device", metavar="DEVICE[@VERSION]")
+    show.add_argument("item", nargs="?", metavar="ITEM", help="a name, a printed name, an address or a code")
+
+    facts = verb("facts", "list every fact of a device")
+    facts.add_argument("device", metavar="DEVICE[@VERSION]")
+    facts.add_argument("--format", choices=("csv", "json"), default="csv")
+
+    decode = verb("decode", "explain a frame, or a log of frames, byte by byte")
+    decode.add_argument("device", metavar="DEVICE[@VERSION]")
+    decode.add_argument("frame", nargs="?", metavar="HEX|-", help="the bytes; - or nothing: lines of standard input")
+    decode.add_argument("--link", help="the link that the frame was sent on")
+    decode.add_argument("--direction", choices=("request", "response"))
+    decode.add_argument("--message", help="the message, where the frame does not say it")
+    decode.add_argument("--request", metavar="HEX", help="the request that a response answers")
+    decode.add_argument("--format", choices=("text", "json"), default="text")
+
+    encode = verb("encode", "write the frame of a message")
+    encode.add_argument("device", metavar="DEVICE[@VERSION]")
+    encode.add_argument("message", metavar="MESSAGE")
+    encode.add_argument("values", nargs="*", metavar="NAME=VALUE", help="counts, 20.00mm, names of members")
+    encode.add_argument("--link", help="the link; left out: the first one of the device")
+    encode.add_argument("--direction", choices=("request", "response"), default="request")
+    encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
+
+    rule = verbs.add_parser("rule", help="explain a rule that a check follows")
+    rule.add_argument("code", nargs="?", metavar="CODE", help="left out: list all rules")
+
+    verb("devices", "list the devices and their versions")
+
+    completion = verbs.add_parser("completion", help="print the completion script of a shell")
+    completion.add_argument("shell", choices=("bash", "zsh", "tcsh"))
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs one verb and returns its exit code."""
+    gc.disable()  # a run is short, and the trees it keeps are never garbage
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="replace", newline="\n")
+    try:
+        parsed = parser().parse_args(arguments)
+        code: int = import_module(f"fieldspec.commands.{parsed.verb}").run(parsed)
+        sys.stdout.flush()
+        return code
+    except UsageError as error:
+        print(f"fieldspec: {error}", file=sys.stderr)
+        return WRONG_USE
+    except BrokenPipeError:
+        # Whoever read the output has seen enough; nothing may be written when Python shuts down.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FINE
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,19 @@
+"""`fieldspec check`: everything that is wrong with the specs."""
+
+from __future__ import annotations
+
+import argparse
+
+from fieldspec.commands import specs
+from fieldspec.commands.output import print_findings
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints all findings of all files. Exit code 1 where there are any."""
+    from fieldspec import pipeline
+
+    project = specs.project(arguments.specs, frozenset(arguments.devices))
+    found = pipeline.checked(project)
+    checked = ", ".join(sorted(project.devices)) or "nothing"
+    print_findings(found, arguments.format, f"no findings in {checked}")
+    return 1 if found else 0

@@ -1,0 +1,15 @@
+"""`fieldspec completion`: the completion script of a shell."""
+
+from __future__ import annotations
+
+import argparse
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints the script; source it, or save it where the shell looks for completions."""
+    import shtab
+
+    from fieldspec.cli import parser
+
+    print(shtab.complete(parser(), shell=arguments.shell))
+    return 0

@@ -1,0 +1,87 @@
+"""Finds the specs' folder, reads its files, and picks devices and versions."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.diagnostics import has_errors
+from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.reading.project import MAIN, PROTOCOLS, DeviceSpec, Project, read
+
+FOLDER = "specs"
+VARIABLE = "FIELDSPEC_SPECS"
+
+
+def folder(given: str | None) -> Path:
+    """The specs' folder: as given, by the environment, here or in a folder above, or the installed one."""
+    named = given or os.environ.get(VARIABLE)
+    if named:
+        path = Path(named)
+        if not path.is_dir():
+            raise UsageError(f"there is no folder {named}; give the folder of the specs with --specs")
+        return path
+    here = Path.cwd()
+    for above in (here, *here.parents):
+        path = above / FOLDER
+        if path.is_dir() and any(path.glob(f"*/{MAIN}")):
+            return path
+    installed = Path(__file__).resolve().parent.parent / "_specs"
+    if installed.is_dir():
+        return installed
+    raise UsageError(f"there is no folder {FOLDER} here or above; give it with --specs, or set {VARIABLE}")
+
+
+def files(path: Path, only: frozenset[str] = frozenset()) -> dict[str, bytes]:
+    """The spec files below a folder by relative path; of all devices' folders, or of `only` some."""
+    found: dict[str, bytes] = {}
+    try:
+        for file in sorted(path.glob("*/*.yaml")):
+            if not only or file.parent.name in only or file.parent.name == PROTOCOLS:
+                found[f"{file.parent.name}/{file.name}"] = file.read_bytes()
+    except OSError as error:
+        raise UsageError(f"cannot read {error.filename}: {error.strerror}") from None
+    return found
+
+
+def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project:
+    """The project in the specs' folder; devices that are asked for must be there."""
+    path = folder(given)
+    known = {file.parent.name for file in path.glob(f"*/{MAIN}")}
+    for device in sorted(devices - known):
+        raise unknown("device", device, known)
+    if not known:
+        raise UsageError(f"the folder {path} holds no device; a device is a folder with a {MAIN}")
+    return read(files(path, devices), devices)
+
+
+def split(text: str) -> tuple[str, str]:
+    """`tc100@2.0` as device and version; the version is empty where none is given."""
+    device, _, version = text.partition("@")
+    return device, version
+
+
+def picked(spec: DeviceSpec, version: str) -> str:
+    """The version that is asked for, or the newest."""
+    known = spec.versions()
+    if not version:
+        return known[-1]
+    if version not in known:
+        raise unknown(f"version of {spec.id}", version, known)
+    return version
+
+
+def layout(given: str | None, text: str) -> DeviceLayout:
+    """The layout of `DEVICE` or `DEVICE@VERSION`, for verbs that use a spec and do not judge it."""
+    from fieldspec import checks
+
+    name, version = split(text)
+    found = project(given, frozenset([name]))
+    if name not in found.devices or has_errors(found.found):
+        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+    spec = found.devices[name]
+    device, broken = spec.at(picked(spec, version))
+    if has_errors(broken) or has_errors(checks.run_named(device, "references_resolve")):
+        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+    return device_layout(device)

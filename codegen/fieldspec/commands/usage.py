@@ -1,0 +1,23 @@
+"""Wrong use of the command line."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class UsageError(Exception):
+    """A call that cannot be carried out: one line that says what is wrong and what to do. Exit code 2."""
+
+
+def unknown(what: str, given: str, known: Iterable[str]) -> UsageError:
+    """That there is no such thing, with the nearest one, or all of them."""
+    names = sorted(known)
+    near = difflib.get_close_matches(given, names, 1, 0.6)
+    if near:
+        hint = f"did you mean {near[0]}?"
+    elif names and len(names) <= 20:
+        hint = f"there are {', '.join(names)}"
+    else:
+        hint = f"there are {len(names)} of them" if names else "there are none"
+    return UsageError(f"there is no {what} {given}; {hint}")

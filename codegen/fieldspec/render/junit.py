@@ -1,0 +1,35 @@
+"""Findings as JUnit XML: one failed test case a finding, one passed case where there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from xml.sax.saxutils import quoteattr
+
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.render.columns import one_line
+from fieldspec.render.text import concise, place
+
+
+def rendered(found: Sequence[Diagnostic]) -> str:
+    """The XML text."""
+    cases = "".join(_case(finding) for finding in found)
+    if not found:
+        cases = '  <testcase classname="fieldspec" name="check"/>\n'
+    head = f'<testsuite name="fieldspec" tests="{max(1, len(found))}" failures="{len(found)}" errors="0">'
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{head}\n{cases}</testsuite>\n'
+
+
+def _case(finding: Diagnostic) -> str:
+    name = f"{finding.code} {place(finding.span)}"
+    file = finding.span.file.path
+    detail = _attribute(concise([finding]))
+    return (
+        f"  <testcase classname={_attribute(file)} name={_attribute(name)}>\n"
+        f"    <failure type={_attribute(finding.code)} message={detail}/>\n"
+        f"  </testcase>\n"
+    )
+
+
+def _attribute(text: str) -> str:
+    """A quoted attribute; characters that XML does not allow are shown as escapes."""
+    return quoteattr("\n".join(one_line(line) for line in text.splitlines()))

@@ -1,0 +1,98 @@
+"""Findings as text for people: the source line, a caret under the culprit, and every other place involved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+from fieldspec.diagnostics import Diagnostic, Severity
+from fieldspec.render.columns import one_line, width
+from fieldspec.source import Span
+
+_Paint: TypeAlias = Callable[[str, str], str]
+
+LONGEST_LINE = 160
+
+_STYLES = {
+    "error": "1;31",
+    "warning": "1;33",
+    "place": "1",
+    "mark": "1;31",
+    "other": "1;34",
+    "help": "1;32",
+    "dim": "2",
+}
+
+
+def rendered(found: Sequence[Diagnostic], *, coloured: bool = False) -> str:
+    """All findings, and how many there are."""
+    paint = _painted if coloured else _plain
+    blocks = [_block(finding, paint) for finding in found]
+    errors = sum(finding.severity is Severity.ERROR for finding in found)
+    counts = [_counted(errors, "error"), _counted(len(found) - errors, "warning")]
+    return "\n".join(blocks) + "\n" + ", ".join(count for count in counts if count) + "\n"
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}" if number else ""
+
+
+def _plain(style: str, text: str) -> str:
+    return text
+
+
+def _painted(style: str, text: str) -> str:
+    return f"\x1b[{_STYLES[style]}m{text}\x1b[0m"
+
+
+def _block(finding: Diagnostic, paint: _Paint) -> str:
+    severity = finding.severity.value
+    lines = [
+        f"{paint('place', place(finding.span))}: {paint(severity, f'{severity}[{finding.code}]')}: "
+        f"{one_line(finding.message)}",
+        *_marked(finding.span, "^", paint, "mark"),
+    ]
+    for label in finding.labels:
+        lines.append(f"  {paint('other', place(label.span))}: {one_line(label.text)}")
+        lines += _marked(label.span, "-", paint, "other")
+    if finding.help:
+        lines.append(f"  {paint('help', 'help')}: {one_line(finding.help)}")
+    return "\n".join(lines) + "\n"
+
+
+def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
+    """The source line with marks under the span, cut to a window around it where the line is long."""
+    number, column = span.position()
+    source = span.file.line(number)
+    if not source.strip():
+        return []
+    first = column - 1
+    last = max(first + 1, min(len(source), first + span.end - span.start))
+    start = max(0, first - 20) if len(source) > LONGEST_LINE else 0
+    shown = source[start : start + LONGEST_LINE]
+    before = one_line(("..." if start else "") + source[start:first])
+    under = one_line(source[first : min(last, start + LONGEST_LINE)]) or " "
+    gutter = f"{number:>6} | "
+    after = "..." if start + LONGEST_LINE < len(source) else ""
+    return [
+        paint("dim", gutter) + ("..." if start else "") + one_line(shown) + after,
+        paint("dim", " " * 6 + " | ") + " " * width(before) + paint(style, mark * max(1, width(under))),
+    ]
+
+
+def place(span: Span) -> str:
+    """`tc100/points.yaml:12:7`"""
+    line, column = span.position()
+    return f"{span.file.path}:{line}:{column}"
+
+
+def concise(found: Sequence[Diagnostic]) -> str:
+    """One line a finding, one for each label, and one for the help."""
+    text = ""
+    for finding in found:
+        text += f"{place(finding.span)}: {finding.code}: {one_line(finding.message)}\n"
+        for label in finding.labels:
+            text += f"  label {place(label.span)}: {one_line(label.text)}\n"
+        if finding.help:
+            text += f"  help: {one_line(finding.help)}\n"
+    return text
