@@ -1,0 +1,1 @@
+"""What the explanation of a frame is made of: marks, values, bodies, registers. `layout.explanation` joins it."""

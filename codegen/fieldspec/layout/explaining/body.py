@@ -1,0 +1,179 @@
+"""The rows of a frame's body."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.explaining.row import Row, Spot, citations, errata_at, errata_of_words, fact_row, wrong_row
+from fieldspec.layout.explaining.worded import Meaning, Worded, worded
+from fieldspec.layout.meaning import Raw
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.parameter import Parameter
+
+
+class Body:
+    """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
+
+    `rows` and `values` are filled as far as the bytes go. `asked` are the values of the request that is
+    answered. `outer` is the message, or whatever else cites the manual for fields that do not.
+    """
+
+    def __init__(
+        self,
+        layout: DeviceLayout,
+        record: RecordLayout,
+        outer: Fact,
+        data: bytes,
+        start: int,
+        end: int,
+        spot: Spot,
+        asked: Mapping[str, Raw],
+    ) -> None:
+        self.layout, self.outer, self.spot, self.asked = layout, outer, spot, asked
+        self.data, self.start, self.end = data, start, end
+        self.record = record
+        self.values: dict[str, Raw] = {}
+        self.rows = list(self._rows())
+
+    def _rows(self) -> Iterator[Row]:
+        at = self.start
+        for number, field in enumerate(self.record.fields):
+            count = self._count(field)
+            room = max(0, min(count, (self.end - at) // field.size)) if field.size else 0
+            yield from self._field(field, at, room)
+            at += room * field.size
+            if room < count:
+                yield self._missing(number, at)
+                return
+        if at < self.end:
+            over = self.data[at : self.end]
+            text = f"{len(over)} bytes are over"
+            yield wrong_row(self.spot, at, over, "wrong_length", text)
+
+    def _count(self, field: FieldLayout) -> int:
+        """How many elements of a field belong here: all that there is room for, where their number is free."""
+        repeat = field.field.repeat
+        if repeat is None:
+            return field.count or 0
+        room = (self.end - self.start - field.offset) // field.size
+        return min(max(room, repeat.low), repeat.high)
+
+    def _missing(self, number: int, at: int) -> Row:
+        """The row where the body ends too early."""
+        field = self.record.fields[number]
+        missing = self.record.least - (self.end - self.start)
+        later = ", ".join(other.name for other in self.record.fields[number:])
+        text = f"{missing} bytes are missing for {later}"
+        held = self.data[at : self.end]
+        return wrong_row(self.spot, at, held, "incomplete", text, field.name, field.field.place.path)
+
+    def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[Row]:
+        """The rows of the elements of one field; adds their values."""
+        held: list[Raw] = []
+        for index in range(count):
+            path = f"{field.name}[{index}]" if field.listed else field.name
+            rows, value = self._one(field, path, at + index * field.size, index)
+            held.append(value)
+            yield from rows
+        if field.listed:
+            self.values[field.name] = held
+        elif held:
+            self.values[field.name] = held[0]
+
+    def _one(self, field: FieldLayout, path: str, at: int, index: int) -> tuple[list[Row], Raw]:
+        """The rows and the value of one element of a field of the message."""
+        if field.record is not None:
+            return self._inner(field.record, path, at)
+        return self._value(field, path, at, index, top=True)
+
+    def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[Row], Raw]:
+        """The rows and the values of a record within the body, all of whose bytes are there."""
+        rows: list[Row] = []
+        values: dict[str, Raw] = {}
+        for field in record.fields:
+            elements: list[Raw] = []
+            for index in range(field.count or 0):
+                inner = f"{path}.{field.name}[{index}]" if field.listed else f"{path}.{field.name}"
+                place = at + field.offset + index * field.size
+                if field.record is not None:
+                    more, value = self._inner(field.record, inner, place)
+                else:
+                    more, value = self._value(field, inner, place, index, top=False)
+                rows += more
+                elements.append(value)
+            values[field.name] = elements if field.listed else elements[0]
+        return rows, values
+
+    def _value(self, field: FieldLayout, path: str, at: int, index: int, top: bool) -> tuple[list[Row], Raw]:
+        assert field.value is not None
+        raw = self.data[at : at + field.size]
+        device = self.layout.device
+        read = worded(device, field.value, raw, field.order, field.swapped, field.field.reserved)
+        number = read.number
+        assert number is not None
+        if top:
+            read = self._measured(field, self._repeated(field, read))
+        row = fact_row(device, "field", path, field.field, self.spot, at, raw, read, self.outer)
+        return [self._with_parameter(row, field, index, number)], number
+
+    def _measured(self, field: FieldLayout, read: Worded) -> Worded:
+        """Adds whether a field that measures another one is right."""
+        measure = field.field.measures
+        other = self.record.named(measure.field) if measure else None
+        if measure is None or other is None:
+            return read
+        start = self.start + other.offset
+        items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.listed else 1
+        should = items * other.size if measure.of == "bytes" else items
+        return read.judged(read.number == should, should, "wrong_measure")
+
+    def _repeated(self, field: FieldLayout, read: Worded) -> Worded:
+        """Adds whether a field of a response repeats what the request has."""
+        should = self.asked.get(field.field.same_as)
+        if read.reason or should is None:
+            return read
+        return read.judged(read.number == should, repr(should), "")
+
+    def _with_parameter(self, row: Row, field: FieldLayout, index: int, number: Raw) -> Row:
+        """A row with what the numbered parameter adds that a value is, or is the number of."""
+        part = field.value.parameter if field.value else None
+        if part is None:
+            return row
+        words = self.layout.device.parameters[part.set]
+        if part.part == "number":
+            named = words.numbered(number) if isinstance(number, int) else None
+            return replace(row, meanings=(*row.meanings, _of(named))) if named else row
+        if part.part == "values":
+            parameter = words.parameters[index] if index < len(words.parameters) else None
+        else:
+            asked = self.values.get(part.number, self.asked.get(part.number))
+            parameter = words.numbered(asked) if isinstance(asked, int) else None
+        return self._as_parameter(row, field, parameter) if parameter else row
+
+    def _as_parameter(self, row: Row, field: FieldLayout, parameter: Parameter) -> Row:
+        """A row whose bytes are read as a parameter: its unit, members and notes. No codec refuses it for these."""
+        value = parameter.value
+        if value.size != field.size:
+            return row
+        read = worded(self.layout.device, value, row.raw, field.order, field.swapped, parameter.reserved)
+        errata = (*row.errata, *errata_at(self.layout.device, parameter.place.path))
+        return replace(
+            row,
+            fact=parameter.place.path,
+            doc=parameter.doc or row.doc,
+            number=read.number,
+            value=read.text,
+            meanings=(_of(parameter), *read.meanings),
+            verdict=read.verdict,
+            reason="out_of_range" if read.reason else "",
+            source=citations(parameter.sources) or row.source,
+            notes=(*row.notes, *parameter.notes, *read.notes),
+            errata=tuple(dict.fromkeys((*errata, *errata_of_words(self.layout.device, read.facts)))),
+        )
+
+
+def _of(parameter: Parameter) -> Meaning:
+    return Meaning(parameter.name, parameter.label, f"parameter {parameter.number}", "")

@@ -1,0 +1,177 @@
+"""The registers that a frame reads or writes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from fieldspec.layout.device import DeviceLayout, RegisterLayout, TableLayout
+from fieldspec.layout.explaining.row import Row, Spot, fact_row
+from fieldspec.layout.explaining.worded import Worded, worded
+from fieldspec.layout.meaning import Raw
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.message import RegisterAccess
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """`words` from `address` on, and their bytes: `data` at `at` in the parts of the frame, or none."""
+
+    address: int
+    words: int
+    at: int
+    data: bytes
+
+    @property
+    def end(self) -> int:
+        """The address behind the last word."""
+        return self.address + self.words
+
+    def bytes_of(self, address: int, size: int) -> tuple[int, bytes] | None:
+        """Where the bytes of a value lie in the frame, and these bytes, where the frame has all of them."""
+        start = 2 * (address - self.address)
+        if start < 0 or start + size > len(self.data):
+            return None
+        return self.at + start, self.data[start : start + size]
+
+
+@dataclass(frozen=True, slots=True)
+class Holder:
+    """A register, or a field in an element of a table, at an address."""
+
+    address: int
+    words: int
+    path: str
+    fact: Fact
+    outer: Fact
+    value: Value
+    order: str
+    swapped: bool
+    access: str
+    reserved: bool
+
+
+def accessed(
+    access: RegisterAccess, values: Mapping[str, Raw], asked: Mapping[str, Raw], at: int, data: bytes
+) -> Span | None:
+    """The words that a message accesses: its own values say which, or those of the request that it answers.
+
+    `data` are the bytes of the words, which lie at `at`; none where the message does not carry them.
+    """
+    start = values.get(access.start, asked.get(access.start))
+    count = values.get(access.count, asked.get(access.count)) if access.count else 1
+    if not isinstance(start, int):
+        return None
+    words = count if isinstance(count, int) else len(data) // 2
+    return Span(start, words, at, data)
+
+
+def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]:
+    """A row for every register that shares words with a span, by address; and for words that none has."""
+    held = sorted(_holders(layout, span), key=lambda holder: holder.address)
+    at = span.address
+    for holder in held:
+        if holder.address > at:
+            yield _unlisted(layout, span, at, holder.address, spot)
+        at = max(at, holder.address + holder.words)
+        yield _row(layout, span, holder, spot)
+    if at < span.end:
+        yield _unlisted(layout, span, at, span.end, spot)
+
+
+def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
+    for register in layout.registers:
+        yield from _elements(register, span)
+    for table in layout.tables.values():
+        yield from _fields(table, span)
+
+
+def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
+    register = laid.register
+    for number in _near(laid.address, laid.stride, laid.words, laid.count, span):
+        address = laid.address + number * laid.stride
+        path = laid.name if laid.count == 1 else f"{laid.name}[{register.index_from + number}]"
+        fact: Fact = register
+        if number < len(register.element_sources):
+            fact = replace(register, sources=(register.element_sources[number],))
+        yield Holder(
+            address, laid.words, path, fact, register, register.value, laid.order, laid.swapped, register.access, False
+        )
+
+
+def _fields(laid: TableLayout, span: Span) -> Iterator[Holder]:
+    table = laid.table
+    for number in _near(table.base, table.stride, laid.words, table.count, span):
+        index = table.index_from + number
+        for field in laid.record.fields:
+            if field.value is None:
+                continue
+            for item in range(field.count or 0):
+                path = f"{laid.name}[{index}].{field.name}" + (f"[{item}]" if field.listed else "")
+                holder = _field(laid, field, table.address(index), item, path)
+                if holder.address < span.end and span.address < holder.address + holder.words:
+                    yield holder
+
+
+def _field(laid: TableLayout, field: FieldLayout, base: int, item: int, path: str) -> Holder:
+    assert field.value is not None
+    first = field.offset + item * field.size
+    return Holder(
+        base + first // 2,
+        (first + field.size + 1) // 2 - first // 2,
+        path,
+        field.field,
+        laid.table,
+        field.value,
+        field.order,
+        field.swapped,
+        field.field.access or laid.table.access,
+        field.field.reserved,
+    )
+
+
+def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
+    """The numbers of the elements that share words with a span."""
+    first = max(0, (span.address - base - words) // stride + 1)
+    last = min(count, -(-(span.end - base) // stride))
+    return range(first, max(first, last))
+
+
+def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot) -> Row:
+    found = span.bytes_of(holder.address, holder.value.size)
+    at, raw = found if found else (0, b"")
+    if found:
+        read = worded(layout.device, holder.value, raw, holder.order, holder.swapped, holder.reserved)
+    else:
+        inside = span.address <= holder.address and holder.address + holder.words <= span.end
+        part = () if inside else ("The frame holds a part of its words.",)
+        read = Worded(None, notes=part)
+    row = fact_row(layout.device, "register", holder.path, holder.fact, spot, at, raw, read, holder.outer)
+    if not found:
+        row = replace(row, offset=0)
+    return replace(row, address=holder.address, words=holder.words, access=holder.access)
+
+
+def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot) -> Row:
+    """The row of words that no register has."""
+    reasons = (
+        gap.reason
+        for group in layout.device.groups
+        for gap in group.gaps
+        if any(low < end and first <= high for low, high in gap.addresses.intervals)
+    )
+    found = span.bytes_of(first, 2 * (end - first))
+    offset, length, characters = spot.place(found[0], len(found[1])) if found else (0, 0, "")
+    return Row(
+        kind="register",
+        offset=offset,
+        length=length,
+        raw=found[1] if found else b"",
+        characters=characters,
+        doc="No register is listed here.",
+        notes=tuple(reasons),
+        address=first,
+        words=end - first,
+    )

@@ -1,0 +1,132 @@
+"""One row of an explanation, and where it lies in the frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from fieldspec.layout.explaining.worded import Meaning, Worded
+from fieldspec.layout.meaning import Raw
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.message import Message
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """Some bytes of a frame and what they say.
+
+    `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
+    `offset` and `length` are those in the frame as it is sent; `raw` are the bytes meant. Where each byte is
+    sent as two characters, `characters` holds them and `length` counts them.
+    `path` is the place in the frame, as in `points[0].position`; `fact` is the path of the fact in the spec.
+    `number` is the raw value, `value` the exact value in its unit.
+    `verdict` is empty, `right`, or `wrong: ..`; `reason` is then the word of the codecs' errors.
+    `source` cites the manual, `errata` are the ids of those that touch the fact.
+    Rows of registers have an `address`, a number of `words`, and `access`, empty where it is not printed.
+    """
+
+    kind: str
+    offset: int
+    length: int
+    raw: bytes
+    characters: str = ""
+    path: str = ""
+    fact: str = ""
+    printed_name: str = ""
+    label: str = ""
+    doc: str = ""
+    number: Raw | None = None
+    value: str = ""
+    meanings: tuple[Meaning, ...] = ()
+    verdict: str = ""
+    reason: str = ""
+    source: str = ""
+    notes: tuple[str, ...] = ()
+    errata: tuple[str, ...] = ()
+    address: int | None = None
+    words: int = 0
+    access: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """How the parts of a frame lie in it: from `start` on, each byte in `width` bytes or characters."""
+
+    frame: bytes
+    start: int
+    width: int
+
+    def place(self, at: int, length: int) -> tuple[int, int, str]:
+        """Offset, length and characters in the frame of some bytes of its parts."""
+        offset, length = self.start + at * self.width, length * self.width
+        characters = self.frame[offset : offset + length].decode("latin-1") if self.width > 1 else ""
+        return offset, length, characters
+
+
+def citations(sources: Iterable[Citation]) -> str:
+    """`8.2 L1622; 9.1 L5`"""
+    return "; ".join(citation.text() for citation in sources)
+
+
+def errata_at(device: Device, path: str) -> tuple[str, ...]:
+    """The errata of a fact and of what lies in it."""
+    return tuple(e.id for e in device.errata if e.fact == path or e.fact.startswith(f"{path}/"))
+
+
+def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
+    """The errata of a message but for those of its fields."""
+    path = message.place.path
+    fields = (f"{path}/request/", f"{path}/response/")
+    of_fields = {erratum.id for erratum in device.errata if erratum.fact.startswith(fields)}
+    return tuple(found for found in errata_at(device, path) if found not in of_fields)
+
+
+def errata_of_words(device: Device, facts: Iterable[str]) -> tuple[str, ...]:
+    """The errata of enums, members and flags that took part; those of other members do not touch a value."""
+    known = set(facts)
+    return tuple(e.id for e in device.errata if e.fact in known or e.fact.partition("/restated/")[0] in known)
+
+
+def fact_row(
+    device: Device, kind: str, path: str, fact: Fact, spot: Spot, at: int, raw: bytes, read: Worded, outer: Fact
+) -> Row:
+    """The row of a fact whose bytes lie at `at` in the parts; `outer` cites the manual where the fact does not."""
+    offset, length, characters = spot.place(at, len(raw))
+    errata = (*errata_at(device, fact.place.path), *errata_of_words(device, read.facts))
+    return Row(
+        kind=kind,
+        offset=offset,
+        length=length,
+        raw=raw,
+        characters=characters,
+        path=path,
+        fact=fact.place.path,
+        printed_name=fact.printed_name,
+        label=fact.label,
+        doc=fact.doc,
+        number=read.number,
+        value=read.text,
+        meanings=read.meanings,
+        verdict=read.verdict,
+        reason=read.reason,
+        source=citations(fact.sources or outer.sources),
+        notes=(*fact.notes, *read.notes),
+        errata=tuple(dict.fromkeys(errata)),
+    )
+
+
+def wrong_row(spot: Spot, at: int, raw: bytes, reason: str, detail: str, path: str = "", fact: str = "") -> Row:
+    """The row of bytes that are over, or of a place where bytes are missing."""
+    offset, length, characters = spot.place(at, len(raw))
+    return Row(
+        kind="unexplained",
+        offset=offset,
+        length=length,
+        raw=raw,
+        characters=characters,
+        path=path,
+        fact=fact,
+        verdict=f"wrong: {detail}",
+        reason=reason,
+    )

@@ -1,0 +1,182 @@
+"""A value's bytes -> its number, the value in its unit, and the names that the spec has for it."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from decimal import Decimal
+
+from fieldspec.layout.meaning import Raw
+from fieldspec.model.device import Device
+from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.primitive import Kind
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """A name for a value, or for some of its bits: `bits` is empty, `3`, or `9..10`.
+
+    `label` is the manual's word for it, `text` is in our own words.
+    """
+
+    name: str
+    label: str
+    text: str
+    bits: str
+
+
+@dataclass(frozen=True, slots=True)
+class Worded:
+    """What bytes say.
+
+    `number` is the raw value, None where there are too few bytes. `text` is the exact value in its unit, empty
+    where it has neither a unit nor a scale. `verdict` is empty, `right`, or `wrong: should be ..`; `reason` is
+    then the word of the codecs' errors. `facts` are the paths of enums, members and bits that took part.
+    """
+
+    number: Raw | None
+    text: str = ""
+    meanings: tuple[Meaning, ...] = ()
+    verdict: str = ""
+    reason: str = ""
+    notes: tuple[str, ...] = ()
+    facts: tuple[str, ...] = ()
+
+    def judged(self, right: bool, should: object, reason: str) -> Worded:
+        """The same with a verdict, and with the reason for which a codec refuses a wrong value."""
+        if right:
+            return replace(self, verdict="right", reason="")
+        return replace(self, verdict=f"wrong: should be {should}", reason=reason)
+
+
+def whole(data: bytes, order: str) -> int:
+    """Bytes as an unsigned number, in the order `big` or `little`."""
+    return int.from_bytes(data, "big" if order == "big" else "little")
+
+
+def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
+    """The raw value of bytes, as many as the value has; texts and bytes as they are.
+
+    `swapped` says that the 16-bit words lie in the other order than the bytes of each.
+    """
+    kind = value.type.kind
+    if kind in (Kind.TEXT, Kind.BYTES):
+        return data
+    if swapped:
+        data = b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+    big = (order == "big") != swapped
+    if kind is Kind.FLOAT:
+        number: float = struct.unpack(">f" if big else "<f", data)[0]
+        return number
+    return int.from_bytes(data, "big" if big else "little", signed=value.type.signed)
+
+
+def decimal_text(number: Decimal) -> str:
+    """A number without an exponent."""
+    return format(number, "f")
+
+
+def in_unit(value: Value, number: int) -> str:
+    """`20.00 mm`: the exact value with its unit; empty where it has neither a unit nor a scale."""
+    if not value.unit and not value.scaled:
+        return ""
+    return f"{decimal_text(value.in_unit(number))} {value.unit}".strip()
+
+
+def range_in_unit(value: Value, ranges: Ranges) -> str:
+    """`0.00..20.00, 30.00 mm`: intervals of counts in the value's unit."""
+
+    def bound(count: int) -> str:
+        return decimal_text(value.in_unit(count))
+
+    text = ", ".join(bound(low) if low == high else f"{bound(low)}..{bound(high)}" for low, high in ranges.intervals)
+    return f"{text} {value.unit}".strip()
+
+
+def worded(device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False) -> Worded:
+    """What the bytes of a value say; `data` must be exactly as long as the value. Never raises."""
+    number = number_of(value, data, order, swapped)
+    if reserved:
+        return Worded(number)
+    kind = value.type.kind
+    if kind is Kind.BOOLEAN:
+        return _boolean(device, value, number)
+    if kind is Kind.TEXT:
+        if any(byte > 0x7F for byte in data):
+            return Worded(data).judged(False, "ASCII", "unknown_value")
+        return Worded(data.rstrip(b"\0").decode("ascii"))
+    if not isinstance(number, int):
+        return Worded(number, f"{number!r} {value.unit}" if kind is Kind.FLOAT and value.unit else "")
+    return _whole(device, value, number)
+
+
+def _boolean(device: Device, value: Value, number: Raw) -> Worded:
+    if number not in (0, 1):
+        return Worded(number).judged(False, "0 or 1", "unknown_value")
+    named = _named(device, value, int(bool(number))) if value.enum else Worded(number)
+    return replace(named, number=bool(number))
+
+
+def _whole(device: Device, value: Value, number: int) -> Worded:
+    """What a whole number says."""
+    if value.const is not None and number != value.const:
+        return Worded(number).judged(False, value.const, "wrong_const")
+    found = Worded(number, verdict="" if value.const is None else "right")
+    sentinel = next((sentinel for sentinel in value.sentinels if sentinel.value == number), None)
+    if sentinel is not None:
+        return replace(found, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
+    if value.enum:
+        found = replace(_named(device, value, number), text=in_unit(value, number))
+    elif value.flags:
+        word = device.flags[value.flags]
+        found = replace(found, meanings=tuple(_set_bits(device, word, number)), facts=(word.place.path,))
+    else:
+        found = replace(found, text=in_unit(value, number))
+    if not found.reason and value.ranges is not None and number not in value.ranges:
+        found = found.judged(False, range_in_unit(value, value.ranges), "out_of_range")
+    return found
+
+
+def _named(device: Device, value: Value, number: int) -> Worded:
+    """The member of the value's enum that has the number."""
+    enum = device.enums[value.enum]
+    member = enum.member(number)
+    known = ", ".join(str(other.value) for other in enum.members if not other.unavailable)
+    if member is None:
+        if enum.open:
+            return Worded(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
+        return Worded(number).judged(False, f"one of {known}", "unknown_value")
+    meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
+    found = Worded(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
+    if member.unavailable and not enum.open:
+        notes = (*member.notes, f"{member.name} is listed as not available.")
+        return replace(found, notes=notes).judged(False, f"one of {known}", "unknown_value")
+    return found
+
+
+def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
+    """The bits that are set, the fields of several bits that have names, and bits that nothing is known of."""
+    number &= (1 << 8 * word.type.size) - 1
+    unknown = number
+    for bit in word.bits:
+        held = (number & bit.mask) >> bit.first
+        unknown &= ~bit.mask
+        if held or (bit.enum and not bit.reserved):
+            yield _bit(device, bit, held)
+    for at in range(unknown.bit_length()):
+        if unknown >> at & 1:
+            yield Meaning("", "", "not listed", str(at))
+
+
+def _bit(device: Device, bit: Bit, held: int) -> Meaning:
+    bits = str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
+    if bit.enum:
+        member = device.enums[bit.enum].member(held)
+        if member is not None:
+            return Meaning(f"{bit.name}={member.name}", member.label or bit.label, member.doc, bits)
+    if bit.width > 1:
+        return Meaning(f"{bit.name}={held}", bit.label, bit.doc, bits)
+    return Meaning(bit.name, bit.label, bit.one or bit.doc, bits)

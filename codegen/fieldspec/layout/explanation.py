@@ -1,0 +1,285 @@
+"""Explains the bytes of a frame, from the layout alone. Bytes that make no sense are explained as far as they do.
+
+>>> found = explained(layout, "rtu", "request", bytes.fromhex("01 06 20 1E 00 03 A2 0D"))
+>>> [(row.offset, row.path, row.number) for row in found.rows]
+[(0, 'station', 1), (1, 'function', 6), (2, 'address', 8222), (4, 'value', 3), (6, 'crc', 3490)]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+from fieldspec.layout.checksums import CHECKSUMS
+from fieldspec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.layout.explaining.body import Body
+from fieldspec.layout.explaining.registers import accessed, register_rows
+from fieldspec.layout.explaining.row import Row, Spot, errata_of_message, errata_of_words, fact_row, wrong_row
+from fieldspec.layout.explaining.worded import Meaning, Worded, whole, worded
+from fieldspec.layout.explaining.wrapping import end_rows, start_rows, wrapped
+from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.meaning import Raw
+from fieldspec.layout.record import RecordLayout
+
+__all__ = ["Explanation", "Meaning", "Row", "closest", "explained", "recognised"]
+
+Reading = tuple[str, str, str, bool]
+
+# What a decoder passes on, although the manual gives narrower bounds.
+_PASSED_ON = ("", "out_of_range")
+_OF_VALUES = frozenset({"unknown_value", "wrong_const", "wrong_measure"})
+# That a frame carries no code, so that its message was guessed: no fault, but too little to go by in a broken frame.
+_GUESSED = "guessed"
+# What may be wrong with a frame, in steps.
+_FITTING = (frozenset({_GUESSED}), _OF_VALUES | {_GUESSED})
+_CLOSE = (_OF_VALUES | {"wrong_check", _GUESSED}, _OF_VALUES | {"wrong_check", "wrong_length", "incomplete"})
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """What a frame says.
+
+    `rows` hold every byte of the frame once, in order. `registers` are what the frame reads or writes, by
+    address; their bytes, where the frame has them, are those of the rows again.
+    `message` is empty where nothing says which one it is; `error` says that the frame refuses a request.
+    `values` are the raw values by name: those of the parts before the body but for the length, and those of the
+    body's fields. `errata` are those of the message and of the link as a whole.
+    """
+
+    link: str
+    direction: str
+    message: str
+    error: bool
+    frame: bytes
+    rows: tuple[Row, ...]
+    registers: tuple[Row, ...]
+    values: dict[str, Raw] = field(repr=False)
+    errata: tuple[str, ...] = ()
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why a codec refuses the frame, in the words of its errors; empty where it takes it."""
+        return tuple(row.reason for row in self.rows if row.reason not in _PASSED_ON)
+
+
+def explained(
+    layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str = "", request: bytes = b""
+) -> Explanation:
+    """The explanation of a whole frame, whose direction is `request` or `response`.
+
+    `message` names the message where the frame carries no code. `request` is the frame that a response answers:
+    it says which message and which registers a response belongs to, where the response does not say it itself.
+    Raises KeyError for a link that the device does not have; never for bytes.
+    """
+    asked = explained(layout, link, "request", request, message) if request and direction == "response" else None
+    return _Frame(layout, link, direction, frame, message, asked).explanation()
+
+
+def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
+    """The readings of a frame that fit: (link, direction, message, error), in the order of the spec.
+
+    Marks, length, check and the length of the body are right. Where some of these readings have values that a
+    codec refuses, and some have none, only the latter are given. The message is empty for a refusal of a code
+    that the device does not know.
+    """
+    return _readings(layout, frame, _FITTING)
+
+
+def closest(layout: DeviceLayout, frame: bytes) -> list[Reading]:
+    """The readings of a frame that fit best: where none fits, with a wrong check, else with a wrong length too."""
+    return _readings(layout, frame, _FITTING + _CLOSE)
+
+
+def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], ...]) -> list[Reading]:
+    found: dict[Reading, frozenset[str]] = {}
+    for link in layout.links.values():
+        for direction in ("request", "response"):
+            guessed = link.frame(direction).role("code") is None
+            for message in layout.messages if guessed else ("",):
+                one = explained(layout, link.name, direction, frame, message)
+                reasons = frozenset((*one.reasons, _GUESSED) if guessed else one.reasons)
+                found.setdefault((link.name, direction, one.message, one.error), reasons)
+    for forgiven in steps:
+        fitting = [reading for reading, reasons in found.items() if reasons <= forgiven and (reading[2] or reading[3])]
+        if fitting:
+            return fitting
+    return []
+
+
+class _Frame:
+    """A frame while it is being explained. `data` are its parts as bytes; `cut` is what follows them."""
+
+    def __init__(
+        self, layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str, asked: Explanation | None
+    ) -> None:
+        self.layout, self.link, self.direction, self.frame = layout, layout.links[link].link, direction, frame
+        self.shape = layout.links[link].frame(direction)
+        self.asked = asked
+        self.wrapped = wrapped(self.link, frame)
+        self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
+        self.data, self.cut = self._cut(self.wrapped.data)
+        self.named = message or (asked.message if asked else "")
+        self.laid: MessageLayout | None = layout.messages.get(self.named)
+        self.error = False
+        self.values: dict[str, Raw] = {}
+
+    def explanation(self) -> Explanation:
+        """The whole explanation. The head comes first: its code says what the body holds."""
+        rows = [*start_rows(self.wrapped), *self._head()]
+        registers: tuple[Row, ...] = ()
+        if len(self.data) >= self.shape.head_size:
+            inside, registers = self._body()
+            rows += [*inside, *self._tail()]
+        if self.cut:
+            text = f"{len(self.cut)} bytes are over"
+            rows.append(wrong_row(self.spot, len(self.data), self.cut, "wrong_length", text))
+        rows += end_rows(self.wrapped)
+        errata = errata_of_words(self.layout.device, (self.link.place.path,))
+        if self.laid is not None:
+            errata += errata_of_message(self.layout.device, self.laid.message)
+        name = self.laid.name if self.laid else ""
+        return Explanation(
+            self.link.name, self.direction, name, self.error, self.frame, tuple(rows), registers, self.values, errata
+        )
+
+    def _cut(self, data: bytes) -> tuple[bytes, bytes]:
+        """The parts, and what follows them: the length part and the check may say that the frame ends earlier."""
+        length, check = self.shape.role("length"), self.shape.check
+        if length is None or check is None or not self.wrapped.whole:
+            return data, b""
+        said = whole(data[length.offset : length.offset + length.size], length.order)
+        early = self.shape.head_size + self.shape.tail_size <= said < len(data)
+        if early and _sum(check, data) != _held(check, data) and _sum(check, data[:said]) == _held(check, data[:said]):
+            return data[:said], data[said:]
+        return data, b""
+
+    def _head(self) -> Iterator[Row]:
+        for part in self.shape.head:
+            held = self.data[part.offset : part.offset + part.size]
+            if len(held) < part.size:
+                if self.wrapped.whole:
+                    yield self._short(part, part.offset, held)
+                return
+            assert part.value is not None
+            read = self._said(part, worded(self.layout.device, part.value, held, part.order, False))
+            yield self._part(part, part.offset, held, read)
+
+    def _part(self, part: PartLayout, at: int, held: bytes, read: Worded) -> Row:
+        return fact_row(self.layout.device, "part", part.name, part.part, self.spot, at, held, read, self.link)
+
+    def _short(self, part: PartLayout, at: int, held: bytes) -> Row:
+        text = f"{part.name} has {part.size - len(held)} bytes more"
+        return wrong_row(self.spot, at, held, "incomplete", text, part.name, part.part.place.path)
+
+    def _said(self, part: PartLayout, read: Worded) -> Worded:
+        """What a part before the body says, with what its role adds."""
+        assert isinstance(read.number, int)
+        if part.role == "length":
+            if not self.wrapped.whole:
+                return read
+            return read.judged(read.number == len(self.data), len(self.data), "wrong_length")
+        self.values[part.name] = read.number
+        if part.role == "code":
+            return self._code(part, read)
+        if part.role == "station":
+            return self._station(read)
+        return read
+
+    def _code(self, part: PartLayout, read: Worded) -> Worded:
+        """The message that a code names. A response may mark it as a refusal."""
+        code, refusal = read.number, self.link.error
+        assert isinstance(code, int)
+        if refusal is not None and self.direction == "response" and code & refusal.flag:
+            self.error = True
+            code &= ~refusal.flag
+            self.values[part.name] = code
+        self.laid = self.layout.message_with_code(code)
+        if self.laid is None:
+            if self.error:
+                return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
+            codes = (laid.message.code for laid in self.layout.messages.values())
+            known = ", ".join(f"{code:02X}" for code in codes if code is not None)
+            return read.judged(False, f"one of {known}", "unknown_code")
+        message = self.laid.message
+        text = f"{message.title or message.label or message.name}, refused" if self.error else message.title
+        meaning = Meaning(message.name, message.label, text, "")
+        read = replace(read, meanings=(meaning,), notes=message.notes, facts=(message.place.path,))
+        expected = self.layout.messages.get(self.named)
+        if expected is None or expected is self.laid or self.error:
+            return read
+        return read.judged(False, f"{expected.message.code:02X}", "unknown_code")
+
+    def _station(self, read: Worded) -> Worded:
+        stations = self.link.stations
+        if stations is None or stations.ranges is None:
+            return read
+        if read.number == stations.broadcast:
+            return replace(read, meanings=(Meaning("broadcast", "", "for all stations", ""),), verdict="", reason="")
+        if read.number in stations.ranges:
+            return read
+        return read.judged(False, stations.ranges.text(), "out_of_range")
+
+    def _record(self) -> RecordLayout | None:
+        """The record of the body; None where nothing says what it holds."""
+        if self.error and self.link.error is not None:
+            return self.layout.records[self.link.error.record]
+        return self.laid.data(self.direction) if self.laid else None
+
+    def _body(self) -> tuple[list[Row], tuple[Row, ...]]:
+        """The rows of the body, and of the registers that it reads or writes."""
+        start, record = self.shape.head_size, self._record()
+        end = max(start, len(self.data) - self.shape.tail_size) if self.wrapped.whole else len(self.data)
+        if record is None:
+            return list(self._unknown(start, end)), ()
+        message = self.laid.message if self.laid else None
+        asked = self.asked.values if self.asked else {}
+        body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, asked)
+        self.values |= body.values
+        rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
+        if message is None or message.accesses is None or self.error:
+            return rows, ()
+        values = record.named(message.accesses.values)
+        at = start + values.offset if values else start
+        last = min(end, start + values.end) if values and values.end is not None else end
+        held = self.data[at:last] if values else b""
+        span = accessed(message.accesses, body.values, asked, at, held[: len(held) // 2 * 2])
+        return rows, tuple(register_rows(self.layout, span, self.spot)) if span else ()
+
+    def _unknown(self, start: int, end: int) -> Iterator[Row]:
+        """The row of a body of which nothing is known."""
+        if self.shape.role("code") is None:
+            text = "the frame carries no code, and nothing else says which message it is"
+            yield wrong_row(self.spot, start, self.data[start:end], "unknown_code", text)
+        elif end > start:
+            row = wrong_row(self.spot, start, self.data[start:end], "", "")
+            yield replace(row, verdict="", doc="The data of an unknown message.")
+
+    def _tail(self) -> Iterator[Row]:
+        if not self.wrapped.whole:
+            return
+        start = max(self.shape.head_size, len(self.data) - self.shape.tail_size)
+        for part in self.shape.tail:
+            at = start + self.shape.tail_size + part.offset
+            held = self.data[at : at + part.size]
+            if len(held) < part.size:
+                yield self._short(part, at, held)
+                return
+            if part.role == "check":
+                should = _sum(part, self.data)
+                read = Worded(whole(held, part.order))
+                read = read.judged(held == should, should.hex(" ").upper(), "wrong_check")
+            else:
+                assert part.value is not None
+                read = worded(self.layout.device, part.value, held, part.order, False)
+            yield self._part(part, at, held, read)
+
+
+def _sum(check: PartLayout, data: bytes) -> bytes:
+    """What the check of some parts should be."""
+    number = CHECKSUMS[check.algorithm](data[: len(data) + check.offset])
+    return number.to_bytes(check.size, "big" if check.order == "big" else "little")
+
+
+def _held(check: PartLayout, data: bytes) -> bytes:
+    """What the check of some parts is."""
+    return data[len(data) + check.offset :][: check.size]
