@@ -19,7 +19,8 @@ LARGEST_FILE = 32 * 1024 * 1024
 LARGEST_TREE = 5_000_000
 DEEPEST_TREE = 64
 
-_Parser = getattr(yaml, "CParser", None)
+# libyaml's parser, which PyYAML has only where it was built with it; the other one gives the same events.
+_Parser = yaml._yaml.CParser if yaml.__with_libyaml__ else yaml.Loader
 
 
 def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
@@ -53,8 +54,7 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
         return None, [Diagnostic("tab_indent", "a tab indents this line", Span(file, tab, tab + 1), help=help)]
     builder = _Builder(file)
     try:
-        parser = _Parser(file.text) if _Parser else yaml.Loader(file.text)
-        return builder.document(parser)
+        return builder.document(_Parser(file.text))
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         at = min(mark.index if mark else 0, max(0, len(file.text) - 1))
