@@ -100,14 +100,14 @@ class Entry:
 
     def entry(self, key: str) -> Entry | None:
         """The mapping under a key."""
-        node = self.node.values.get(key)
+        node = self.get(key)
         if not isinstance(node, Mapping):
             return None
         return Entry(node, f"{self.path}/{key}", self.found, self.section, self.sources)
 
     def entries(self, key: str, name: str = "name", defaults: Mapping | None = None) -> Iterator[Entry]:
         """The mappings of the list under a key, each with its own path."""
-        yield from self._listed(self.node.values.get(key), f"{self.path}/{key}", name, defaults)
+        yield from self._listed(self.get(key), f"{self.path}/{key}", name, defaults)
 
     def named(self, key: str, path: str, defaults: Mapping | None = None, name: str = "name") -> Iterator[Entry]:
         """The same, where paths leave out the key."""
