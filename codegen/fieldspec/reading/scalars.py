@@ -7,31 +7,21 @@ truth value only where the schema wants one and the text is one.
 from __future__ import annotations
 
 import difflib
-import json
 import re
 from decimal import Decimal
 from functools import lru_cache
-from importlib import resources
 from typing import Any
 
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, plain
+from fieldspec.schema import Schema, resolved, schema
 from fieldspec.source import Span
 
 MOST_FINDINGS = 200
 
-Schema = dict[str, Any]
-
 _INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]+|0b[01]+|0|[1-9][0-9]*)")
 _NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
 _CONSTANTS: dict[str, Plain] = {"true": True, "false": False, "~": None, "null": None}
-
-
-@lru_cache(maxsize=1)
-def schema() -> Schema:
-    """The language as JSON Schema."""
-    text = resources.files("fieldspec.schema").joinpath("spec.schema.json").read_text("utf-8")
-    return json.loads(text)  # type: ignore[no-any-return]
 
 
 @lru_cache(maxsize=1)
@@ -59,14 +49,8 @@ def violations(node: Node) -> list[Diagnostic]:
     return found
 
 
-def _resolved(part: Schema) -> Schema:
-    while "$ref" in part:
-        part = schema()["$defs"][part["$ref"].rsplit("/", 1)[1]]
-    return part
-
-
 def _typed(node: Node, part: Schema) -> Node:
-    part = _resolved(part)
+    part = resolved(part)
     if isinstance(node, Scalar):
         return Scalar(node.file, node.start, node.end, node.text, node.quoted, _value(node, part))
     if isinstance(node, Sequence):
@@ -163,16 +147,17 @@ def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
 
 
 def _described(part: Schema, key: str) -> str:
-    return str(part.get("properties", {}).get(key, {}).get("description", ""))
+    found = part.get("properties", {}).get(key, {})
+    return str(found.get("description") or resolved(found).get("description", ""))
 
 
 def _schema_part(path: list[str | int]) -> Schema:
     """The part of the schema that holds the last keyword of a schema path."""
     part: Any = schema()
     for key in path[:-1]:
-        part = _resolved(part) if isinstance(part, dict) and key != "$ref" else part
-        part = _resolved(part) if key == "$ref" else part[key]
-    return _resolved(part) if isinstance(part, dict) else {}
+        part = resolved(part) if isinstance(part, dict) and key != "$ref" else part
+        part = resolved(part) if key == "$ref" else part[key]
+    return resolved(part) if isinstance(part, dict) else {}
 
 
 def _at(root: Node, path: list[str | int]) -> Node:

@@ -1,1 +1,32 @@
-"""The language: `spec.schema.json` is the one table of legal keys."""
+"""The language: `spec.schema.json` is the one table of legal keys. It validates, completes, and writes the manual."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from importlib import resources
+from typing import Any, TypeAlias
+
+Schema: TypeAlias = dict[str, Any]
+
+
+@cache
+def schema() -> Schema:
+    """The language as JSON Schema, draft 2020-12."""
+    text = resources.files(__name__).joinpath("spec.schema.json").read_text("utf-8")
+    return json.loads(text)  # type: ignore[no-any-return]
+
+
+def resolved(part: Schema) -> Schema:
+    """A part of the schema, or what it refers to: `#/$defs/fact/properties/label` is the key `label` of all facts."""
+    while "$ref" in part:
+        part = _referred(part["$ref"])
+    return part
+
+
+@cache
+def _referred(reference: str) -> Schema:
+    part: Any = schema()
+    for key in reference.removeprefix("#/").split("/"):
+        part = part[key]
+    return part  # type: ignore[no-any-return]
