@@ -11,10 +11,9 @@ another order, say `order: as_listed` on the group.
 
 from __future__ import annotations
 
-from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, hexadecimal, label
+from fieldspec.checks.finding import finding, hexadecimal, label, longest_ascent
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
@@ -41,21 +40,3 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
                         f"it is listed {where} {other.name} at {hexadecimal(other.address)}",
                     ),
                 )
-
-
-def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
-    """The indices that are left when as few numbers as possible are taken out so that the rest never falls."""
-    tails: list[int] = []
-    ends: list[int] = []
-    before: list[int] = []
-    for index, number in enumerate(numbers):
-        at = bisect_left(tails, number + 1)
-        before.append(ends[at - 1] if at else -1)
-        tails[at : at + 1] = [number]
-        ends[at : at + 1] = [index]
-    kept = set()
-    index = ends[-1] if ends else -1
-    while index >= 0:
-        kept.add(index)
-        index = before[index]
-    return frozenset(kept)

@@ -33,9 +33,7 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
     for flags in device.flags.values():
         for bit in flags.bits:
             enum = device.enums.get(bit.enum)
-            out = (
-                [member for member in enum.members if not 0 <= member.value < 1 << bit.width] if enum else []
-            )
+            out = [member for member in enum.members if not 0 <= member.value < 1 << min(bit.width, 64)] if enum else []
             if out:
                 yield _finding(bit, "enum", f"the bits of {bit.name}", out)
 
@@ -51,6 +49,4 @@ def _excluded(value: Value, member: Member) -> bool:
 def _finding(fact: Fact, key: str, what: str, out: list[Member]) -> Diagnostic:
     text = f"{what} cannot hold {shown([f'{member.name} ({member.value})' for member in out])}"
     there = label(out[0].place, "value", "listed here")
-    return finding(
-        "enum_within_range", fact.place, key, text, "put the range, the type or the list right", there
-    )
+    return finding("enum_within_range", fact.place, key, text, "put the range, the type or the list right", there)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from bisect import bisect_left
+from collections.abc import Callable, Collection, Iterator, Sequence
+from difflib import get_close_matches
 from typing import TypeAlias
 
 from fieldspec.diagnostics import Diagnostic, Label
@@ -13,6 +15,7 @@ from fieldspec.model.ranges import Ranges
 Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
 
 _SHOWN = 6
+_SEARCHED = 2000
 
 
 def finding(code: str, place: Place, key: str, message: str, help: str, *labels: Label) -> Diagnostic:
@@ -77,3 +80,31 @@ def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
         if at <= high:
             gaps.append((at, high))
     return gaps
+
+
+def near(word: str, known: Collection[str]) -> str:
+    """What to say of a word that is not among the known ones."""
+    if len(known) > _SEARCHED:
+        return "define it, or put the name right"
+    close = get_close_matches(word, known, 1)
+    if close:
+        return f"did you mean `{close[0]}`?"
+    return f"there are {shown([f'`{name}`' for name in known])}" if known else "define it first"
+
+
+def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
+    """The indices that are left when as few numbers as possible are taken out so that the rest never falls."""
+    tails: list[int] = []
+    ends: list[int] = []
+    before: list[int] = []
+    for index, number in enumerate(numbers):
+        at = bisect_left(tails, number + 1)
+        before.append(ends[at - 1] if at else -1)
+        tails[at : at + 1] = [number]
+        ends[at : at + 1] = [index]
+    kept = set()
+    index = ends[-1] if ends else -1
+    while index >= 0:
+        kept.add(index)
+        index = before[index]
+    return frozenset(kept)

@@ -38,9 +38,7 @@ def blocks(device: Device) -> Iterator[Block]:
     """The addresses of every element of every register and table."""
     sizes = Sizes(device)
     for register in device.registers():
-        yield from _elements(
-            register, "at", register.address, max(1, register.width), register.stride, register.count
-        )
+        yield from _elements(register, "at", register.address, max(1, register.width), register.stride, register.count)
     for table in device.tables.values():
         yield from _elements(table, "base", table.base, table_words(table, sizes), table.stride, table.count)
 

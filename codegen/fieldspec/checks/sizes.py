@@ -16,9 +16,7 @@ class Sizes:
         self._open: set[str] = set()
         waiting = dict(device.records)
         for _ in range(MOST_LEVELS):
-            ready = [
-                record for record in waiting.values() if all(f.record not in waiting for f in record.fields)
-            ]
+            ready = [record for record in waiting.values() if all(f.record not in waiting for f in record.fields)]
             for record in ready:
                 del waiting[record.name]
                 self._bounds[record.name] = self.bounds(record)
@@ -38,11 +36,7 @@ class Sizes:
 
     def field(self, field: Field) -> tuple[int, int] | None:
         """The least and the most bytes of a field, None where nothing decides them."""
-        both = (
-            (field.value.size, field.value.size)
-            if field.value is not None
-            else self._bounds.get(field.record)
-        )
+        both = (field.value.size, field.value.size) if field.value is not None else self._bounds.get(field.record)
         if both is None:
             return None
         if field.repeat is not None:

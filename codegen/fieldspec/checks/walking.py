@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
@@ -22,6 +22,18 @@ def fields(device: Device) -> Iterator[Field]:
     """The fields of all records and messages."""
     for layer in layers(device):
         yield from layer.fields
+
+
+def lists(device: Device) -> Iterator[Sequence[Fact]]:
+    """The rows of every list that is transcribed in the order of the print; enums may be in another order."""
+    for group in device.groups:
+        yield group.registers
+    for layer in layers(device):
+        yield layer.fields
+    for word in device.flags.values():
+        yield word.bits
+    for held in device.parameters.values():
+        yield held.parameters
 
 
 def values(device: Device) -> Iterator[tuple[Fact, Value]]:

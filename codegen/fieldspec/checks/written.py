@@ -19,9 +19,7 @@ def body(device: Device, example: Example) -> tuple[Field, ...]:
     """The fields of an example's body; none where a reference of the example dangles."""
     link = device.links.get(example.link)
     if example.error:
-        record = (
-            device.records.get(link.error.record) if link is not None and link.error is not None else None
-        )
+        record = device.records.get(link.error.record) if link is not None and link.error is not None else None
         return record.fields if record is not None else ()
     message = device.messages.get(example.message)
     if message is None:

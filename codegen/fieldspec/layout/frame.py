@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.layout.record import Orders
-from fieldspec.model.link import Link, Part
+from fieldspec.model.link import CHECK_SIZES, Link, Part
 from fieldspec.model.value import Value
-
-CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
 
 
 @dataclass(frozen=True, slots=True)

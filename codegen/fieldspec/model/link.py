@@ -10,6 +10,9 @@ from fieldspec.model.place import Place
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 
+CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
+"""The bytes of each check algorithm's result."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part(Fact):

@@ -1,0 +1,57 @@
+"""A register, or a field, that is the same as another one has its type, scale, unit and range.
+
+Why: one value that is described twice is described in one way. A difference is a misprint, or the two
+are not the same.
+
+Example: a register with `same_as: target_position` of type `u32` where the target position is `i32`.
+
+Cure: Put one of them right and write an erratum, or take `same_as` out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label, range_key
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Field
+from fieldspec.model.value import Value
+
+
+def aliases_agree(device: Device) -> Iterator[Diagnostic]:
+    registers = {register.name: register for register in device.registers()}
+    for register in device.registers():
+        other = registers.get(register.same_as)
+        if other is not None:
+            yield from _compared(register, register.value, other, other.value)
+    for message in device.messages.values():
+        asked = {field.name: field for field in message.request.fields}
+        for field in message.response.fields:
+            yield from _echo(field, asked.get(field.same_as))
+
+
+def _echo(field: Field, asked: Field | None) -> Iterator[Diagnostic]:
+    if asked is not None and field.value is not None and asked.value is not None:
+        yield from _compared(field, field.value, asked, asked.value)
+
+
+def _compared(fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
+    for key, mine, theirs in (
+        ("type", (value.type.name, value.size), (same.type.name, same.size)),
+        ("scale", (value.scale, value.offset), (same.scale, same.offset)),
+        ("unit", value.unit, same.unit),
+        (range_key(fact.place), value.ranges, same.ranges),
+        ("enum", value.enum, same.enum),
+        ("flags", value.flags, same.flags),
+    ):
+        if mine != theirs and mine and theirs:
+            yield finding(
+                "aliases_agree",
+                fact.place,
+                key,
+                f"{fact.name} is the same as {other.name}, but has another {key.removeprefix('unit_')}",
+                "put one of them right, or take `same_as` out",
+                label(other.place, range_key(other.place) if "range" in key else key, f"that of {other.name}"),
+            )

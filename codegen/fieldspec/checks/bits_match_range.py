@@ -1,0 +1,56 @@
+"""The printed range of a word of flags is 0 to the sum of its bits.
+
+Why: the range of a word says which bits it has. Where the list of bits says something else, one of them
+is wrong.
+
+Example: a range of 0..1 for a word with one bit for each of 14 inputs.
+
+Cure: Put the range or the list right, and write an erratum. Bits that are listed as reserved may count
+or not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.checks.finding import finding, label, range_key
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.ranges import Ranges
+
+_WIDEST = 64
+
+
+def bits_match_range(device: Device) -> Iterator[Diagnostic]:
+    for word in device.flags.values():
+        yield from _compared(word, word, word.ranges)
+    for fact, value in values(device):
+        used = device.flags.get(value.flags)
+        if used is not None:
+            yield from _compared(fact, used, value.ranges)
+
+
+def _compared(fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
+    if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
+        return
+    every = _union(bit for bit in word.bits)
+    useful = _union(bit for bit in word.bits if not bit.reserved)
+    if ranges.intervals not in (((0, every),), ((0, useful),)):
+        yield finding(
+            "bits_match_range",
+            fact.place,
+            range_key(fact.place),
+            f"the range of {fact.name} is {ranges.text()}; its bits make 0..{useful}",
+            "put the range or the list of bits right",
+            label(word.place, "bits", "the bits"),
+        )
+
+
+def _union(bits: Iterable[Bit]) -> int:
+    mask = 0
+    for bit in bits:
+        mask |= bit.mask
+    return mask

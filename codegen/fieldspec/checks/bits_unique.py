@@ -1,0 +1,53 @@
+"""No two entries of a word of flags claim the same bit, and no two have the same name.
+
+Why: a bit means one thing. Where it means two, under different conditions, each entry says `when`.
+
+Example: bit 3 for alarm, and the bits 2..3 for the mode.
+
+Cure: Put a number right and write an erratum, or give both entries their `when`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.flags import Bit
+
+
+def bits_unique(device: Device) -> Iterator[Diagnostic]:
+    for word in device.flags.values():
+        owners: dict[int, list[Bit]] = {}
+        for bit in word.bits:
+            others = [other for number in _numbers(bit) for other in owners.get(number, [])]
+            clash = next((other for other in others if not _apart(bit, other)), None)
+            if clash is not None:
+                yield finding(
+                    "bits_unique",
+                    bit.place,
+                    _key(bit),
+                    f"{bit.name} claims {_claim(bit)} of {word.name}, which {clash.name} claims too",
+                    "put one of the numbers right, or say `when` each of them holds",
+                    label(clash.place, _key(clash), f"{clash.name} has {_claim(clash)}"),
+                )
+            for number in _numbers(bit):
+                owners.setdefault(number, []).append(bit)
+
+
+def _numbers(bit: Bit) -> range:
+    """The bits of an entry; a nonsensical number of them is not walked through."""
+    return range(bit.first, min(bit.last, bit.first + 64) + 1)
+
+
+def _apart(bit: Bit, other: Bit) -> bool:
+    return bool(bit.when and other.when and bit.when != other.when)
+
+
+def _key(bit: Bit) -> str:
+    return "bits" if "bits" in bit.place else "bit"
+
+
+def _claim(bit: Bit) -> str:
+    return f"bit {bit.first}" if bit.width == 1 else f"the bits {interval(bit.first, bit.last)}"

@@ -1,0 +1,51 @@
+"""Every bit lies within its word, and the word fits each value that uses it.
+
+Why: a bit that the word does not have cannot be read. The word is too narrow, or the number is wrong.
+
+Example: bit 16 in a word of type `u16`, or a word with bit 9 used for a `u8`.
+
+Cure: Put the type or the bit's number right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+
+
+def bits_within_width(device: Device) -> Iterator[Diagnostic]:
+    for word in device.flags.values():
+        width = 8 * word.type.size
+        if word.type.kind is not Kind.INTEGER:
+            text = f"{word.name} is {word.type.name}, which has no bits of its own"
+            yield finding("bits_within_width", word.place, "type", text, "give it an integer type")
+            continue
+        for bit in word.bits:
+            if bit.last >= width:
+                yield finding(
+                    "bits_within_width",
+                    bit.place,
+                    "bits" if "bits" in bit.place else "bit",
+                    f"{bit.name} has bit {bit.last}, but {word.name} has the bits 0 to {width - 1}",
+                    "put the number or the type right",
+                    label(word.place, "type", word.type.name),
+                )
+    for fact, value in values(device):
+        used = device.flags.get(value.flags)
+        if used is None or not used.bits:
+            continue
+        highest = max(used.bits, key=lambda bit: bit.last)
+        if value.type.kind is not Kind.INTEGER or highest.last >= 8 * value.type.size:
+            yield finding(
+                "bits_within_width",
+                fact.place,
+                "flags",
+                f"{fact.name} is {value.type.name} and cannot hold bit {highest.last} of {used.name}",
+                "put the type right, or name the right word of flags",
+                label(highest.place, "bit", f"{highest.name}"),
+            )

@@ -1,0 +1,38 @@
+"""The address to which all listen is not the address of a station, and fits the part that carries
+addresses.
+
+Why: a request to that address is answered by none. A station that had it could not be asked anything.
+
+Example: stations 0..15 with `broadcast: 0`.
+
+Cure: Put the range or the address right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+
+_CODE = "broadcast_apart"
+
+
+def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
+    for link in device.links.values():
+        stations = link.stations
+        if stations is None or stations.broadcast is None:
+            continue
+        if stations.ranges is not None and stations.broadcast in stations.ranges:
+            text = f"{stations.broadcast} is the address of all, and of a station too"
+            there = label(stations.place, "range", "the stations")
+            yield finding(_CODE, stations.place, "broadcast", text, "put one of them right", there)
+        part = next((part for part in link.request if part.role == "station" and part.value), None)
+        value = part.value if part is not None else None
+        if value is None or value.type.kind is not Kind.INTEGER:
+            continue
+        if not value.type.low <= stations.broadcast <= value.type.high:
+            text = f"the address {stations.broadcast} does not fit {value.type.name}"
+            yield finding(_CODE, stations.place, "broadcast", text, "put the address or the type right")

@@ -1,0 +1,47 @@
+"""Every message's code fits the part that carries it, and is clear of the bit that marks a refusal.
+
+Why: a code that does not fit cannot be sent; one that has the bit of a refusal would be taken for one.
+
+Example: a function code 0x86 on a link whose refusals have the bit 0x80.
+
+Cure: Put the code, the part's type or the bit right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.link import Link
+from fieldspec.model.message import Message
+from fieldspec.model.primitive import Kind
+
+_CODE = "codes_fit_link"
+
+
+def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
+    for link in device.links.values():
+        part = next((part for part in link.request if part.role == "code"), None)
+        if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
+            continue
+        high = part.value.type.high
+        if link.error is not None and not 0 < link.error.flag <= high:
+            text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.error.flag:#x}"
+            help = "put the bit or the part's type right"
+            yield finding(_CODE, link.place, "error", text, help, label(part.place, "type", part.value.type.name))
+        for message in device.messages.values():
+            if message.code is not None and message.code > high:
+                text = f"the code {message.code:#x} does not fit {part.name}, which is {part.value.type.name}"
+                help = "put the code or the part's type right"
+                yield finding(_CODE, message.place, "code", text, help, label(part.place, "type", part.name))
+            else:
+                yield from _marked(link, message)
+
+
+def _marked(link: Link, message: Message) -> Iterator[Diagnostic]:
+    if link.error is not None and message.code is not None and message.code & link.error.flag:
+        text = f"the code {message.code:#x} has the bit {link.error.flag:#x}, which marks a refusal"
+        there = label(link.place, "error", f"refusals on {link.name}")
+        yield finding(_CODE, message.place, "code", text, "put the code or the bit right", there)

@@ -1,0 +1,53 @@
+"""Elements of a table that the manual prints have the addresses and words that base, stride and record
+make.
+
+Why: a manual often prints the first and the last element in full. They prove base, stride and count, or
+show that one of them is wrong.
+
+Example: the second element printed at 0x9020..0x902D with 12 words.
+
+Cure: Put the table or the element right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import addresses, finding, label
+from fieldspec.checks.sizes import Sizes
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.table import Table
+
+_CODE = "elements_match_table"
+
+
+def elements_match_table(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    for table in device.tables.values():
+        size = sizes.named(table.record)
+        yield from _of_table(table, table.words if size is None else size // 2)
+
+
+def _of_table(table: Table, words: int | None) -> Iterator[Diagnostic]:
+    base = label(table.place, "base", "the first element")
+    for element in table.elements:
+        if element.index not in table.indexes:
+            text = f"{table.name} has the elements {table.index_from} to {table.indexes[-1]}, not {element.index}"
+            yield finding(_CODE, element.place, "index", text, "put the number or the count right", base)
+            continue
+        first = table.address(element.index)
+        if element.first is not None and element.first != first:
+            text = f"element {element.index} is printed at {addresses(element.first, element.first)}"
+            text += f"; it lies at {addresses(first, first)}"
+            yield finding(_CODE, element.place, "at", text, "put the table or the address right", base)
+        if words is None:
+            continue
+        last = first + words - 1
+        if element.last is not None and element.last != last:
+            text = f"element {element.index} is printed up to {addresses(element.last, element.last)}"
+            text += f"; it ends at {addresses(last, last)}"
+            yield finding(_CODE, element.place, "at", text, "put the record or the address right", base)
+        if element.words is not None and element.words != words:
+            text = f"element {element.index} is printed with {element.words} words; it has {words}"
+            yield finding(_CODE, element.place, "words", text, "put the record or the words right", base)

@@ -1,0 +1,82 @@
+"""The values between the lowest and the highest member of an enum are all listed, or declared as `gaps`.
+
+Why: a hole in a list is where a line got lost, in print or in transcription. Codes that are sorted into
+blocks, as alarms often are, are looked at if they span at most 64 values.
+
+Example: alarms 0 to 15 and 17.
+
+Cure: Transcribe the missing line, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. An
+erratum says so if the manual should have it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label, missing, shown
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Enum
+from fieldspec.model.ranges import Ranges
+
+_WIDEST_BLOCK = 64
+_INTERVAL = re.compile(r"(-?(?:0x[0-9A-Fa-f]+|[0-9]+))(?:\.\.(-?(?:0x[0-9A-Fa-f]+|[0-9]+)))?")
+
+
+def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
+    for enum in device.enums.values():
+        values = [member.value for member in enum.members]
+        if not values:
+            continue
+        declared = _declared(enum)
+        if declared is None:
+            text = f"`{enum.gaps.partition(':')[0]}` is no list of values"
+            yield finding("enum_contiguous", enum.place, "gaps", text, "write it as in `16, 20..23: the reason`")
+            continue
+        span = Ranges(((min(values), max(values)),))
+        for low, high in declared:
+            if low > high or low < span.low or high > span.high or any(low <= value <= high for value in values):
+                text = f"the gap {interval(low, high)} of {enum.name} holds a member, or lies outside of the list"
+                yield finding("enum_contiguous", enum.place, "gaps", text, "name the values that are left out")
+                break
+        if enum.kind == "enum" or span.high - span.low < _WIDEST_BLOCK or declared:
+            yield from _holes(enum, span, values, declared)
+
+
+def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Iterator[Diagnostic]:
+    left = [hole for hole in missing(span, values) if not _covered(hole, declared)]
+    if left:
+        behind = min((m for m in enum.members if m.value > left[0][1]), key=lambda member: member.value)
+        yield finding(
+            "enum_contiguous",
+            enum.place,
+            "gaps" if enum.gaps else "name",
+            f"{enum.name} does not list {shown([interval(*hole) for hole in left])}",
+            "transcribe the missing lines, or declare the values under `gaps` with a reason",
+            label(behind.place, "value", f"the next value is {behind.value}"),
+        )
+
+
+def _covered(hole: tuple[int, int], declared: tuple[tuple[int, int], ...]) -> bool:
+    """Whether declared gaps fill a hole; those that touch each other count as one."""
+    at = hole[0]
+    for low, high in sorted(declared):
+        if low <= at <= high:
+            at = high + 1
+    return at > hole[1]
+
+
+def _declared(enum: Enum) -> tuple[tuple[int, int], ...] | None:
+    """The values before the colon of `gaps`, or None where they cannot be read."""
+    found = []
+    for part in enum.gaps.partition(":")[0].split(",") if enum.gaps else ():
+        match = _INTERVAL.fullmatch(part.strip())
+        if match is None:
+            return None
+        found.append((_number(match[1]), _number(match[2] or match[1])))
+    return tuple(found)
+
+
+def _number(text: str) -> int:
+    return int(text, 16) if "x" in text else int(text)

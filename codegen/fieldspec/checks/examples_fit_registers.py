@@ -1,0 +1,88 @@
+"""Examples that read or write registers use addresses that exist, as their access permits, with values in
+range.
+
+Why: a sample frame is an independent print of an address and a value. Where it does not fit the table of
+registers, one of the two is misprinted.
+
+Example: a sample that writes 13 to a register whose range is 0..12, or to an address that no table has.
+
+Cure: Put the frame or the register right, and write an erratum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.addressed import Addressed, Addresses
+from fieldspec.checks.finding import finding, hexadecimal, label, range_key
+from fieldspec.checks.legal import Legal
+from fieldspec.checks.written import in_counts
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.example import Example
+from fieldspec.model.message import Message
+from fieldspec.model.record import Field
+
+_CODE = "examples_fit_registers"
+_REFUSED = {"read": "wo", "write": "ro"}
+
+
+def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
+    addresses = Addresses(device)
+    legal = Legal(device)
+    refused = {reply.reply_to for reply in device.examples.values() if reply.error}
+    for example in device.examples.values():
+        message = device.messages.get(example.message)
+        if message is None or message.accesses is None or example.error or example.refused:
+            continue
+        if example.id in refused:
+            continue
+        asked = example if example.direction == "request" else device.examples.get(example.reply_to)
+        start = _number(message, message.accesses.start, asked) if asked is not None else None
+        if start is None:
+            continue
+        if example.direction == "request":
+            yield from _first(addresses.at(start), start, message, example)
+        for address, found, number in addresses.counts(start, _words(message, example)):
+            yield from _valued(found, address, number, legal, example)
+
+
+def _first(found: Addressed | None, start: int, message: Message, example: Example) -> Iterator[Diagnostic]:
+    if found is None:
+        text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
+        yield finding(_CODE, example.place, "values", text, "put the frame, or a table of registers, right")
+    elif message.accesses is not None and found.access == _REFUSED[message.accesses.operation]:
+        deed = "reads" if message.accesses.operation == "read" else "writes"
+        text = f"{example.id} {deed} {found.fact.name}, whose access is {found.access}"
+        there = label(found.fact.place, "access", "the access")
+        yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
+
+
+def _valued(found: Addressed, address: int, number: int, legal: Legal, example: Example) -> Iterator[Diagnostic]:
+    why = legal.objection(found.value, number) if found.value is not None else ""
+    if why:
+        text = f"{found.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
+        there = label(found.fact.place, range_key(found.fact.place), "what it may be")
+        yield finding(_CODE, example.place, "values", text, "put the frame or the range right", there)
+
+
+def _number(message: Message, name: str, example: Example) -> int | None:
+    """The count of a field of the request."""
+    field = next((field for field in message.request.fields if field.name == name), None)
+    return in_counts(field.value, example.values.get(name)) if field is not None and field.value else None
+
+
+def _words(message: Message, example: Example) -> list[int]:
+    """The words that an example carries; none if it carries none, or if they cannot be read."""
+    if message.accesses is None:
+        return []
+    reads = message.accesses.operation == "read"
+    if reads != (example.direction == "response"):
+        return []
+    layer = message.response if reads else message.request
+    field: Field | None = next((f for f in layer.fields if f.name == message.accesses.values), None)
+    held = example.values.get(message.accesses.values)
+    if field is None or field.value is None or field.value.size != 2:
+        return []
+    counts = [in_counts(field.value, item) for item in (held if isinstance(held, list) else [held])]
+    return [count for count in counts if count is not None] if None not in counts else []

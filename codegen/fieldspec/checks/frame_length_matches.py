@@ -1,0 +1,55 @@
+"""The printed length of a frame is that of its parts and data.
+
+Why: the length is printed beside the data it counts. Where they differ, a field is missing or has
+another width, or the length is that of one of several frames.
+
+Example: `frame_length: {request: 6}` for a packet of three bytes before the data, three bytes of data
+and one behind.
+
+Cure: Put a field or the length right, and write an erratum. For data of no fixed size leave the length
+out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label
+from fieldspec.checks.frames import Shape, shapes
+from fieldspec.checks.sizes import Sizes
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.message import Message
+from fieldspec.model.record import Record
+
+
+def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    links = {direction: shapes(device, direction) for direction in ("request", "response")}
+    for message in device.messages.values():
+        for direction, printed, data in (
+            ("request", message.request_length, message.request),
+            ("response", message.response_length, message.response),
+        ):
+            if printed is not None:
+                yield from _compared(message, direction, printed, data, links[direction], sizes)
+
+
+def _compared(
+    message: Message, direction: str, printed: int, data: Record, links: list[Shape], sizes: Sizes
+) -> Iterator[Diagnostic]:
+    both = sizes.bounds(data)
+    if both is None or not links:
+        return
+    lengths = [(link.length(both[0]), link.length(both[1])) for link in links]
+    if both[0] == both[1] and any(printed == least for least, _ in lengths):
+        return
+    shown = " or ".join(sorted({interval(*pair) for pair in lengths}))
+    yield finding(
+        "frame_length_matches",
+        message.place,
+        "frame_length",
+        f"the {direction} of {message.name} is printed with {printed} bytes; it has {shown}",
+        "put a field or the length right; leave out the length of what has no fixed size",
+        label(message.place, direction, "the data"),
+    )

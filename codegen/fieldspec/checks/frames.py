@@ -1,0 +1,39 @@
+"""What a link adds to the data of a message, in bytes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.model.device import Device
+from fieldspec.model.link import CHECK_SIZES, Link, Part
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """The bytes around the data, before they are written as characters and marked."""
+
+    link: Link
+    around: int
+    has_length: bool
+
+    def length(self, data: int) -> int:
+        """The bytes of a whole frame with so much data, as they are on the line."""
+        parts = self.around + data
+        coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
+        return len(self.link.start) + coded + len(self.link.end)
+
+
+def shapes(device: Device, direction: str) -> list[Shape]:
+    """The frames in one direction; only those with a length part, where a link has one."""
+    found = []
+    for link in device.links.values():
+        parts = link.parts(direction)
+        has_length = any(part.role == "length" for part in parts)
+        found.append(Shape(link, sum(_size(part) for part in parts), has_length))
+    return [shape for shape in found if shape.has_length] or found
+
+
+def _size(part: Part) -> int:
+    if part.algorithm:
+        return CHECK_SIZES.get(part.algorithm, 0)
+    return part.value.size if part.value is not None else 0

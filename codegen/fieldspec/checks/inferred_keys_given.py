@@ -1,0 +1,64 @@
+"""Every key under `inferred` is a key that the fact has.
+
+Why: `inferred` says that the manual implies a value and does not print it. A reason for a value that is
+not there is a slip: a key with a typing error, or a value that was taken out again.
+
+Example: `inferred: {acces: ...}` on a register with `access: rw`.
+
+Cure: Put the key right, give the value, or take the reason out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding
+from fieldspec.checks.walking import facts
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.parameter import Parameter
+from fieldspec.model.record import Field
+from fieldspec.model.register import Register
+from fieldspec.model.value import Value
+
+
+def inferred_keys_given(device: Device) -> Iterator[Diagnostic]:
+    for fact in facts(device):
+        for key in fact.inferred:
+            if key not in fact.place and key not in _from_defaults(fact):
+                text = f"{fact.name} has no `{key}` that could be inferred"
+                yield finding("inferred_keys_given", fact.place, "inferred", text, "give it, or take the reason out")
+
+
+def _from_defaults(fact: Fact) -> frozenset[str]:
+    """The keys that a row may have from its group's defaults."""
+    if not isinstance(fact, Register | Field | Parameter) or fact.value is None:
+        return frozenset()
+    value: Value = fact.value
+    held: dict[str, object] = {
+        "type": True,
+        "length": True,
+        "characters": value.characters is not None,
+        "byte_order": bool(value.byte_order),
+        "scale": value.scaled,
+        "offset": bool(value.offset),
+        "unit": bool(value.unit),
+        "range": value.ranges is not None,
+        "unit_range": value.ranges is not None,
+        "default": value.default is not None,
+        "unit_default": value.default is not None,
+        "const": value.const is not None,
+        "enum": bool(value.enum),
+        "flags": bool(value.flags),
+        "parameter": value.parameter is not None,
+        "sentinels": bool(value.sentinels),
+        "access": bool(fact.access),
+        "restart": fact.restart is not None,
+        "words": getattr(fact, "words", None) is not None,
+        "atomic": getattr(fact, "atomic", False),
+        "trigger": getattr(fact, "trigger", False),
+        "since": bool(fact.since),
+        "until": bool(fact.until),
+    }
+    return frozenset(key for key, given in held.items() if given)

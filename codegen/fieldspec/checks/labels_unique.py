@@ -1,0 +1,45 @@
+"""No two rows of one list have the same printed name, and no two have the same label.
+
+Why: where a manual gives two fields, bits or registers one text, a line was copied and not changed.
+Reserved rows may share theirs. The members of enums are looked at by enum_names_unique.
+
+Example: a record whose second and third field are both labelled "hours".
+
+Cure: Find out what the second one is, give it the right label, and write an erratum with the printed
+one. If both are printed with one text and it is no slip, say `allow: {labels_unique: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import lists
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+_WORDS = {"printed_name": "printed name", "label": "label"}
+
+
+def labels_unique(device: Device) -> Iterator[Diagnostic]:
+    for rows in lists(device):
+        meant = [row for row in rows if not getattr(row, "reserved", False)]
+        for key in _WORDS:
+            yield from _of_key(meant, key)
+
+
+def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:
+    first: dict[str, Fact] = {}
+    for row in rows:
+        text = getattr(row, key)
+        other = first.setdefault(text, row) if text else row
+        if other is not row:
+            yield finding(
+                "labels_unique",
+                row.place,
+                key,
+                f"{other.name} and {row.name} have the same {_WORDS[key]}, `{text}`",
+                "find out what each of them is, or allow it with a reason",
+                label(other.place, key, other.name),
+            )

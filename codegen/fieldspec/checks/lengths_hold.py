@@ -1,0 +1,79 @@
+"""A part or field that holds a length can hold it for the longest frame, and has the range of what it
+measures.
+
+Why: a count of elements that is printed too high, or a length of one byte for more than 255, gives
+frames that cannot exist. Where the range of a length and the number of elements differ, one of them is
+misprinted.
+
+Example: up to 16 points of 16 bytes in a packet whose length is one byte.
+
+Cure: Put the number of elements, the range or the type right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label, range_key
+from fieldspec.checks.frames import shapes
+from fieldspec.checks.sizes import Sizes
+from fieldspec.checks.walking import layers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+from fieldspec.model.record import Field, Record
+
+_CODE = "lengths_hold"
+_HELP = "put the number of elements, the range or the type right"
+
+
+def lengths_hold(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    for layer in layers(device):
+        fields = {field.name: field for field in layer.fields}
+        for field in layer.fields:
+            measured = fields.get(field.measures.field) if field.measures is not None else None
+            if measured is not None:
+                yield from _of_field(field, measured, sizes)
+    for direction in ("request", "response"):
+        yield from _of_links(device, direction, sizes)
+
+
+def _of_field(field: Field, measured: Field, sizes: Sizes) -> Iterator[Diagnostic]:
+    if field.value is None or field.measures is None or field.value.type.kind is not Kind.INTEGER:
+        return
+    if field.measures.of == "bytes":
+        both = sizes.field(measured)
+    elif measured.repeat is not None:
+        both = measured.repeat.low, measured.repeat.high
+    else:
+        both = measured.count or 1, measured.count or 1
+    if both is None:
+        return
+    least, most = both
+    what = "bytes" if field.measures.of == "bytes" else "elements"
+    there = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
+    text = f"{field.name} counts {interval(least, most)} {what} of {measured.name}"
+    ranges = field.value.ranges
+    if most > field.value.type.high:
+        text += f", but {field.value.type.name} goes to {field.value.type.high}"
+        yield finding(_CODE, field.place, "type", text, _HELP, there)
+    elif ranges is not None and (ranges.low, ranges.high) != (least, most):
+        text += f", but its range is {ranges.text()}"
+        yield finding(_CODE, field.place, range_key(field.place), text, _HELP, there)
+
+
+def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnostic]:
+    for shape in shapes(device, direction):
+        part = next((part for part in shape.link.parts(direction) if part.role == "length"), None)
+        if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
+            continue
+        high = part.value.type.high if part.value.ranges is None else part.value.ranges.high
+        for message in device.messages.values():
+            data: Record = message.request if direction == "request" else message.response
+            both = sizes.bounds(data)
+            if both is not None and shape.length(both[1]) > high:
+                text = f"the longest {direction} of {message.name} has {shape.length(both[1])} bytes"
+                text += f"; {part.name} goes to {high}"
+                there = label(part.place, "type", part.name)
+                yield finding(_CODE, message.place, direction, text, _HELP, there)

@@ -1,0 +1,102 @@
+"""Names stay apart in every target's case, within each space of names.
+
+Why: outputs write the words of a name in their own case, and some of them do not tell upper from lower
+case. Two names that become one there would make one of two things vanish, or the output not compile.
+
+Example: `line_1_2` and `line1_2` are both `Line1_2`; a record and an enum that are both called zone
+become one type.
+
+Cure: Give one of them another name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.place import Place
+from fieldspec.names import Name
+
+_Named = tuple[str, Place]
+
+
+def names_unique(device: Device) -> Iterator[Diagnostic]:
+    for what, named in _spaces(device):
+        yield from _apart(what, named)
+    yield from _elements(device)
+
+
+def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
+    """Every space of names, with what it holds."""
+    yield "registers", ((register.name, register.place) for register in device.registers())
+    yield "groups", ((group.name, group.place) for group in device.groups)
+    yield "types", _types(device)
+    for section, things in (
+        ("links", device.links),
+        ("messages", device.messages),
+        ("tables", device.tables),
+        ("parameter sets", device.parameters),
+    ):
+        yield section, ((thing.name, thing.place) for thing in things.values())
+    for enum in device.enums.values():
+        yield enum.name, ((member.name, member.place) for member in enum.members)
+    for word in device.flags.values():
+        yield word.name, ((bit.name, bit.place) for bit in word.bits if not bit.when)
+    for record in device.records.values():
+        yield record.name, ((field.name, field.place) for field in record.fields)
+    for message in device.messages.values():
+        for layer in (message.request, message.response):
+            yield layer.name, ((field.name, field.place) for field in layer.fields)
+    for link in device.links.values():
+        for direction in ("request", "response"):
+            parts = link.parts(direction)
+            yield f"{link.name} {direction}", ((part.name, part.place) for part in parts)
+    for held in device.parameters.values():
+        yield held.name, ((parameter.name, parameter.place) for parameter in held.parameters)
+
+
+def _types(device: Device) -> Iterator[_Named]:
+    """What becomes a type of its own in a target."""
+    for things in (device.records, device.enums, device.flags):
+        for thing in things.values():
+            yield thing.name, thing.place
+    for message in device.messages.values():
+        yield f"{message.name}_request", message.place
+        yield f"{message.name}_response", message.place
+
+
+def _apart(what: str, named: Iterable[_Named]) -> Iterator[Diagnostic]:
+    first: dict[str, _Named] = {}
+    for name, place in named:
+        for case in _cases(name):
+            other, there = first.setdefault(case, (name, place))
+            if there is not place or other != name:
+                if other == name:
+                    text = f"two of {what} are called `{name}`"
+                else:
+                    text = f"`{name}` and `{other}` of {what} become the same in a target"
+                there_too = label(there, "name", f"`{other}`")
+                yield finding("names_unique", place, "name", text, "give one of them another name", there_too)
+                break
+
+
+def _cases(name: str) -> set[str]:
+    """What becomes of a name; the last one is for targets that do not tell upper from lower case."""
+    words = Name.of(name)
+    return {words.snake(), words.pascal(), words.pascal().lower()}
+
+
+def _elements(device: Device) -> Iterator[Diagnostic]:
+    """Elements of arrays are called after the array and their number, and are registers too."""
+    arrays = {register.name: register for register in device.registers() if register.count > 1}
+    for register in device.registers():
+        stem, _, number = register.name.rpartition("_")
+        array = arrays.get(stem)
+        if array is None or not number.isdecimal() or len(number) > 9:
+            continue
+        if array.index_from <= int(number) < array.index_from + array.count:
+            text = f"`{register.name}` is also an element of the array `{stem}`"
+            there = label(array.place, "name", f"it has {array.count} elements")
+            yield finding("names_unique", register.place, "name", text, "give one of them another name", there)

@@ -1,0 +1,34 @@
+"""A signed range that begins at the least value of its type ends at the greatest, and the other way round.
+
+Why: whoever prints -2147483648 means all values of 32 bits. If the other end is another number, a digit
+of it is lost.
+
+Example: -2147483648..214748648.
+
+Cure: Put the other end right, and write an erratum. Ranges that end at -1, 0 or 1 pass, and so do
+symmetrical ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, range_key
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+
+
+def range_ends_match(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        if value.ranges is None or not value.type.signed or value.type.kind is not Kind.INTEGER:
+            continue
+        low, high = value.ranges.low, value.ranges.high
+        extreme = low == value.type.low or high == value.type.high
+        passing = low in (value.type.low, -value.type.high) and high == value.type.high
+        if extreme and not passing and not -1 <= low <= 1 and not -1 <= high <= 1:
+            text = f"the range of {fact.name} is {value.ranges.text()}; {value.type.name} holds"
+            text += f" {value.type.low}..{value.type.high}"
+            help = "put the other end right, or allow it with a reason"
+            yield finding("range_ends_match", fact.place, range_key(fact.place), text, help)

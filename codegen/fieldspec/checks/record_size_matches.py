@@ -1,0 +1,66 @@
+"""The printed size of a record is the sum of its fields, and a table leaves each element enough room.
+
+Why: a size that does not add up means that a field has the wrong width, is missing, or is listed twice;
+and every address behind it is wrong too.
+
+Example: a record of 16 bytes whose fields have 14, or elements of 14 words that are 12 words apart.
+
+Cure: Put the width of a field, the printed size or the stride right, and write an erratum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.sizes import Sizes
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.record import Record
+from fieldspec.model.table import Table
+
+_CODE = "record_size_matches"
+
+
+def record_size_matches(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    for record in device.records.values():
+        yield from _of_record(record, sizes)
+    for table in device.tables.values():
+        yield from _of_table(table, sizes, device.records.get(table.record))
+
+
+def _of_record(record: Record, sizes: Sizes) -> Iterator[Diagnostic]:
+    size = sizes.named(record.name)
+    fields = label(record.place, "fields", "the fields")
+    for key, printed, per in (("size", record.size, 1), ("words", record.words, 2)):
+        if printed is None or record.name in sizes.endless:
+            continue
+        unit = "bytes" if per == 1 else "words"
+        if size is None:
+            text = f"{record.name} is printed with {printed} {unit}, but its size is not fixed"
+            yield finding(_CODE, record.place, key, text, "take the size out, or the repetition", fields)
+        elif printed * per != size:
+            text = f"{record.name} is printed with {printed} {unit}; its fields have {size} bytes"
+            yield finding(_CODE, record.place, key, text, "put a field or the size right", fields)
+
+
+def _of_table(table: Table, sizes: Sizes, record: Record | None) -> Iterator[Diagnostic]:
+    if record is None or record.name in sizes.endless:
+        return
+    size = sizes.named(record.name)
+    there = label(record.place, "fields", f"the fields have {size} bytes")
+    if size is None:
+        text = f"elements of {table.name} are {record.name}, whose size is not fixed"
+        yield finding(_CODE, table.place, "record", text, "a table holds records of a fixed size")
+        return
+    if size % 2:
+        text = f"elements of {table.name} have {size} bytes, which is no whole number of words"
+        yield finding(_CODE, table.place, "record", text, "put a field right", there)
+        return
+    if table.words is not None and table.words != size // 2:
+        text = f"elements of {table.name} are printed with {table.words} words; {record.name} has {size // 2}"
+        yield finding(_CODE, table.place, "words", text, "put a field or the words right", there)
+    if table.count > 1 and table.stride < size // 2:
+        text = f"elements of {table.name} have {size // 2} words and are {table.stride} apart"
+        yield finding(_CODE, table.place, "stride", text, "put a field or the stride right", there)

@@ -1,0 +1,126 @@
+"""Every name that a fact refers to exists: enums, flags, records, fields, parameters, links, messages,
+examples.
+
+Why: a reference that leads nowhere leaves a value without a meaning, and nothing can be laid out.
+
+Example: `enum: homing_mod` where the enum is called homing_mode.
+
+Cure: Put the name right, or define what it names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from fieldspec.checks.finding import finding, near
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.example import Example
+from fieldspec.model.lookup import Lookup
+from fieldspec.model.message import Message
+from fieldspec.model.place import Place
+from fieldspec.model.record import Field, Record
+
+
+def references_resolve(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
+        yield from _named(fact.place, "flags", "word of flags", value.flags, device.flags)
+        if value.parameter is not None:
+            yield from _named(fact.place, "parameter", "parameter set", value.parameter.set, device.parameters)
+    for record in device.records.values():
+        yield from _within(device, record, record, None)
+    for message in device.messages.values():
+        yield from _of_message(device, message)
+    for table in device.tables.values():
+        yield from _named(table.place, "record", "record", table.record, device.records)
+    for link in device.links.values():
+        if link.error is not None:
+            yield from _named(link.place, "error", "record", link.error.record, device.records)
+    for flags in device.flags.values():
+        for bit in flags.bits:
+            yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
+    registers = {register.name for register in device.registers()}
+    for register in device.registers():
+        yield from _named(register.place, "same_as", "register", register.same_as, registers)
+    for lookup in device.lookups:
+        yield from _of_lookup(device, lookup)
+    for example in device.examples.values():
+        yield from _of_example(device, example)
+
+
+def _named(place: Place, key: str, what: str, name: str, known: Collection[str]) -> Iterator[Diagnostic]:
+    if name and name not in known:
+        text = f"there is no {what} `{name}`"
+        yield finding("references_resolve", place, key, text, near(name, known))
+
+
+def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
+    yield from _within(device, message.request, message.request, None)
+    yield from _within(device, message.response, message.request, message.request)
+    if message.accesses is not None:
+        asked = {field.name for field in message.request.fields}
+        given = {field.name for field in message.response.fields}
+        holder = given if message.accesses.operation == "read" else asked
+        place = message.place
+        yield from _named(place, "accesses", "field of the request", message.accesses.start, asked)
+        yield from _named(place, "accesses", "field of the request", message.accesses.count, asked)
+        yield from _named(place, "accesses", "field", message.accesses.values, holder)
+
+
+def _within(device: Device, layer: Record, echoed: Record, asked: Record | None) -> Iterator[Diagnostic]:
+    """References of a layer's fields: to the layer itself, to the record that it echoes, to what was asked."""
+    own = {field.name for field in layer.fields}
+    origin = {field.name for field in echoed.fields}
+    numbers = own | {field.name for field in asked.fields} if asked is not None else own
+    for field in layer.fields:
+        yield from _named(field.place, "record", "record", field.record, device.records)
+        yield from _named(field.place, "same_as", "field", field.same_as, origin)
+        if field.measures is not None:
+            yield from _named(field.place, "measures", "field here", field.measures.field, own)
+        yield from _number(field, numbers)
+
+
+def _number(field: Field, numbers: Collection[str]) -> Iterator[Diagnostic]:
+    part = field.value.parameter if field.value is not None else None
+    if part is None or part.part != "value":
+        return
+    if not part.number:
+        text = f"nothing says which parameter {field.name} is"
+        help = "name the field with its number under `number`"
+        yield finding("references_resolve", field.place, "parameter", text, help)
+    yield from _named(field.place, "parameter", "field", part.number, numbers)
+
+
+def _of_lookup(device: Device, lookup: Lookup) -> Iterator[Diagnostic]:
+    for index, column in enumerate(lookup.columns):
+        if column.enum not in device.enums:
+            yield from _named(lookup.place, "columns", "enum", column.enum, device.enums)
+            continue
+        enum = device.enums[column.enum]
+        names = {member.name for member in enum.members}
+        numbers = {member.value for member in enum.members}
+        for row in lookup.rows:
+            cell = row.cells[index] if index < len(row.cells) else None
+            if cell is not None and cell not in names and cell not in numbers:
+                text = f"{enum.name} has no member `{cell}`"
+                yield finding("references_resolve", row.place, "cells", text, near(str(cell), names))
+
+
+def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
+    place = example.place
+    yield from _named(place, "link", "link", example.link, device.links)
+    yield from _named(place, "message", "message", example.message, device.messages)
+    yield from _named(place, "reply_to", "example", example.reply_to, device.examples)
+    if not example.message and not example.refused:
+        text = f"nothing says which message {example.id} is"
+        yield finding("references_resolve", place, "message", text, "name it, or say why it is `refused`")
+    link = device.links.get(example.link)
+    if example.error and link is not None and link.error is None:
+        text = f"the link {link.name} has no `error`, so no reply can refuse a request"
+        yield finding("references_resolve", place, "error", text, "describe the refusal in the link")
+    request = device.examples.get(example.reply_to)
+    if request is not None and (request.direction, example.direction) != ("request", "response"):
+        text = f"{example.id} cannot reply to {request.id}: only a response replies, and to a request"
+        yield finding("references_resolve", place, "reply_to", text, "name the example with the request")

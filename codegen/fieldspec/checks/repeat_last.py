@@ -1,0 +1,43 @@
+"""What is repeated to the end of the data comes last, and its elements have a fixed size.
+
+Why: only the end of the data says how many elements there are, so nothing can stand behind them, and
+they cannot be told apart if their size varies.
+
+Example: a list of points with `repeat: 1..15`, and a field behind it.
+
+Cure: Give the number of elements as `count`, or put the fields in the order of the wire.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.sizes import Sizes
+from fieldspec.checks.walking import layers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+
+_CODE = "repeat_last"
+
+
+def repeat_last(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    for layer in layers(device):
+        for field in layer.fields:
+            if field.repeat is not None:
+                if field is not layer.fields[-1]:
+                    behind = layer.fields[-1]
+                    text = f"{field.name} is repeated to the end of the data, but {behind.name} stands behind it"
+                    help = "give its `count`, or the fields in the order of the wire"
+                    there = label(behind.place, "name", "stands behind it")
+                    yield finding(_CODE, field.place, "repeat", text, help, there)
+                if field.count is not None:
+                    text = f"{field.name} has a `count` and a `repeat`"
+                    yield finding(_CODE, field.place, "count", text, "keep one of them")
+            inner = device.records.get(field.record)
+            if inner is not None and inner.name not in sizes.endless and sizes.element(field) is None:
+                text = f"{inner.name} has no fixed size, so it cannot lie in another record"
+                help = "give the repeated field to the outer record"
+                there = label(inner.place, "fields", "its last field is repeated")
+                yield finding(_CODE, field.place, "record", text, help, there)

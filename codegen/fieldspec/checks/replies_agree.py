@@ -1,0 +1,56 @@
+"""A reply in an example answers the request that it names: same link, message and station, same echoed
+fields.
+
+Why: the two frames of a sample are one exchange. Where the reply repeats something else, one frame is
+misprinted or belongs to another sample.
+
+Example: a request to station 1 whose reply comes from station 2.
+
+Cure: Put one of the frames right and write an erratum, or name the right example under `reply_to`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.written import body
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.example import Example
+
+_CODE = "replies_agree"
+_HELP = "put one of the frames right, or name the right example"
+
+
+def replies_agree(device: Device) -> Iterator[Diagnostic]:
+    for reply in device.examples.values():
+        request = device.examples.get(reply.reply_to)
+        if request is None or request.direction != "request":
+            continue
+        there = label(request.place, "id", "the request")
+        for key, mine, theirs in (
+            ("link", reply.link, request.link),
+            ("message", reply.message, request.message),
+        ):
+            if mine != theirs:
+                text = f"{reply.id} has the {key} {mine}, its request {theirs}"
+                yield finding(_CODE, reply.place, key, text, _HELP, there)
+        for name, asked in _echoed(device, reply):
+            given, echoed = reply.values.get(name), request.values.get(asked)
+            if given is not None and echoed is not None and given != echoed:
+                text = f"{name} is {given} in {reply.id} and {echoed} in its request"
+                yield finding(_CODE, reply.place, "values", text, _HELP, there)
+
+
+def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:
+    """The fields of a reply that repeat one of the request, with the name of that one."""
+    link = device.links.get(reply.link)
+    if link is not None:
+        asked = [part.name for part in link.request if part.role == "station"]
+        given = [part.name for part in link.response if part.role == "station"]
+        yield from zip(given, asked, strict=False)
+    if not reply.error:
+        for field in body(device, reply):
+            if field.same_as:
+                yield field.name, field.same_as

@@ -1,0 +1,150 @@
+"""What a fact says, by the keys that a claim about it may have, in a form that can be compared."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+
+from fieldspec.checks.occupied import merged
+from fieldspec.checks.sizes import Sizes
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Enum, Member
+from fieldspec.model.fact import Fact, Plain
+from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.limit import Limit
+from fieldspec.model.link import Link, Part
+from fieldspec.model.message import Message
+from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.ranges import Ranges, intervals
+from fieldspec.model.record import Field, Record
+from fieldspec.model.register import Register
+from fieldspec.model.table import Table
+from fieldspec.model.value import Value
+
+_SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
+_RANGES = ("range", "repeat", "enum_values")
+
+Intervals = tuple[tuple[Decimal, Decimal], ...]
+
+
+def byte_span(written: object) -> tuple[int, int] | None:
+    """`1-4` as its first and last byte; None where nothing is written."""
+    match = _SPAN.fullmatch(str(written)) if written is not None else None
+    return (int(match[1]), int(match[2] or match[1])) if match else None
+
+
+def claimed(key: str, written: Plain) -> object:
+    """What a claim says under a key, in the form that `said` gives."""
+    if key in _RANGES:
+        pairs = intervals(str(written))
+        if any(bound != bound.to_integral_value() for pair in pairs for bound in pair):
+            return tuple(sorted(pairs))
+        return tuple(merged((int(low), int(high)) for low, high in pairs))
+    if key == "unit_range":
+        return tuple(sorted(intervals(str(written))))
+    return byte_span(written) if key == "span" else written
+
+
+def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
+    """What a fact says, by key; a key that it says nothing about is not there, or None."""
+    if isinstance(fact, Register):
+        return {
+            **_value(device, fact.value),
+            "at": fact.address,
+            "words": fact.width,
+            "access": fact.access or None,
+            "restart": fact.restart,
+            "count": fact.count,
+        }
+    if isinstance(fact, Field):
+        return _field(device, sizes, fact)
+    if isinstance(fact, Parameter):
+        number = {"code": fact.number, "access": fact.access or None, "restart": fact.restart}
+        return {**_value(device, fact.value), **number}
+    if isinstance(fact, Part):
+        return _value(device, fact.value) if fact.value is not None else {}
+    if isinstance(fact, Table):
+        words = {"words": _words(fact.words, sizes.named(fact.record)), "access": fact.access or None}
+        return {"at": fact.base, "count": fact.count, **words}
+    if isinstance(fact, Record):
+        size = sizes.named(fact.name)
+        return {"words": _words(fact.words, size), "length": size, "count": len(fact.fields)}
+    return _other(fact)
+
+
+def _other(fact: Fact) -> dict[str, object]:
+    if isinstance(fact, Message):
+        return {"code": fact.code}
+    if isinstance(fact, Member):
+        return {"value": fact.value, "code": fact.value}
+    if isinstance(fact, Bit):
+        return {"bit": fact.first if fact.width == 1 else None}
+    if isinstance(fact, Enum):
+        return {"count": len(fact.members), "enum_values": _listed(fact)}
+    if isinstance(fact, Flags):
+        whole = {"range": _merged(fact.ranges), "type": fact.type.name, "length": fact.type.size}
+        return {"count": len(fact.bits), **whole}
+    if isinstance(fact, ParameterSet):
+        return {"count": len(fact.parameters)}
+    if isinstance(fact, Limit):
+        both: dict[str, object] = {"value": fact.value, "unit": fact.unit or None}
+        if fact.low is None or fact.high is None:
+            return both
+        return {**both, "range": ((fact.low, fact.high),), "unit_range": ((fact.low, fact.high),)}
+    if isinstance(fact, Link) and fact.stations is not None:
+        return {"range": _merged(fact.stations.ranges)}
+    return {}
+
+
+def _value(device: Device, value: Value) -> dict[str, object]:
+    enum = device.enums.get(value.enum)
+    return {
+        "type": value.type.name,
+        "length": value.size,
+        "scale": value.scale,
+        "unit": value.unit or None,
+        "range": _merged(value.ranges),
+        "unit_range": _in_unit(value),
+        "default": value.default,
+        "unit_default": value.in_unit(value.default) if isinstance(value.default, int) else None,
+        "value": value.const,
+        "enum_values": _listed(enum) if enum is not None else None,
+    }
+
+
+def _field(device: Device, sizes: Sizes, field: Field) -> dict[str, object]:
+    both = sizes.field(field)
+    fixed = both[0] if both is not None and both[0] == both[1] else None
+    repeat = field.repeat
+    count = repeat.low if repeat is not None and repeat.low == repeat.high else None
+    return {
+        **(_value(device, field.value) if field.value is not None else {}),
+        "at": field.at,
+        "span": field.span,
+        "words": _words(field.words, fixed),
+        "access": field.access or None,
+        "restart": field.restart,
+        "count": count if repeat is not None else field.count or 1,
+        "repeat": _merged(repeat),
+    }
+
+
+def _words(printed: int | None, size: int | None) -> int | None:
+    if printed is not None:
+        return printed
+    return size // 2 if size is not None and size % 2 == 0 else None
+
+
+def _merged(ranges: Ranges | None) -> tuple[tuple[int, int], ...] | None:
+    return tuple(merged(ranges.intervals)) if ranges is not None else None
+
+
+def _listed(enum: Enum) -> tuple[tuple[int, int], ...]:
+    return tuple(merged((member.value, member.value) for member in enum.members))
+
+
+def _in_unit(value: Value) -> Intervals | None:
+    if value.ranges is None:
+        return None
+    pairs = ((value.in_unit(low), value.in_unit(high)) for low, high in value.ranges.intervals)
+    return tuple(sorted((min(pair), max(pair)) for pair in pairs))

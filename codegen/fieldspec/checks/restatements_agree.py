@@ -1,0 +1,78 @@
+"""What the manual says of a fact in a second place is what it says in the first.
+
+Why: two tables of one manual that differ are a contradiction, and a reader of either one believes it.
+`restated` holds what the second place should say, so every difference in print needs an erratum.
+
+Example: a speed of 0..100 in the register table, restated as 1..100 in the chapter on points.
+
+Cure: Give both places the right value, and write an erratum for the one that is misprinted. Leave out of
+`restated` what that place does not print.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.restated import claimed, said
+from fieldspec.checks.sizes import Sizes
+from fieldspec.checks.walking import facts
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Claim, Fact
+
+_CODE = "restatements_agree"
+_SHOWN_ONLY = ("printed_name", "label")
+_STANDS_UNDER = {
+    "at": ("at", "base"),
+    "code": ("code", "number", "value"),
+    "range": ("range", "unit_range"),
+    "unit_range": ("unit_range", "range"),
+    "default": ("default", "unit_default"),
+    "unit_default": ("unit_default", "default"),
+    "value": ("value", "const"),
+    "words": ("words", "type", "record"),
+    "length": ("length", "type"),
+    "enum_values": ("enum", "members"),
+}
+
+
+def restatements_agree(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    for fact in facts(device):
+        if fact.restated:
+            own = said(device, sizes, fact)
+            for claim in fact.restated:
+                yield from _compared(fact, own, claim)
+
+
+def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
+    for key, written in claim.values.items():
+        if key in _SHOWN_ONLY:
+            continue
+        if key == "present":
+            if written is not True:
+                text = f"{fact.name} is missing where {_where(claim)} should have it"
+                help = "say `present: true` and write an erratum"
+                yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+            continue
+        have = own.get(key)
+        if have is None:
+            # A span that only other places print is compared with the layout, by spans_match_layout.
+            if key != "span":
+                text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
+                help = "give it to the fact, or take it out of `restated`"
+                yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+        elif claimed(key, written) != have:
+            text = f"{_where(claim)} has the {key} {written} for {fact.name}"
+            help = "give both the right value, and write an erratum for the misprint"
+            yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+
+
+def _where(claim: Claim) -> str:
+    return claim.sources[0].text() if claim.sources else "the other place"
+
+
+def _there(fact: Fact, key: str) -> Label:
+    places = [name for name in _STANDS_UNDER.get(key, (key,)) if name in fact.place]
+    return label(fact.place, places[0] if places else "name", "the fact itself")

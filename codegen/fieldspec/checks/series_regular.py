@@ -1,0 +1,74 @@
+"""Things that the manual numbers one after the other lie one after the other.
+
+Why: inputs 1 to 14, bits 0 to 6 of a point's number and the like are printed in order. One that lies
+elsewhere is misprinted, in its number or in its address.
+
+Example: OUT 1 to OUT 10 in the bits 0 to 9, but OUT 4 in bit 5.
+
+Cure: Put the number, the bit, the value or the address right, and write an erratum. If the place is
+really another one, say `allow: {series_regular: <reason>}`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+_FEWEST = 4
+_SMALL = 4
+_NUMBERED = re.compile(r"(.*?)([0-9]{1,6})(\D*)", re.DOTALL)
+
+_Placed = tuple[Fact, str, int, int]
+
+
+def series_regular(device: Device) -> Iterator[Diagnostic]:
+    for group in device.groups:
+        rows = [row for row in group.registers if row.count == 1]
+        yield from _of_list((row, "at", row.address, row.width) for row in rows)
+    for word in device.flags.values():
+        yield from _of_list((bit, "bit", bit.first, bit.width) for bit in word.bits)
+    for enum in device.enums.values():
+        yield from _of_list((member, "value", member.value, 1) for member in enum.members)
+    for held in device.parameters.values():
+        yield from _of_list((one, "number", one.number, 1) for one in held.parameters)
+
+
+def _of_list(rows: Iterable[_Placed]) -> Iterator[Diagnostic]:
+    listed = list(rows)
+    reported: set[int] = set()
+    for key in ("printed_name", "label"):
+        series: dict[tuple[str, str, int], list[tuple[int, _Placed]]] = {}
+        for row in listed:
+            match = _NUMBERED.fullmatch(getattr(row[0], key))
+            if match:
+                series.setdefault((match[1], match[3], row[3]), []).append((int(match[2]), row))
+        for numbered in series.values():
+            for found in _odd(numbered):
+                if found.span.start not in reported:
+                    reported.add(found.span.start)
+                    yield found
+
+
+def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:
+    """Findings where nearly all of a series keep their distance to their number, and a small part does not."""
+    if len(numbered) < _FEWEST:
+        return
+    step = numbered[0][1][3]
+    bases = Counter(place - step * number for number, (_, _, place, _) in numbered)
+    base, times = bases.most_common(1)[0]
+    odd = len(numbered) - times
+    if odd == 0 or odd * _SMALL > len(numbered):
+        return
+    usual = next(row for number, row in numbered if row[2] - step * number == base)
+    for number, (fact, key, place, _) in numbered:
+        if place - step * number != base:
+            text = f"{fact.name} is number {number} of a series, but has {place}, not {base + step * number}"
+            help = "put its place or its number right, or allow it with a reason"
+            there = label(usual[0].place, usual[1], f"{usual[0].name} is where the series expects it")
+            yield finding("series_regular", fact.place, key, text, help, there)

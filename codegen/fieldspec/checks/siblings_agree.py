@@ -1,0 +1,63 @@
+"""A field agrees in range, scale and unit with the fields of the same name and type.
+
+Why: a manual describes the same quantity in many places. If one of them differs from all the others, it
+is misprinted more often than not, and nobody who reads that one alone can see it.
+
+Example: six commands whose force is 0..100, and a seventh one where it is 1..100.
+
+Cure: Look at the print again; put it right and write an erratum. If it really differs, say `allow:
+{siblings_agree: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterator
+
+from fieldspec.checks.finding import finding, label, range_key
+from fieldspec.checks.walking import fields
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field
+from fieldspec.model.value import Value
+
+_FEWEST = 3
+_SMALL = 4
+
+
+def siblings_agree(device: Device) -> Iterator[Diagnostic]:
+    families: dict[tuple[str, str], list[tuple[Field, Value]]] = {}
+    for field in fields(device):
+        if field.value is not None and not field.reserved and field.value.parameter is None:
+            families.setdefault((field.name, field.value.type.name), []).append((field, field.value))
+    for family in families.values():
+        yield from _odd(family, "range", lambda value: value.ranges.intervals if value.ranges else None)
+        yield from _odd(family, "unit", lambda value: (value.scale, value.offset, value.unit) if value.unit else None)
+
+
+def _odd(
+    family: list[tuple[Field, Value]], what: str, quality: Callable[[Value], Hashable | None]
+) -> Iterator[Diagnostic]:
+    """Findings where all but one, or all but a small part, of those that say something say the same."""
+    saying = [(field, said) for field, value in family if (said := quality(value)) is not None]
+    if len(saying) < _FEWEST:
+        return
+    usual, times = Counter(said for _, said in saying).most_common(1)[0]
+    odd = len(saying) - times
+    if odd == 0 or (odd > 1 and odd * _SMALL >= len(saying)):
+        return
+    example = next(field for field, said in saying if said == usual)
+    for field, said in saying:
+        if said != usual:
+            yield finding(
+                "siblings_agree",
+                field.place,
+                _key(field, what),
+                f"{field.name} has another {what} here than in {times} other places",
+                "look at the print again, or allow it with a reason",
+                label(example.place, _key(example, what), "one of the others"),
+            )
+
+
+def _key(field: Field, what: str) -> str:
+    return range_key(field.place) if what == "range" else "scale" if "scale" in field.place else "unit"

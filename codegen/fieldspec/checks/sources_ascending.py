@@ -1,0 +1,40 @@
+"""The rows of a list cite lines of the manual that rise from row to row.
+
+Why: registers, fields, bits and parameters are transcribed in the order of the print. A line that falls
+back is mistyped, or the row stands in the wrong place. The members of enums may be in another order.
+
+Example: rows that cite L1160, L1611 and L1162.
+
+Cure: Put the line, or the order of the rows, right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.checks.finding import finding, label, longest_ascent
+from fieldspec.checks.walking import lists
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+
+def sources_ascending(device: Device) -> Iterator[Diagnostic]:
+    for rows in lists(device):
+        sections: dict[str, list[Fact]] = {}
+        for row in rows:
+            if row.sources and "source" in row.place:
+                sections.setdefault(row.sources[0].section, []).append(row)
+        for cited in sections.values():
+            yield from _of_section(cited)
+
+
+def _of_section(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
+    kept = longest_ascent([row.sources[0].line() for row in rows])
+    for number, row in enumerate(rows):
+        if number not in kept:
+            other = rows[number - 1] if number else rows[1]
+            text = f"{row.name} cites line {row.sources[0].line()}, out of the order of the rows around it"
+            there = label(other.place, "source", f"{other.name} cites line {other.sources[0].line()}")
+            help = "put the line, or the order of the rows, right"
+            yield finding("sources_ascending", row.place, "source", text, help, there)

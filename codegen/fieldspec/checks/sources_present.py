@@ -1,0 +1,79 @@
+"""Every fact says where the manual prints it: a section, and lines that the manual has.
+
+Why: the manual is the authority. A fact without a place in it cannot be looked up by whoever doubts it,
+and a line behind the end of the text is a slip.
+
+Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.
+
+Cure: Give the section and the line. What a protocol defines is cited in the device's own entry of that
+name. A row may leave the section out where its group has one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding
+from fieldspec.checks.walking import facts
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Member
+from fieldspec.model.fact import Citation
+from fieldspec.model.flags import Bit
+from fieldspec.model.link import Part
+from fieldspec.model.parameter import Parameter
+from fieldspec.model.place import Place
+from fieldspec.model.record import Field
+from fieldspec.model.register import Register, RegisterGroup
+
+_INHERITING = (RegisterGroup, Part, Field, Member, Bit, Parameter)
+"""These take the source of what holds them, where a finding says it once; a group need not have one."""
+
+
+def sources_present(device: Device) -> Iterator[Diagnostic]:
+    for what, place, sources, needed in _cited(device):
+        if not sources and needed:
+            text = f"nothing says where the manual prints {what}"
+            yield finding("sources_present", place, "source", text, "give `source: <section> L<line>`")
+        for citation in sources:
+            yield from _wrong(device, what, place, citation)
+
+
+def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
+    """Everything that has sources: what it is, where it stands, the sources, whether there must be some."""
+    for fact in facts(device):
+        yield fact.name, fact.place, fact.sources, not isinstance(fact, _INHERITING)
+        for claim in fact.restated:
+            yield fact.name, claim.place, claim.sources, True
+        if isinstance(fact, Register):
+            yield fact.name, fact.place, fact.element_sources, False
+        if isinstance(fact, Member):
+            for cause in fact.causes:
+                yield fact.name, fact.place, cause.sources, False
+    for table in device.tables.values():
+        for element in table.elements:
+            yield f"element {element.index} of {table.name}", element.place, element.sources, True
+    for lookup in device.lookups:
+        for row in lookup.rows:
+            yield f"a row of {lookup.name}", row.place, row.sources, True
+    for link in device.links.values():
+        if link.stations is not None:
+            yield f"the stations of {link.name}", link.stations.place, link.stations.sources, False
+    for example in device.examples.values():
+        yield example.id, example.place, example.sources, example.origin == "printed"
+    for erratum in device.errata:
+        yield erratum.id, erratum.place, erratum.sources, True
+    for note in device.notes:
+        yield note.name, note.place, note.sources, False
+
+
+def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
+    if not citation.section:
+        text = f"the source of {what} names no section"
+        yield finding("sources_present", place, "source", text, "give it as in `8.2 L1622`, or to the group")
+    lines = device.manual.lines
+    for first, last in citation.lines:
+        if not 1 <= first <= last <= lines:
+            text = f"the source of {what} is {citation.text()}; the manual's text has the lines 1 to {lines}"
+            yield finding("sources_present", place, "source", text, "put the lines right")
+            return

@@ -1,0 +1,41 @@
+"""The characters that a text may have fit its bytes, and so does its default.
+
+Why: a text that is longer than its registers runs into the next ones, or is cut off. Whether a text
+needs room for an end mark the manual rarely says, so none is asked for.
+
+Example: 31 characters in a text of one word.
+
+Cure: Put the number of characters, the words or the length right, and write an erratum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import values
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.primitive import Kind
+
+
+def text_fits_words(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        if value.characters is not None and value.type.kind is not Kind.TEXT:
+            text = f"{fact.name} is {value.type.name}, which has no characters"
+            yield finding("text_fits_words", fact.place, "characters", text, "give it the type `text`")
+        elif value.characters is not None and value.characters > value.size:
+            text = f"{fact.name} may have {value.characters} characters, but has {value.size} bytes"
+            help = "put the characters or the size right"
+            yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
+        if isinstance(value.default, str) and value.type.kind is Kind.TEXT:
+            length = len(value.default.encode())
+            if length > value.size:
+                text = f"the default of {fact.name} has {length} characters, but it has {value.size} bytes"
+                help = "put the default or the size right"
+                yield finding("text_fits_words", fact.place, "default", text, help, _size(fact))
+
+
+def _size(fact: Fact) -> Label:
+    return label(fact.place, "length" if "length" in fact.place else "words", "its size")

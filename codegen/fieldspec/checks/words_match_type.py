@@ -1,0 +1,44 @@
+"""The printed number of words of a register or field is the width of its type.
+
+Why: the type says how many words are read. Where the manual prints another number, a read asks for too
+few words, or for those of the next register.
+
+Example: a type `u32` with `words: 1`.
+
+Cure: Put the type, the length or the words right, and write an erratum if the words are printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.sizes import Sizes
+from fieldspec.checks.walking import layers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+
+def words_match_type(device: Device) -> Iterator[Diagnostic]:
+    for register in device.registers():
+        yield from _compared(register, register.words, 2 * register.width, register.value.type.name)
+    sizes = Sizes(device)
+    for layer in layers(device):
+        for field in layer.fields:
+            both = sizes.field(field)
+            if both is not None and both[0] == both[1]:
+                held = field.value.type.name if field.value is not None else field.record
+                yield from _compared(field, field.words, both[0], held)
+
+
+def _compared(fact: Fact, words: int | None, size: int, held: str) -> Iterator[Diagnostic]:
+    if words is not None and 2 * words != size:
+        yield finding(
+            "words_match_type",
+            fact.place,
+            "words",
+            f"{fact.name} is printed with {words} words; as {held} it has {size} bytes",
+            "put the type, the length or the words right",
+            label(fact.place, "length" if "length" in fact.place else "type", "its type"),
+        )
