@@ -113,7 +113,7 @@ def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
     yield from _named(place, "link", "link", example.link, device.links)
     yield from _named(place, "message", "message", example.message, device.messages)
     yield from _named(place, "reply_to", "example", example.reply_to, device.examples)
-    if not example.message and not example.refused:
+    if not example.message and not example.refused and not example.error:
         text = f"nothing says which message {example.id} is"
         yield finding("references_resolve", place, "message", text, "name it, or say why it is `refused`")
     link = device.links.get(example.link)

@@ -26,7 +26,7 @@ _HELP = "put one of the frames right, or name the right example"
 def replies_agree(device: Device) -> Iterator[Diagnostic]:
     for reply in device.examples.values():
         request = device.examples.get(reply.reply_to)
-        if request is None or request.direction != "request":
+        if request is None or request.direction != "request" or request.refused:
             continue
         there = label(request.place, "id", "the request")
         for key, mine, theirs in (

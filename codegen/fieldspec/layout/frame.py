@@ -85,7 +85,7 @@ def _laid(parts: tuple[Part, ...], orders: Orders) -> tuple[tuple[PartLayout, ..
     laid = []
     for part in parts:
         size = CHECK_SIZES[part.algorithm] if part.algorithm else part.value.size if part.value else 0
-        order = "little" if part.algorithm else orders.of(part.value)[0]
+        order = (part.byte_order or "little") if part.algorithm else orders.of(part.value)[0]
         laid.append(PartLayout(part, part.name, part.role, at, size, part.value, part.algorithm, order))
         at += size
     return tuple(laid), at

@@ -16,11 +16,15 @@ CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part(Fact):
-    """One part of a frame. Its role is station, code, length, body, check or plain."""
+    """One part of a frame. Its role is station, code, length, body, check or plain.
+
+    `byte_order` is that of a check; empty where the spec leaves it to the algorithm.
+    """
 
     role: str
     value: Value | None
     algorithm: str
+    byte_order: str
 
 
 @dataclass(frozen=True, slots=True)

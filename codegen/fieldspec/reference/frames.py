@@ -93,7 +93,7 @@ class FrameCodec:
         part = shape.check
         if part is not None:
             at = len(data) + part.offset
-            have = int.from_bytes(data[at : at + part.size], "little")
+            have = _whole(data[at : at + part.size], part.order)
             want = ALGORITHMS[part.algorithm](data[:at])
             if have != want:
                 width = 2 * part.size
@@ -150,7 +150,9 @@ class FrameCodec:
             head[length.name] = total
         data = self.heads[direction].build(head) + inner
         if shape.check is not None:
-            data += ALGORITHMS[shape.check.algorithm](data).to_bytes(shape.check.size, "little")
+            data += ALGORITHMS[shape.check.algorithm](data).to_bytes(
+                shape.check.size, "big" if shape.check.order == "big" else "little"
+            )
         return self._marked(data)
 
     def _head_value(
@@ -182,3 +184,7 @@ class FrameCodec:
         link = self.link.link
         inner = data.hex().upper().encode("ascii") if link.encoding == "hex_ascii" else data
         return link.start + inner + link.end
+
+
+def _whole(data: bytes, order: str) -> int:
+    return int.from_bytes(data, "big" if order == "big" else "little")

@@ -41,6 +41,7 @@ def _part(entry: Entry) -> Part:
         role=role,
         value=value(entry) if role in _VALUED else None,
         algorithm=algorithm,
+        byte_order=entry.text("byte_order"),
     )
 
 
