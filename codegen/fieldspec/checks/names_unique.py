@@ -1,4 +1,4 @@
-"""Names stay apart in every target's case, within each space of names.
+"""Names stay apart in every target's case and behind its reserved words, within each space of names.
 
 Why: outputs write the words of a name in their own case, and some of them do not tell upper from lower
 case. Two names that become one there would make one of two things vanish, or the output not compile.
@@ -18,6 +18,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.place import Place
 from fieldspec.names import Name
+from fieldspec.reserved import TARGETS
 
 _Named = tuple[str, Place]
 
@@ -83,9 +84,12 @@ def _apart(what: str, named: Iterable[_Named]) -> Iterator[Diagnostic]:
 
 
 def _cases(name: str) -> set[str]:
-    """What becomes of a name; the last one is for targets that do not tell upper from lower case."""
+    """What becomes of a name in targets; those that do not tell upper from lower case get it in lower case."""
     words = Name.of(name)
-    return {words.snake(), words.pascal(), words.pascal().lower()}
+    cases = {words.snake(), words.pascal(), words.pascal().lower()}
+    for target in TARGETS.values():
+        cases |= {target.spelled(words.pascal()).lower()} if target.folds else {target.spelled(words.snake())}
+    return cases
 
 
 def _elements(device: Device) -> Iterator[Diagnostic]:

@@ -1,0 +1,62 @@
+"""What the rules of proofs say, in the words of their documentation: what holds, why, an example, the cure."""
+
+from __future__ import annotations
+
+RULES = {
+    "characters_match_bytes": """The row of characters above an example's bytes is what the bytes read as.
+
+Why: the manual prints an ASCII frame twice, as characters and as bytes. Where they differ, one row is misprinted.
+
+Example: `characters: ":0106"` above `3A 30 31 30 33`.
+
+Cure: Put the row right that is misprinted, and write an erratum.
+""",
+    "check_code_correct": """The check of every example is right.
+
+Why: a frame with a wrong check is refused by the device; either the check or a byte before it is misprinted.
+
+Example: a packet that ends with 17h where the bytes before add up to 37h.
+
+Cure: Give the right bytes as `frame`, and an erratum with the printed ones.
+""",
+    "errata_differ": """What an erratum calls printed differs from what the spec says.
+
+Why: an erratum that puts nothing right is left over, or the spec holds the misprint.
+
+Example: an erratum with `printed: {range: 0..100}` for a fact whose range is 0..100.
+
+Cure: Use the right value in the spec, or remove the erratum.
+""",
+    "errata_paths_resolve": """The path of an erratum leads to a fact.
+
+Why: an erratum about nothing corrects nothing.
+
+Example: `fact: registers/servo_off` where the register is called servo.
+
+Cure: Put the path right; `fieldspec facts` lists them.
+""",
+    "errata_proven": """With the printed value put back, the check that an erratum names fails.
+
+Why: that is the proof that the print is wrong, and that somebody would notice it again.
+
+Example: `proof: addresses_disjoint` for an address that overlaps nothing.
+
+Cure: Name the check that fails, or say `judgement`.
+""",
+    "length_byte_correct": """The length in every example is the number of its bytes.
+
+Why: a frame whose length is wrong is never complete, or swallows the next one; a byte is missing, or one too many.
+
+Example: 19 bytes that begin with 14h.
+
+Cure: Give the right bytes as `frame`, and an erratum with the printed ones.
+""",
+    "meaning_matches_bytes": """The values of every example are what its bytes mean, in both directions.
+
+Why: the manual's own frames are the only proof that a spec is right.
+
+Example: `distance: 20.00 mm` beside bytes that hold 2 mm.
+
+Cure: Put the bytes, the values or the fields right; write an erratum for what is misprinted.
+""",
+}

@@ -1,0 +1,246 @@
+"""What the rules of reading say, in the words of their documentation: what holds, why, an example, the cure."""
+
+from __future__ import annotations
+
+RULES = {
+    "alias_unknown": """An alias names an anchor that stands before it.
+
+Why: there is nothing that it could stand for.
+
+Example: `*parameter` where the file has no `&parameter`, or has it further down.
+
+Cure: Write the data out, or set the anchor first.
+""",
+    "aliases_grow": """Aliases do not make a file grow without bound.
+
+Why: ten lines of aliases of aliases can stand for more values than a computer holds.
+
+Example: a list of ten aliases, each of which is a list of ten aliases, and so on.
+
+Cure: Write the data out.
+""",
+    "device_id_unique": """No two devices have the same id.
+
+Why: the id names what is generated; one device would overwrite the other.
+
+Example: two folders whose `device` has `id: gadget`.
+
+Cure: Give one of them another id.
+""",
+    "device_section": """One file of a device's folder says what the device is.
+
+Why: without an id and a manual nothing can be generated or looked up.
+
+Example: a folder with registers alone.
+
+Cure: Write the section `device` in `device.yaml`.
+""",
+    "duplicate_key": """A key stands once in its mapping.
+
+Why: only one of the two values could count, and readers take different ones.
+
+Example: a register with two `range`.
+
+Cure: Remove one of them.
+""",
+    "duplicate_name": """No two entries of a section have the same name.
+
+Why: paths, references and outputs know an entry by its name.
+
+Example: two records called point.
+
+Cure: Give one of them another name.
+""",
+    "file_empty": """A spec file says something.
+
+Why: an empty file is one that was not written or was cut off.
+
+Example: a file with a comment alone.
+
+Cure: Write a section, or remove the file.
+""",
+    "file_missing": """A protocol that is used has a file.
+
+Why: what it defines is missing from the device.
+
+Example: `uses: [{protocol: modbuss}]` where the file is `protocols/modbus.yaml`.
+
+Cure: Put the name right, or write the file.
+""",
+    "file_too_large": """A spec file has at most 32 MiB.
+
+Why: what is larger is no spec that a person wrote.
+
+Example: a capture of a line that was saved with the ending `.yaml`.
+
+Cure: Split it over several files, or take it out of the folder.
+""",
+    "import_cycle": """No protocol uses itself, neither directly nor through others.
+
+Why: there would be no first one to begin with.
+
+Example: a protocol a that uses b, which uses a.
+
+Cure: Remove one of these uses.
+""",
+    "key_not_text": """A key is a word.
+
+Why: no key of the language is a list or a mapping.
+
+Example: `? [a, b]`
+
+Cure: Write a plain word.
+""",
+    "missing_key": """A mapping has the keys that it needs.
+
+Why: the fact cannot be laid out, or looked up, without them.
+
+Example: an enum's member without its `value`.
+
+Cure: Give the key.
+""",
+    "not_utf8": """A spec file is UTF-8.
+
+Why: labels are in the manual's language, and another encoding turns them into other characters.
+
+Example: a file that was saved as GB 18030.
+
+Cure: Save the file as UTF-8.
+""",
+    "section_twice": """A section that is no list stands in one file of a device.
+
+Why: lists are joined; of two other sections only one could count.
+
+Example: `device` in two files of a folder.
+
+Cure: Keep one of them.
+""",
+    "several_documents": """A spec file is one document.
+
+Why: a second one would be passed over.
+
+Example: a line `---` in the middle of a file.
+
+Cure: Give the second document a file of its own.
+""",
+    "tab_indent": """Lines are indented with blanks.
+
+Why: YAML allows no tab there, and how wide a tab is nobody knows.
+
+Example: a line that begins with a tab.
+
+Cure: Indent with blanks.
+""",
+    "tag_used": """A spec holds plain data, without tags.
+
+Why: a tag asks a reader to build something else than data, and the schema decides what a value is.
+
+Example: `!!python/name:os.system`
+
+Cure: Remove the tag.
+""",
+    "too_deep": """A file is nested at most 64 levels deep.
+
+Why: the language needs a dozen; more is a slip or an attack.
+
+Example: a thousand opening brackets.
+
+Cure: Use fewer levels.
+""",
+    "too_many_findings": """A file, and a check, has at most 200 findings.
+
+Why: more of them help nobody; most of them are the same slip again.
+
+Example: a file in another form with ten thousand lines.
+
+Cure: Mend the first ones.
+""",
+    "type_given": """The spec says how every value lies on the wire, once.
+
+Why: width and sign are never guessed.
+
+Example: a register without `type`, a text without `length`, a field with both `type` and `record`.
+
+Cure: Give the type, as inferred with a reason if the manual only implies it.
+""",
+    "units_known": """A unit is one of the closed list.
+
+Why: whoever converts values has to know what a unit is; a misspelt one is no unit.
+
+Example: `unit: Pluse`
+
+Cure: Use the unit that is meant, and an erratum for what is printed. A new unit is added to the schema.
+""",
+    "unknown_key": """Every key belongs to the language.
+
+Why: a key with a typing error would be passed over, and what it says with it.
+
+Example: `acces: rw`
+
+Cure: Put the key right; `docs/language.md` lists all of them.
+""",
+    "unknown_word": """A value that is a word is one of those that its key allows.
+
+Why: other words mean nothing there.
+
+Example: `access: readonly`
+
+Cure: Use one of the words that the finding lists.
+""",
+    "version_twice": """A version is declared once, and one line of versions is built.
+
+Why: `since` and `until` have to mean one place in one line.
+
+Example: two members with the id `1.17`.
+
+Cure: Give each version an identifier of its own, and one line `builds: true`.
+""",
+    "version_unknown": """`since`, `until` and `only` name versions that the device declares.
+
+Why: a fact that holds from an unknown version on holds never or always.
+
+Example: `since: "2.00"` where the version is called `2.0`.
+
+Cure: Put the identifier right, or declare the version.
+""",
+    "wrong_form": """A value is written in the form that its key asks for.
+
+Why: what cannot be read would have to be guessed.
+
+Example: `range: 5-10` instead of `5..10`, or a bound that is no whole number of counts.
+
+Cure: Write it as the description of the key says.
+""",
+    "wrong_size": """A list, or a row of a table, has as many entries as it should.
+
+Why: a row that is too short puts its cells into other columns.
+
+Example: a row of two cells in a table of three columns.
+
+Cure: Write `~` for an empty cell.
+""",
+    "wrong_type": """A value is of the kind that its key asks for: a number, a text, a list, a mapping.
+
+Why: another kind cannot mean what the key means.
+
+Example: `at: servo`
+
+Cure: Write a value of that kind.
+""",
+    "wrong_value": """A number lies within the bounds of its key.
+
+Why: what lies outside cannot exist on the wire.
+
+Example: `at: 0x12000`
+
+Cure: Put the number right.
+""",
+    "yaml_syntax": """A spec file is YAML.
+
+Why: what cannot be parsed says nothing.
+
+Example: `label: a: b` without quotes.
+
+Cure: Look at the place of the finding, and a little before it; quote texts with `: `, `#`, `{` or `[`.
+""",
+}
