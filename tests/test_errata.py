@@ -1,0 +1,57 @@
+"""Every erratum of the devices is proven by the check that it names, or said to be a judgement."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fieldspec.proofs.errata import JUDGEMENT, errata_proven
+from fieldspec.proofs.running import findings, known
+from fieldspec.reading.project import DeviceSpec, read
+
+SPECS = Path(__file__).resolve().parent.parent / "specs"
+FILES = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in sorted(SPECS.glob("*/*.yaml"))}
+DEVICES = read(FILES).devices
+
+
+@pytest.mark.parametrize("spec", DEVICES.values(), ids=list(DEVICES))
+def test_a_device_has_several_dozen_errata_and_most_of_them_are_proven(spec: DeviceSpec) -> None:
+    device, _ = spec.at(spec.versions()[-1])
+    proven = [erratum for erratum in device.errata if erratum.proof != JUDGEMENT]
+    assert len(device.errata) >= 36
+    assert len(proven) >= len(device.errata) / 2
+
+
+def test_an_erratum_whose_print_passes_its_check_is_a_finding() -> None:
+    spec = DEVICES["esc11"]
+    text = FILES["esc11/errata.yaml"].decode()
+    wrong = text.replace("proof: restatements_agree", "proof: bits_unique", 1)
+    assert wrong != text
+    changed = read({**FILES, "esc11/errata.yaml": wrong.encode()}).devices["esc11"]
+    version = spec.versions()[-1]
+    device, _ = changed.at(version)
+    found = list(errata_proven(changed, version, device, device.errata, findings, known()))
+    assert [finding.code for finding in found] == ["errata_proven"]
+
+
+def test_an_erratum_whose_print_is_what_the_spec_says_is_a_finding() -> None:
+    text = FILES["tc100/errata-registers.yaml"].decode()
+    wrong = text.replace("printed: {at: 0x080A}", "printed: {at: 0x070A}", 1)
+    assert wrong != text
+    changed = read({**FILES, "tc100/errata-registers.yaml": wrong.encode()}).devices["tc100"]
+    version = changed.versions()[-1]
+    device, _ = changed.at(version)
+    found = list(errata_proven(changed, version, device, device.errata, findings, known()))
+    assert [finding.code for finding in found] == ["errata_differ"]
+
+
+def test_an_erratum_about_no_fact_is_a_finding() -> None:
+    text = FILES["tc100/errata-registers.yaml"].decode()
+    wrong = text.replace("fact: registers/motor_type", "fact: registers/no_such_register", 1)
+    assert wrong != text
+    changed = read({**FILES, "tc100/errata-registers.yaml": wrong.encode()}).devices["tc100"]
+    version = changed.versions()[-1]
+    device, _ = changed.at(version)
+    found = list(errata_proven(changed, version, device, device.errata, findings, known()))
+    assert [finding.code for finding in found] == ["errata_paths_resolve"]

@@ -1,0 +1,30 @@
+"""What is committed under generated/ is what the specs give."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fieldspec.cli import main
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def test_the_committed_outputs_are_fresh(capsys: pytest.CaptureFixture[str]) -> None:
+    code = main(["build", "--check", "--specs", str(ROOT / "specs"), "--out", str(ROOT / "generated")])
+    assert (code, capsys.readouterr().out) == (0, "everything is fresh\n")
+
+
+def test_the_specs_of_all_devices_have_no_findings(capsys: pytest.CaptureFixture[str]) -> None:
+    code = main(["check", "--specs", str(ROOT / "specs")])
+    assert code == 0, capsys.readouterr().out
+
+
+def test_no_file_lies_under_generated_that_the_manifest_does_not_list() -> None:
+    import json
+
+    manifest = json.loads((ROOT / "generated" / "manifest.json").read_text("utf-8"))
+    found = {path.relative_to(ROOT / "generated").as_posix() for path in (ROOT / "generated").rglob("*") if path.is_file()}
+    extra = {path for path in found if not path.endswith(".pyc")} - set(manifest["files"]) - {"manifest.json"}
+    assert not extra
