@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.reading.findings import near
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
 
 _OWN_SECTIONS = ("device", "protocol", "uses", "versions")
@@ -63,9 +64,9 @@ def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence,
     items = []
     for name in names.items:
         if isinstance(name, Scalar) and name.text not in have:
-            known = ", ".join(f"`{other}`" for other in have)
             text = f"the protocol has no {section[:-1]} `{name.text}`"
-            found.append(Diagnostic("references_resolve", text, name.span, help=f"it has {known}"))
+            hint = near(name.text, [known for known in have if known is not None])
+            found.append(Diagnostic("references_resolve", text, name.span, help=hint))
         elif isinstance(name, Scalar):
             items.append(have[name.text])
     return Sequence(base.file, base.start, base.end, tuple(items)), found

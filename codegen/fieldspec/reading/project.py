@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.reading.building.device import built
+from fieldspec.reading.findings import bounded, near
 from fieldspec.reading.joining import joined, laid_over
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.scalars import typed
@@ -33,7 +34,8 @@ class DeviceSpec:
 
     def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
         """The model at one version."""
-        return built(self.tree_at(version), version)
+        device, found = built(self.tree_at(version), version)
+        return device, bounded(found)
 
     def tree_at(self, version: str) -> Mapping:
         """The tree with the facts of one version."""
@@ -96,7 +98,7 @@ class _Reader:
                 found += more
                 if isinstance(result, Mapping) and not found:
                     return result
-        self.found += found
+        self.found += bounded(found)
         return None
 
     def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
@@ -116,8 +118,7 @@ class _Reader:
             return None
         whole = self._with_protocols(whole, ())
         lines = Lines(whole)
-        self.found += lines.found
-        self.found += lines.unknown(whole)
+        self.found += bounded(lines.found) + bounded(lines.unknown(whole))
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
         return DeviceSpec(identity.text, whole, lines)
@@ -133,7 +134,7 @@ class _Reader:
             protocol = self._protocol(name, within)
             if protocol is not None:
                 tree, found = laid_over(tree, protocol, use)
-                self.found += found
+                self.found += bounded(found)
         return tree
 
     def _protocol(self, name: Scalar, within: tuple[str, ...]) -> Mapping | None:
@@ -145,10 +146,9 @@ class _Reader:
         if name.text not in self.protocols:
             path = f"{PROTOCOLS}/{name.text}.yaml"
             if path not in self.files:
-                known = sorted(p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/"))
-                hint = f"there are {', '.join(known)}" if known else f"there is no folder `{PROTOCOLS}`"
+                known = [p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/")]
                 text = f"there is no file `{path}`"
-                self.found.append(Diagnostic("file_missing", text, name.span, help=hint))
+                self.found.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
                 return None
             tree = self._tree(path)
             if tree is not None:

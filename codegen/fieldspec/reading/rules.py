@@ -67,7 +67,7 @@ Example: `uses: [{protocol: modbuss}]` where the file is `protocols/modbus.yaml`
 
 Cure: Put the name right, or write the file.
 """,
-    "file_too_large": """A spec file has at most 32 MiB.
+    "file_too_large": """A spec file has at most 8 MiB and two million values.
 
 Why: what is larger is no spec that a person wrote.
 

@@ -6,22 +6,20 @@ truth value only where the schema wants one and the text is one.
 
 from __future__ import annotations
 
-import difflib
 import re
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, plain
 from fieldspec.schema import Schema, resolved, schema
 from fieldspec.source import Span
 
-MOST_FINDINGS = 200
-
-_INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]+|0b[01]+|0|[1-9][0-9]*)")
-_NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
-_CONSTANTS: dict[str, Plain] = {"true": True, "false": False, "~": None, "null": None}
+# Longer numbers are on no wire; a number that is not written like this is text, and then of the wrong type.
+_INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})")
+_NUMBER = re.compile(r"[-+]?(0|[1-9][0-9]{0,19})(\.[0-9]{1,20})?")
 
 
 @lru_cache(maxsize=1)
@@ -38,13 +36,11 @@ def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
 
 
 def violations(node: Node) -> list[Diagnostic]:
-    """What the schema has against a typed tree; at most `MOST_FINDINGS` findings."""
+    """What the schema has against a typed tree; little more than `MOST_FINDINGS` findings."""
     found: list[Diagnostic] = []
     for error in _validator().iter_errors(plain(node)):
         found += _findings(error, node)
         if len(found) > MOST_FINDINGS:
-            text = f"more than {MOST_FINDINGS} findings; the rest of this file is not listed"
-            found.append(Diagnostic("too_many_findings", text, found[-1].span, help="mend the first ones"))
             break
     return found
 
@@ -90,7 +86,8 @@ def _findings(error: Any, root: Node) -> list[Diagnostic]:
     node = _at(root, error.instance_path)
     part = _schema_part(error.schema_path)
     if error.schema_path[-1] == "additionalProperties" and isinstance(node, Mapping):
-        return [_unknown_key(node, key, part) for key in error.kind.as_dict()["unexpected"]]
+        unknown = error.kind.as_dict()["unexpected"]
+        return [_unknown_key(node, key, part) for key in unknown[: MOST_FINDINGS + 1]]
     return [_finding(error, node, part)]
 
 
@@ -105,21 +102,19 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         missing = facts["property"]
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=_described(part, missing))
     if keyword == "enum" and text is not None:
-        options = [str(option) for option in part.get("enum", [])]
-        near = difflib.get_close_matches(text, options, 1)
-        hint = f"did you mean `{near[0]}`?" if near else "one of " + ", ".join(f"`{o}`" for o in options)
         code = "units_known" if last == "unit" else "unknown_word"
-        return Diagnostic(code, f"{what} cannot be `{text}`", node.span, help=hint)
+        hint = near(text, [str(option) for option in part.get("enum", [])])
+        return Diagnostic(code, f"{what} cannot be {quoted(text)}", node.span, help=hint)
     description = part.get("description", "")
     if keyword == "type":
         wanted = part.get("type")
         names = [wanted] if isinstance(wanted, str) else list(wanted or [])
         shown = " or ".join(_KINDS.get(name, name) for name in names)
-        have = f"`{text}`" if text is not None else "a list" if isinstance(node, Sequence) else "a mapping"
-        message = f"{what} must be {shown}, not {have}"
-        return Diagnostic("wrong_type", message, _head(node), help=description)
-    if keyword == "pattern":
-        return Diagnostic("wrong_form", f"{what} cannot be written as `{text}`", node.span, help=description)
+        message = f"{what} must be {shown}, not {_have(node)}"
+        form = _FORMS.get(names[0], "") if isinstance(node, Scalar) else ""
+        return Diagnostic("wrong_type", message, _head(node), help=f"{form}; {description}" if form else description)
+    if keyword in ("pattern", "maxLength"):
+        return Diagnostic("wrong_form", f"{what} cannot be {quoted(text or '')}", node.span, help=description)
     if keyword in ("minimum", "maximum"):
         limit = part.get(keyword)
         return Diagnostic("wrong_value", f"{what} is {text}; the {keyword} is {limit}", node.span, help=description)
@@ -138,12 +133,23 @@ _KINDS = {
     "null": "empty",
 }
 
+_FORMS = {
+    "integer": "write it as `10` or `0x0A`, without quotes",
+    "number": "write it as `0.5`, without quotes",
+    "boolean": "write `true` or `false`, without quotes",
+}
+
+
+def _have(node: Node) -> str:
+    """What stands where something else should stand."""
+    if isinstance(node, Scalar):
+        return f'"{quoted(node.text)[1:-1]}"' if node.quoted else quoted(node.text) if node.text else "empty"
+    return "a list" if isinstance(node, Sequence) else "a mapping"
+
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
-    legal = list(part.get("properties", {}))
-    near = difflib.get_close_matches(key, legal, 1, 0.6)
-    hint = f"did you mean `{near[0]}`?" if near else "legal keys: " + ", ".join(sorted(legal))
-    return Diagnostic("unknown_key", f"there is no key `{key}` here", node.keys[key].span, help=hint)
+    hint = near(key, list(part.get("properties", {})))
+    return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", node.keys[key].span, help=hint)
 
 
 def _described(part: Schema, key: str) -> str:

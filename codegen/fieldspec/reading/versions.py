@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
 
 LONE_VERSION = "1"
@@ -71,9 +72,9 @@ class Lines:
                 named = bound.items if isinstance(bound, Sequence) else (bound,)
                 for item in named:
                     if isinstance(item, Scalar) and item.text not in self.place:
-                        known = ", ".join(f"`{v}`" for v in self.place) or "none"
-                        text = f"the device declares no version `{item.text}`"
-                        found.append(Diagnostic("version_unknown", text, item.span, help=f"it declares {known}"))
+                        text = f"the device declares no version {quoted(item.text)}"
+                        hint = near(item.text, self.place)
+                        found.append(Diagnostic("version_unknown", text, item.span, help=hint))
         for step, inner in children(node):
             if step not in _FREE:
                 found += self.unknown(inner)

@@ -1,23 +1,28 @@
 """YAML text -> nodes with places. A slip is a finding, never an exception.
 
 Built on PyYAML's parser events, of which only plain data is taken: no tags, no merge keys. An alias is
-the node it names; what a file may grow to through aliases is bounded.
+the node it names; how many values and levels a file may have, with its aliases written out, is bounded.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import yaml
 from yaml.events import CollectionStartEvent
 
 from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.reading.findings import quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.source import SourceFile, Span
 
-LARGEST_FILE = 32 * 1024 * 1024
-LARGEST_TREE = 5_000_000
+LARGEST_FILE = 8 * 1024 * 1024
+LARGEST_TREE = 2_000_000
 DEEPEST_TREE = 64
+
+_CONTROL = re.compile("[^\\t\\n\\r -~\\x85\\xa0-\\ufffd\\U00010000-\\U0010ffff]")
 
 # libyaml's parser, which PyYAML has only where it was built with it; the other one gives the same events.
 _Parser = yaml._yaml.CParser if yaml.__with_libyaml__ else yaml.Loader
@@ -39,10 +44,10 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
         message = f"byte {data[error.start]:#04x} is not UTF-8"
         return file, [Diagnostic("not_utf8", message, Span(file, at, at + 1), help="save the file as UTF-8")]
     file = SourceFile(path, text)
-    bad = next((at for at, char in enumerate(text) if char < " " and char not in "\t\n\r"), None)
+    bad = _CONTROL.search(text)
     if bad is not None:
-        message = f"control character {ord(text[bad]):#04x}"
-        return SourceFile(path, text), [Diagnostic("yaml_syntax", message, Span(file, bad, bad + 1), help="remove it")]
+        message = f"control character {ord(bad[0]):#04x}"
+        return file, [Diagnostic("yaml_syntax", message, Span(file, *bad.span()), help="remove it")]
     return file, []
 
 
@@ -66,6 +71,8 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
     except yaml.reader.ReaderError as error:
         at = min(error.position, max(0, len(file.text) - 1))
         found = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))
+    except ValueError as error:  # an escape that names no character
+        found = Diagnostic("yaml_syntax", f"not YAML: {error}", Span(file, 0, 1))
     except _Refused as refused:
         found = refused.args[0]
     return None, [*builder.found, found]
@@ -88,6 +95,13 @@ class _Refused(Exception):
     """Carries the finding that ends the reading of a file."""
 
 
+class _Size(NamedTuple):
+    """What a node counts, with its aliases written out: its values, and the levels below it."""
+
+    values: int
+    levels: int
+
+
 class _Builder:
     """Builds nodes from parser events."""
 
@@ -95,8 +109,9 @@ class _Builder:
         self.file = file
         self.found: list[Diagnostic] = []
         self.anchors: dict[str, Node | None] = {}
-        self.weights: dict[int, int] = {}
+        self.sizes: dict[int, _Size] = {}
         self.total = 0
+        self.deepest = 0
 
     def document(self, parser: object) -> tuple[Node | None, list[Diagnostic]]:
         """The first document; a second one is a finding."""
@@ -121,17 +136,15 @@ class _Builder:
         raise _Refused(Diagnostic(code, message, self._span(event), help=help))
 
     def _node(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Node:
-        if depth > DEEPEST_TREE:
-            self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
         if isinstance(event, yaml.AliasEvent):
-            return self._alias(event)
+            return self._alias(event, depth)
+        self._grow(event, 1, depth)
         assert isinstance(event, yaml.ScalarEvent | CollectionStartEvent)
         if event.tag is not None and not (isinstance(event, yaml.ScalarEvent) and event.tag == "!"):
-            self._refuse("tag_used", f"tag {event.tag}: a spec holds plain data", event, "remove the tag")
+            self._refuse("tag_used", f"the tag {quoted(event.tag)}: a spec holds plain data", event, "remove the tag")
         if event.anchor:
             self.anchors[event.anchor] = None
-        before = self.total
-        self.total += 1
+        before, outer, self.deepest = self.total - 1, self.deepest, depth
         node: Node
         if isinstance(event, yaml.ScalarEvent):
             node = Scalar(self.file, *_bounds(event), event.value, not event.implicit[0])
@@ -141,20 +154,33 @@ class _Builder:
             node = self._mapping(event, events, depth)
         if event.anchor:
             self.anchors[event.anchor] = node
-            self.weights[id(node)] = self.total - before
+            self.sizes[id(node)] = _Size(self.total - before, self.deepest - depth)
+        self.deepest = max(outer, self.deepest)
         return node
 
-    def _alias(self, event: yaml.AliasEvent) -> Node:
+    def _grow(self, event: yaml.Event, values: int, depth: int) -> None:
+        """Counts the values of a node, whose deepest one stands at a depth."""
+        self.total += values
+        if depth > self.deepest:
+            self.deepest = depth
+        if depth > DEEPEST_TREE:
+            self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
+        if self.total > LARGEST_TREE and isinstance(event, yaml.AliasEvent):
+            text = f"aliases make this file grow beyond {LARGEST_TREE} values"
+            self._refuse("aliases_grow", text, event, "write the data out")
+        if self.total > LARGEST_TREE:
+            text = f"the file has more than {LARGEST_TREE} values"
+            self._refuse("file_too_large", text, event, "split it over several files")
+
+    def _alias(self, event: yaml.AliasEvent, depth: int) -> Node:
         node = self.anchors.get(event.anchor or "")
         if node is None:
             known = event.anchor in self.anchors
-            text = f"alias *{event.anchor} " + ("lies within what it names" if known else "names no anchor")
+            text = f"the alias {quoted(event.anchor)} " + ("lies within what it names" if known else "names no anchor")
             self._refuse("alias_unknown", text, event, "write the data out")
             raise AssertionError
-        self.total += self.weights[id(node)]
-        if self.total > LARGEST_TREE:
-            text = f"aliases make this file grow beyond {LARGEST_TREE} values"
-            self._refuse("aliases_grow", text, event, "write the data out")
+        size = self.sizes[id(node)]
+        self._grow(event, size.values, depth + size.levels)
         return node
 
     def _sequence(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Sequence:
@@ -179,7 +205,7 @@ class _Builder:
                 )
             elif key.text in keys:
                 first = Label(keys[key.text].span, "the first one")
-                text = f"the key `{key.text}` stands here twice"
+                text = f"the key {quoted(key.text)} stands here twice"
                 self.found.append(Diagnostic("duplicate_key", text, key.span, (first,), "remove one of them"))
             else:
                 keys[key.text], values[key.text] = key, value
@@ -188,7 +214,8 @@ class _Builder:
 
 def _bounds(event: yaml.Event) -> tuple[int, int]:
     """The offsets of an event's first character and of the one behind its last."""
-    assert event.start_mark is not None and event.end_mark is not None
+    assert event.start_mark is not None
+    assert event.end_mark is not None
     return event.start_mark.index, event.end_mark.index
 
 

@@ -43,12 +43,9 @@ def _register(entry: Entry) -> Register:
     content = value(entry, words=words)
     width = (content.size + 1) // 2
     count = entry.integer("count") or 1
-    elements = _elements(entry)
+    elements = _elements(entry, count)
     if not entry.sources and elements:
         entry.sources = (elements[0],)
-    if elements and len(elements) != count:
-        text = f"{len(elements)} lines are cited for {count} registers"
-        entry.refuse("sources_present", "element_sources", text, "cite one line for each")
     address = entry.integer("at")
     if address is None:
         entry.refuse("missing_key", "at", "a register needs an address", "give it under `at`")
@@ -71,11 +68,17 @@ def _register(entry: Entry) -> Register:
     )
 
 
-def _elements(entry: Entry) -> tuple[Citation, ...]:
-    """One citation for each cited line."""
+def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
+    """One citation for each cited line, of which there must be as many as registers."""
+    cited = entry.citations("element_sources")
+    lines = sum(last - first + 1 for citation in cited for first, last in citation.lines)
+    if cited and lines != count:
+        text = f"{lines} lines are cited for {count} registers"
+        entry.refuse("sources_present", "element_sources", text, "cite one line for each")
+        return ()
     return tuple(
         Citation(citation.section, ((line, line),))
-        for citation in entry.citations("element_sources")
+        for citation in cited
         for first, last in citation.lines
         for line in range(first, last + 1)
     )

@@ -1,0 +1,38 @@
+"""What all findings of reading share: how many there may be, and how they quote a file."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from difflib import get_close_matches
+
+from fieldspec.diagnostics import Diagnostic
+
+MOST_FINDINGS = 200
+"""How many findings of one kind of trouble are listed; more of them help nobody."""
+
+_LONGEST = 60
+_SEARCHED = 2000
+
+
+def bounded(found: list[Diagnostic]) -> list[Diagnostic]:
+    """The first findings, and one that says that there are more."""
+    if len(found) <= MOST_FINDINGS:
+        return found
+    text = f"more than {MOST_FINDINGS} findings; the rest is not listed"
+    more = Diagnostic("too_many_findings", text, found[MOST_FINDINGS].span, help="mend the first ones")
+    return [*found[:MOST_FINDINGS], more]
+
+
+def quoted(text: str) -> str:
+    """A text of a file between backticks; a long one is cut."""
+    return f"`{text}`" if len(text) <= _LONGEST else f"`{text[:_LONGEST]}...`"
+
+
+def near(word: str, known: Collection[str]) -> str:
+    """What to say of a word that is none of the known ones: which one is meant, or which there are."""
+    close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []
+    if close:
+        return f"did you mean `{close[0]}`?"
+    listed = [f"`{one}`" for one in sorted(known)]
+    more = "" if len(listed) <= _LONGEST else ", ..."
+    return "it can be " + ", ".join(listed[:_LONGEST]) + more if listed else "there is none"
