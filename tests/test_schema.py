@@ -18,7 +18,7 @@ from jsonschema.protocols import Validator
 from fieldspec.reading.nodes import plain
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
-from fieldspec.schema import resolved, schema
+from fieldspec.schema import described, schema
 
 ROOT = Path(__file__).parent.parent
 SCHEMA = ROOT / "codegen" / "fieldspec" / "schema" / "spec.schema.json"
@@ -95,9 +95,9 @@ def test_schema_is_a_valid_schema_of_draft_2020_12() -> None:
 
 
 def test_every_key_has_a_description() -> None:
-    described = {path: part.get("description") or resolved(part).get("description", "") for path, part in keys(schema())}
-    assert len(described) > 200
-    assert [path for path, text in described.items() if not re.fullmatch(r"[A-Z`].*\w.*\.", text)] == []
+    texts = {path: described(part) for path, part in keys(schema())}
+    assert len(texts) > 200
+    assert [path for path, text in texts.items() if not re.fullmatch(r"[A-Z`].*\w.*\.", text)] == []
 
 
 def test_every_definition_has_a_description() -> None:

@@ -14,7 +14,7 @@ from typing import Any
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, plain
-from fieldspec.schema import Schema, resolved, schema
+from fieldspec.schema import Schema, described, resolved, schema
 from fieldspec.source import Span
 
 # Longer numbers are on no wire; a number that is not written like this is text, and then of the wrong type.
@@ -100,7 +100,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
     text = node.text if isinstance(node, Scalar) else None
     if keyword == "required":
         missing = facts["property"]
-        return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=_described(part, missing))
+        help = described(part.get("properties", {}).get(missing, {}))
+        return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
         code = "units_known" if last == "unit" else "unknown_word"
         hint = near(text, [str(option) for option in part.get("enum", [])])
@@ -150,11 +151,6 @@ def _have(node: Node) -> str:
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     hint = near(key, list(part.get("properties", {})))
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", node.keys[key].span, help=hint)
-
-
-def _described(part: Schema, key: str) -> str:
-    found = part.get("properties", {}).get(key, {})
-    return str(found.get("description") or resolved(found).get("description", ""))
 
 
 def _schema_part(path: list[str | int]) -> Schema:

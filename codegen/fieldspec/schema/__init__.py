@@ -24,6 +24,13 @@ def resolved(part: Schema) -> Schema:
     return part
 
 
+def described(part: Schema) -> str:
+    """What a part of the schema says of itself, or else what it refers to."""
+    while "description" not in part and "$ref" in part:
+        part = _referred(part["$ref"])
+    return str(part.get("description", ""))
+
+
 @cache
 def _referred(reference: str) -> Schema:
     part: Any = schema()
