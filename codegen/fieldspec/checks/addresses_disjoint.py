@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from operator import attrgetter
 
-from fieldspec.checks.finding import addresses, finding, label
+from fieldspec.checks.finding import addresses, counted, finding, label
 from fieldspec.checks.occupied import Block, blocks
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -52,6 +52,6 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {register.width} words and are {register.stride} apart",
+                f"elements of {register.name} have {counted(register.width, 'word')} and are {register.stride} apart",
                 "put the stride or the type right",
             )

@@ -25,7 +25,7 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         other = registers.get(register.same_as)
         if other is not None:
-            yield from _compared(register, register.value, other, other.value)
+            yield from _compared(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for message in device.messages.values():
         asked = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
@@ -34,10 +34,11 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
 
 def _echo(field: Field, asked: Field | None) -> Iterator[Diagnostic]:
     if asked is not None and field.value is not None and asked.value is not None:
-        yield from _compared(field, field.value, asked, asked.value)
+        text = f"{field.name} repeats {asked.name} of the request"
+        yield from _compared(text, field, field.value, asked, asked.value)
 
 
-def _compared(fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
+def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
     for key, mine, theirs in (
         ("type", (value.type.name, value.size), (same.type.name, same.size)),
         ("scale", (value.scale, value.offset), (same.scale, same.offset)),
@@ -51,7 +52,7 @@ def _compared(fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Di
                 "aliases_agree",
                 fact.place,
                 key,
-                f"{fact.name} is the same as {other.name}, but has another {key.removeprefix('unit_')}",
+                f"{text}, but has another {key.removeprefix('unit_')}",
                 "put one of them right, or take `same_as` out",
                 label(other.place, range_key(other.place) if "range" in key else key, f"that of {other.name}"),
             )

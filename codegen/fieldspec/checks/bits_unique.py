@@ -1,4 +1,4 @@
-"""No two entries of a word of flags claim the same bit, and no two have the same name.
+"""No two entries of a word of flags claim the same bit.
 
 Why: a bit means one thing. Where it means two, under different conditions, each entry says `when`.
 

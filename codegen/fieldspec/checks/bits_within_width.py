@@ -21,10 +21,6 @@ from fieldspec.model.primitive import Kind
 def bits_within_width(device: Device) -> Iterator[Diagnostic]:
     for word in device.flags.values():
         width = 8 * word.type.size
-        if word.type.kind is not Kind.INTEGER:
-            text = f"{word.name} is {word.type.name}, which has no bits of its own"
-            yield finding("bits_within_width", word.place, "type", text, "give it an integer type")
-            continue
         for bit in word.bits:
             if bit.last >= width:
                 yield finding(

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label, range_key, shown
+from fieldspec.checks.finding import counted, finding, label, range_key, shown
 from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -29,13 +29,14 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
         if enum is not None and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
             out = [member for member in enum.members if _excluded(value, member)]
             if out:
-                yield _finding(fact, range_key(fact.place), f"the range of {fact.name}", out)
+                key = "type" if value.ranges is None else range_key(fact.place)
+                yield _finding(fact, key, fact.name, out)
     for flags in device.flags.values():
         for bit in flags.bits:
             enum = device.enums.get(bit.enum)
             out = [member for member in enum.members if not 0 <= member.value < 1 << min(bit.width, 64)] if enum else []
             if out:
-                yield _finding(bit, "enum", f"the bits of {bit.name}", out)
+                yield _finding(bit, "enum", f"{bit.name}, of {counted(bit.width, 'bit')},", out)
 
 
 def _excluded(value: Value, member: Member) -> bool:

@@ -38,9 +38,14 @@ def addresses(first: int, last: int) -> str:
     return hexadecimal(first) if first == last else f"{hexadecimal(first)}..{hexadecimal(last)}"
 
 
-def interval(first: int, last: int) -> str:
+def interval(first: object, last: object) -> str:
     """`5`, or `5..8`"""
     return str(first) if first == last else f"{first}..{last}"
+
+
+def counted(number: int, noun: str) -> str:
+    """`1 word`, `2 words`"""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def shown(words: Collection[object]) -> str:
@@ -86,10 +91,11 @@ def near(word: str, known: Collection[str]) -> str:
     """What to say of a word that is not among the known ones."""
     if len(known) > _SEARCHED:
         return "define it, or put the name right"
-    close = get_close_matches(word, known, 1)
+    names = sorted(known)
+    close = get_close_matches(word, names, 1)
     if close:
         return f"did you mean `{close[0]}`?"
-    return f"there are {shown([f'`{name}`' for name in known])}" if known else "define it first"
+    return f"there are {shown([f'`{name}`' for name in names])}" if names else "define it first"
 
 
 def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:

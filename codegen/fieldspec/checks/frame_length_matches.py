@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, interval, label
+from fieldspec.checks.finding import counted, finding, interval, label
 from fieldspec.checks.frames import Shape, shapes
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
@@ -49,7 +49,7 @@ def _compared(
         "frame_length_matches",
         message.place,
         "frame_length",
-        f"the {direction} of {message.name} is printed with {printed} bytes; it has {shown}",
+        f"the {direction} of {message.name} is printed with {counted(printed, 'byte')}; it has {shown}",
         "put a field or the length right; leave out the length of what has no fixed size",
         label(message.place, direction, "the data"),
     )

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import addresses, finding, label
+from fieldspec.checks.finding import addresses, finding, label, longest_ascent
 from fieldspec.checks.occupied import extents, free, merged
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -29,7 +29,9 @@ def gaps_declared(device: Device) -> Iterator[Diagnostic]:
 
 
 def _undeclared(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagnostic]:
-    rows = sorted(group.registers, key=lambda row: row.address)
+    # A row that breaks the order is addresses_ascending's; it would make one more hole.
+    kept = longest_ascent([row.address for row in group.registers])
+    rows = [row for number, row in enumerate(group.registers) if number in kept]
     declared = (pair for gap in group.gaps for pair in gap.addresses.intervals)
     known = merged([*taken, *declared])
     ends = rows[0]

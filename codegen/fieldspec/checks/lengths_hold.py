@@ -1,20 +1,18 @@
-"""A part or field that holds a length can hold it for the longest frame, and has the range of what it
-measures.
+"""A part or field that holds a length can hold it for the longest frame.
 
-Why: a count of elements that is printed too high, or a length of one byte for more than 255, gives
-frames that cannot exist. Where the range of a length and the number of elements differ, one of them is
-misprinted.
+Why: a count of elements that is printed too high, or a length of one byte for more than 255, gives frames that cannot
+exist.
 
 Example: up to 16 points of 16 bytes in a packet whose length is one byte.
 
-Cure: Put the number of elements, the range or the type right, and write an erratum if it is printed so.
+Cure: Put the number of elements or the type right, and write an erratum if it is printed so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, interval, label, range_key
+from fieldspec.checks.finding import finding, interval, label
 from fieldspec.checks.frames import shapes
 from fieldspec.checks.sizes import Sizes
 from fieldspec.checks.walking import layers
@@ -24,7 +22,7 @@ from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Field, Record
 
 _CODE = "lengths_hold"
-_HELP = "put the number of elements, the range or the type right"
+_HELP = "put the number of elements or the type right"
 
 
 def lengths_hold(device: Device) -> Iterator[Diagnostic]:
@@ -54,13 +52,9 @@ def _of_field(field: Field, measured: Field, sizes: Sizes) -> Iterator[Diagnosti
     what = "bytes" if field.measures.of == "bytes" else "elements"
     there = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
     text = f"{field.name} counts {interval(least, most)} {what} of {measured.name}"
-    ranges = field.value.ranges
     if most > field.value.type.high:
         text += f", but {field.value.type.name} goes to {field.value.type.high}"
         yield finding(_CODE, field.place, "type", text, _HELP, there)
-    elif ranges is not None and (ranges.low, ranges.high) != (least, most):
-        text += f", but its range is {ranges.text()}"
-        yield finding(_CODE, field.place, range_key(field.place), text, _HELP, there)
 
 
 def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnostic]:

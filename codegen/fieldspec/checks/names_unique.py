@@ -42,7 +42,9 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
     ):
         yield section, ((thing.name, thing.place) for thing in things.values())
     for enum in device.enums.values():
-        yield enum.name, ((member.name, member.place) for member in enum.members)
+        # Members of one name are enum_names_unique's.
+        members = {member.name: member.place for member in reversed(enum.members)}
+        yield enum.name, reversed(members.items())
     for word in device.flags.values():
         yield word.name, ((bit.name, bit.place) for bit in word.bits if not bit.when)
     for record in device.records.values():

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
+from fieldspec.checks.finding import counted, finding, label
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -33,15 +33,14 @@ def record_size_matches(device: Device) -> Iterator[Diagnostic]:
 def _of_record(record: Record, sizes: Sizes) -> Iterator[Diagnostic]:
     size = sizes.named(record.name)
     fields = label(record.place, "fields", "the fields")
-    for key, printed, per in (("size", record.size, 1), ("words", record.words, 2)):
+    for key, printed, noun, each in (("size", record.size, "byte", 1), ("words", record.words, "word", 2)):
         if printed is None or record.name in sizes.endless:
             continue
-        unit = "bytes" if per == 1 else "words"
         if size is None:
-            text = f"{record.name} is printed with {printed} {unit}, but its size is not fixed"
+            text = f"{record.name} is printed with {counted(printed, noun)}, but its size is not fixed"
             yield finding(_CODE, record.place, key, text, "take the size out, or the repetition", fields)
-        elif printed * per != size:
-            text = f"{record.name} is printed with {printed} {unit}; its fields have {size} bytes"
+        elif printed * each != size:
+            text = f"{record.name} is printed with {counted(printed, noun)}; its fields have {counted(size, 'byte')}"
             yield finding(_CODE, record.place, key, text, "put a field or the size right", fields)
 
 
@@ -49,18 +48,20 @@ def _of_table(table: Table, sizes: Sizes, record: Record | None) -> Iterator[Dia
     if record is None or record.name in sizes.endless:
         return
     size = sizes.named(record.name)
-    there = label(record.place, "fields", f"the fields have {size} bytes")
     if size is None:
         text = f"elements of {table.name} are {record.name}, whose size is not fixed"
         yield finding(_CODE, table.place, "record", text, "a table holds records of a fixed size")
         return
+    there = label(record.place, "fields", f"the fields have {counted(size, 'byte')}")
     if size % 2:
-        text = f"elements of {table.name} have {size} bytes, which is no whole number of words"
+        text = f"elements of {table.name} have {counted(size, 'byte')}, which is no whole number of words"
         yield finding(_CODE, table.place, "record", text, "put a field right", there)
         return
     if table.words is not None and table.words != size // 2:
-        text = f"elements of {table.name} are printed with {table.words} words; {record.name} has {size // 2}"
+        text = (
+            f"elements of {table.name} are printed with {counted(table.words, 'word')}; {record.name} has {size // 2}"
+        )
         yield finding(_CODE, table.place, "words", text, "put a field or the words right", there)
     if table.count > 1 and table.stride < size // 2:
-        text = f"elements of {table.name} have {size // 2} words and are {table.stride} apart"
+        text = f"elements of {table.name} have {counted(size // 2, 'word')} and are {table.stride} apart"
         yield finding(_CODE, table.place, "stride", text, "put a field or the stride right", there)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from decimal import Decimal
 
+from fieldspec.checks.finding import hexadecimal, interval
 from fieldspec.checks.occupied import merged
 from fieldspec.checks.sizes import Sizes
 from fieldspec.model.device import Device
@@ -21,16 +21,9 @@ from fieldspec.model.register import Register
 from fieldspec.model.table import Table
 from fieldspec.model.value import Value
 
-_SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
 _RANGES = ("range", "repeat", "enum_values")
 
 Intervals = tuple[tuple[Decimal, Decimal], ...]
-
-
-def byte_span(written: object) -> tuple[int, int] | None:
-    """`1-4` as its first and last byte; None where nothing is written."""
-    match = _SPAN.fullmatch(str(written)) if written is not None else None
-    return (int(match[1]), int(match[2] or match[1])) if match else None
 
 
 def claimed(key: str, written: Plain) -> object:
@@ -42,7 +35,16 @@ def claimed(key: str, written: Plain) -> object:
         return tuple(merged((int(low), int(high)) for low, high in pairs))
     if key == "unit_range":
         return tuple(sorted(intervals(str(written))))
-    return byte_span(written) if key == "span" else written
+    return written
+
+
+def told(key: str, held: object) -> str:
+    """What a fact or a claim says under a key, as text."""
+    if isinstance(held, tuple):
+        return ", ".join(interval(low, high) for low, high in held)
+    if isinstance(held, bool):
+        return str(held).lower()
+    return hexadecimal(held) if key in ("at", "code") and isinstance(held, int) else str(held)
 
 
 def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
@@ -120,7 +122,6 @@ def _field(device: Device, sizes: Sizes, field: Field) -> dict[str, object]:
     return {
         **(_value(device, field.value) if field.value is not None else {}),
         "at": field.at,
-        "span": field.span,
         "words": _words(field.words, fixed),
         "access": field.access or None,
         "restart": field.restart,

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.restated import claimed, said
+from fieldspec.checks.restated import claimed, said, told
 from fieldspec.checks.sizes import Sizes
 from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic, Label
@@ -22,7 +22,9 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
 
 _CODE = "restatements_agree"
-_SHOWN_ONLY = ("printed_name", "label")
+_NOT_HERE = ("printed_name", "label", "span")
+"""Names are shown, not compared; spans are compared with the layout, by spans_match_layout."""
+
 _STANDS_UNDER = {
     "at": ("at", "base"),
     "code": ("code", "number", "value"),
@@ -48,7 +50,7 @@ def restatements_agree(device: Device) -> Iterator[Diagnostic]:
 
 def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
     for key, written in claim.values.items():
-        if key in _SHOWN_ONLY:
+        if key in _NOT_HERE:
             continue
         if key == "present":
             if written is not True:
@@ -58,13 +60,11 @@ def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diag
             continue
         have = own.get(key)
         if have is None:
-            # A span that only other places print is compared with the layout, by spans_match_layout.
-            if key != "span":
-                text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
-                help = "give it to the fact, or take it out of `restated`"
-                yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
+            text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
+            help = "give it to the fact, or take it out of `restated`"
+            yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
         elif claimed(key, written) != have:
-            text = f"{_where(claim)} has the {key} {written} for {fact.name}"
+            text = f"`{key}` of {fact.name} is {told(key, have)}, but {told(key, written)} in {_where(claim)}"
             help = "give both the right value, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
 

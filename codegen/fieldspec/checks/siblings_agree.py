@@ -32,7 +32,9 @@ def siblings_agree(device: Device) -> Iterator[Diagnostic]:
             families.setdefault((field.name, field.value.type.name), []).append((field, field.value))
     for family in families.values():
         yield from _odd(family, "range", lambda value: value.ranges.intervals if value.ranges else None)
-        yield from _odd(family, "unit", lambda value: (value.scale, value.offset, value.unit) if value.unit else None)
+        yield from _odd(
+            family, "scale or unit", lambda value: (value.scale, value.offset, value.unit) if value.unit else None
+        )
 
 
 def _odd(

@@ -10,16 +10,18 @@ Cure: Put a type or the span right, and write an erratum if it is printed so.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.restated import byte_span
 from fieldspec.checks.sizes import Sizes
 from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.place import Place
 from fieldspec.model.record import Field
+
+_SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
 
 
 def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
@@ -59,14 +61,16 @@ def _printed(field: Field) -> Iterator[tuple[Place, tuple[int, int]]]:
     if field.span is not None:
         yield field.place, field.span
     for claim in field.restated:
-        span = byte_span(claim.values.get("span"))
+        span = _read(claim.values.get("span"))
         if span is not None:
             yield claim.place, span
 
 
 def _finding(field: Field, place: Place, printed: tuple[int, int], fitting: list[tuple[int, int]]) -> Diagnostic:
-    shown = " or ".join(_text(span) for span in fitting[:1])
-    text = f"{field.name} is printed at {_text(printed)}; it lies at {shown or 'no fixed place'}"
+    right = _text(fitting[0]) if fitting else "no fixed place"
+    if len(fitting) > 1:
+        right += f", up to {_text(fitting[-1])}"
+    text = f"{field.name} is printed at {_text(printed)}; it lies at {right}"
     key = "type" if field.value is not None else "record"
     help = "put a type or the span right"
     return finding("spans_match_layout", place, "span", text, help, label(field.place, key, "what lies here"))
@@ -74,3 +78,9 @@ def _finding(field: Field, place: Place, printed: tuple[int, int], fitting: list
 
 def _text(span: tuple[int, int]) -> str:
     return f"byte {span[0]}" if span[0] == span[1] else f"bytes {span[0]}-{span[1]}"
+
+
+def _read(written: object) -> tuple[int, int] | None:
+    """`1-4` as its first and last byte; None where nothing is written."""
+    match = _SPAN.fullmatch(str(written)) if written is not None else None
+    return (int(match[1]), int(match[2] or match[1])) if match else None

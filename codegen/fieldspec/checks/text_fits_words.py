@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
+from fieldspec.checks.finding import counted, finding, label
 from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
@@ -26,13 +26,13 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
             text = f"{fact.name} is {value.type.name}, which has no characters"
             yield finding("text_fits_words", fact.place, "characters", text, "give it the type `text`")
         elif value.characters is not None and value.characters > value.size:
-            text = f"{fact.name} may have {value.characters} characters, but has {value.size} bytes"
+            text = f"{fact.name} may have {value.characters} characters, but has {counted(value.size, 'byte')}"
             help = "put the characters or the size right"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
         if isinstance(value.default, str) and value.type.kind is Kind.TEXT:
             length = len(value.default.encode())
             if length > value.size:
-                text = f"the default of {fact.name} has {length} characters, but it has {value.size} bytes"
+                text = f"the default of {fact.name} takes {length} bytes, but it has {value.size}"
                 help = "put the default or the size right"
                 yield finding("text_fits_words", fact.place, "default", text, help, _size(fact))
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
+from fieldspec.checks.finding import counted, finding, label
 from fieldspec.checks.sizes import Sizes
 from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
@@ -38,7 +38,7 @@ def _compared(fact: Fact, words: int | None, size: int, held: str) -> Iterator[D
             "words_match_type",
             fact.place,
             "words",
-            f"{fact.name} is printed with {words} words; as {held} it has {size} bytes",
+            f"{fact.name} is printed with {counted(words, 'word')}; as {held} it has {counted(size, 'byte')}",
             "put the type, the length or the words right",
             label(fact.place, "length" if "length" in fact.place else "type", "its type"),
         )

@@ -1,0 +1,58 @@
+"""Every rule has folders of specs that break it, with the findings that they must have, and of specs that keep it.
+
+A case is a folder `cases/<rule>/failing*` or `cases/<rule>/passing*`. Its `*.yaml` are the files of one device, or, in
+folders, those of several devices and protocols. `expected.txt` holds the findings of a failing case. `limits.json`
+sets limits of the compiler to other values, where the real ones would ask for a large file.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from fieldspec.pipeline import checked, load
+from fieldspec.render.text import concise
+from fieldspec.rules import all_rules
+
+CASES = Path(__file__).parent / "cases"
+FOLDERS = sorted(path for pattern in ("failing*", "passing*") for path in CASES.glob(f"*/{pattern}"))
+
+
+def name(folder: Path) -> str:
+    return folder.relative_to(CASES).as_posix()
+
+
+def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """The findings of a case as text."""
+    limits = folder / "limits.json"
+    for limit, value in json.loads(limits.read_text("utf-8")).items() if limits.exists() else ():
+        monkeypatch.setattr(limit, value)
+    files = {}
+    for path in sorted(folder.rglob("*.yaml")):
+        inside = path.relative_to(folder).as_posix()
+        files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
+    assert files, f"{name(folder)} has no spec"
+    return concise(checked(load(files)))
+
+
+@pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("failing")], ids=name)
+def test_broken_spec_has_the_expected_findings(folder: Path, accept: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = found(folder, monkeypatch)
+    expected = folder / "expected.txt"
+    if accept:
+        expected.write_text(text, "utf-8", newline="\n")
+    assert f": {folder.parent.name}: " in text
+    assert text == expected.read_text("utf-8")
+
+
+@pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("passing")], ids=name)
+def test_good_spec_has_no_findings(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(folder, monkeypatch) == ""
+
+
+@pytest.mark.parametrize("kind", ["failing", "passing"])
+def test_every_rule_has_a_case(kind: str) -> None:
+    cased = {folder.parent.name for folder in FOLDERS if folder.name.startswith(kind)}
+    assert cased == {rule.code for rule in all_rules()}

@@ -1,0 +1,87 @@
+"""The table of rules is whole: every code in the compiler is in it, and the documentation says what it says."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import fieldspec
+from fieldspec import checks, rules
+
+PACKAGE = Path(fieldspec.__file__).parent
+PAGE = Path(__file__).parent.parent / "docs" / "checks.md"
+GIVE_FINDINGS = ("Diagnostic", "finding", "refuse", "_refuse")
+
+
+def codes(path: Path) -> Iterator[str]:
+    """The codes of the findings that a module gives: the texts that reach the first argument of those calls."""
+    tree = ast.parse(path.read_text("utf-8"))
+    held: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+            held.setdefault(node.targets[0].id, []).append(node.value)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and node.args and called(node) in GIVE_FINDINGS:
+            yield from texts(node.args[0], held)
+
+
+def called(node: ast.Call) -> str:
+    return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+
+
+def texts(node: ast.expr, held: dict[str, list[ast.expr]], depth: int = 3) -> Iterator[str]:
+    """The texts that an expression may be, through names and tables of the module."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    elif isinstance(node, ast.Name) and depth:
+        for value in held.get(node.id, ()):
+            yield from texts(value, held, depth - 1)
+    elif isinstance(node, ast.IfExp):
+        yield from texts(node.body, held, depth)
+        yield from texts(node.orelse, held, depth)
+    elif isinstance(node, ast.Dict):
+        for value in node.values:
+            yield from texts(value, held, depth)
+    elif isinstance(node, ast.Call) and called(node) == "get":
+        yield from texts(node.args[1], held, depth)
+        yield from texts(node.func.value, held, depth) if isinstance(node.func, ast.Attribute) else ()
+
+
+def test_every_code_in_the_compiler_has_a_rule() -> None:
+    given = {code: path.name for path in sorted(PACKAGE.rglob("*.py")) for code in codes(path)}
+    assert len(given) > 80
+    assert {code: name for code, name in given.items() if rules.rule(code) is None} == {}
+
+
+def test_every_rule_is_given_by_some_code() -> None:
+    given = {code for path in PACKAGE.rglob("*.py") for code in codes(path)}
+    assert {rule.code for rule in rules.all_rules()} - given == set()
+
+
+def test_checks_are_listed_by_name() -> None:
+    names = [name for name, _ in checks.CHECKS]
+    assert names == sorted(set(names))
+    assert [check.__name__ for _, check in checks.CHECKS] == names
+
+
+def test_every_module_that_documents_a_check_is_in_the_table() -> None:
+    listed = {check.__module__ for _, check in checks.CHECKS} | {"fieldspec.checks.allowances_used"}
+    documented = set()
+    for path in (PACKAGE / "checks").glob("*.py"):
+        text = ast.get_docstring(ast.parse(path.read_text("utf-8")))
+        if text is not None and "Cure: " in text:
+            documented.add(f"fieldspec.checks.{path.stem}")
+    assert documented == listed
+
+
+def test_page_of_rules_is_fresh(accept: bool) -> None:
+    if accept:
+        PAGE.write_text(rules.page(), "utf-8", newline="\n")
+    assert PAGE.read_text("utf-8") == rules.page()
+
+
+def test_rules_say_something_in_every_part() -> None:
+    for rule in rules.all_rules():
+        assert min(map(len, (rule.what, rule.why, rule.example, rule.cure))) > 5, rule.code
+        assert rule.what.endswith("."), rule.code
