@@ -1,0 +1,156 @@
+"""The manual of the language: its general texts, with tables of keys made from the schema."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from importlib import resources
+
+from fieldspec.schema import Schema, described, resolved, schema
+
+ROOT = "file"
+"""The name under which the template asks for the sections of a file."""
+
+_MARK = re.compile(r"^<!-- keys: ([a-z_.]+) -->$", re.MULTILINE)
+_SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
+_KINDS = {
+    "string": ("text", "texts"),
+    "integer": ("whole number", "whole numbers"),
+    "number": ("number", "numbers"),
+    "boolean": ("`true` or `false`", "truth values"),
+    "null": ("`~`", "empty values"),
+    "array": ("list of texts", "lists"),
+    "object": ("mapping", "mappings"),
+}
+
+
+def manual() -> str:
+    """The manual as Markdown. The template says where the keys of which part of the schema stand."""
+    text = resources.files(__name__.rpartition(".")[0]).joinpath("language.md").read_text("utf-8")
+    return _MARK.sub(lambda mark: "\n".join(_section(mark[1])), text)
+
+
+@cache
+def parts() -> dict[str, Schema]:
+    """Every part of the schema that has a section, by its name: `register`, `link.serial`, `unit`."""
+    found: dict[str, Schema] = {ROOT: schema()}
+    for name, part in schema()["properties"].items():
+        found |= dict(_inner(name, part))
+    for name, part in schema()["$defs"].items():
+        found |= {name: part, **dict(_mappings(name, part))}
+    return found
+
+
+def _mappings(path: str, part: Schema) -> Iterator[tuple[str, Schema]]:
+    """The mappings below a part that have no definition of their own, by path."""
+    for key, inner in part.get("properties", {}).items():
+        yield from _inner(f"{path}.{key}", inner)
+
+
+def _inner(path: str, part: Schema) -> Iterator[tuple[str, Schema]]:
+    part = part.get("items", part)
+    if "properties" in part:
+        yield path, part
+        yield from _mappings(path, part)
+
+
+def _section(name: str) -> Iterator[str]:
+    """The heading, the description and the keys, or the words, of a part of the schema."""
+    part = parts()[name]
+    yield f"### {name}"
+    yield ""
+    yield described(part)
+    yield from _words(part)
+    own = {key: inner for key, inner in part.get("properties", {}).items() if not _shared_by(inner)}
+    needed = part.get("required", [])
+    if own:
+        yield ""
+        yield "| key | form | needed | what it is |"
+        yield "|---|---|---|---|"
+        for key, inner in own.items():
+            path = key if name == ROOT else f"{name}.{key}"
+            yield f"| `{key}` | {_form(path, inner)} | {'yes' * (key in needed)} | {_cell(described(inner))} |"
+    yield from _also(part, needed)
+
+
+def _shared_by(part: Schema) -> str:
+    """The group of shared keys that a key comes from, or nothing."""
+    group = part.get("$ref", "").removeprefix("#/$defs/").partition("/properties/")[0]
+    return group if group in _SHARED else ""
+
+
+def _also(part: Schema, needed: list[str]) -> Iterator[str]:
+    """A sentence for each group of shared keys that a part takes."""
+    for group, words in _SHARED.items():
+        all_keys = list(schema()["$defs"][group]["properties"])
+        taken = [key for key, inner in part.get("properties", {}).items() if _shared_by(inner) == group]
+        if not taken:
+            continue
+        left_out = [key for key in all_keys if key not in taken]
+        few = len(taken) < len(left_out)
+        text = f"It also takes {words}"
+        if few:
+            text = f"It also takes {_listed(taken)}, as every [{group}](#{group}) does"
+        elif left_out:
+            text += f" but {_listed(left_out)}"
+        must = [key for key in taken if key in needed]
+        yield ""
+        yield text + (f"; {_listed(must)} is needed." if must else ".")
+
+
+def _words(part: Schema) -> Iterator[str]:
+    """The words that a scalar must be one of, where there are such."""
+    if "enum" in part:
+        yield ""
+        yield "Words: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
+
+
+def _form(path: str, part: Schema) -> str:
+    """How the value of a key is written, in a few words, with a link to where more is said."""
+    if "$ref" in part:
+        name = part["$ref"].removeprefix("#/$defs/")
+        return _link(name) if "/" not in name else _form(name.replace("/properties/", "."), resolved(part))
+    if "properties" in part:
+        return f"[mapping](#{anchor(path)})"
+    if "enum" in part:
+        return ", ".join(f"`{word}`" for word in part["enum"])
+    if "items" in part and part["type"] == "array":
+        return f"list of {_many(path, part['items'])}"
+    if part.get("type") == "object":
+        return f"mapping of {_many(path, part['additionalProperties'])}"
+    kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
+    return " or ".join(_KINDS[kind][0] for kind in kinds) + _bounds(part)
+
+
+def _many(path: str, part: Schema) -> str:
+    """The items of a list, or the values of a mapping."""
+    if "$ref" in part or "properties" in part or "enum" in part:
+        return _form(path, part).replace("[mapping]", "[mappings]")
+    kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
+    return " or ".join(_KINDS[kind][1] for kind in kinds if kind != "integer" or "number" not in kinds)
+
+
+def _bounds(part: Schema) -> str:
+    low, high = part.get("minimum"), part.get("maximum")
+    if low is None:
+        return ""
+    return f", {low} to {high}" if high is not None else f", {low} or more"
+
+
+def _link(name: str) -> str:
+    return f"[{name}](#{anchor(name)})"
+
+
+def anchor(heading: str) -> str:
+    """The anchor that Markdown viewers give a heading: `link.serial` is `linkserial`."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _listed(words: list[str]) -> str:
+    quoted = [f"`{word}`" for word in words]
+    return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]
