@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.reading.building.device import built
-from fieldspec.reading.findings import bounded, near
+from fieldspec.reading.findings import bounded, near, quoted
 from fieldspec.reading.joining import joined, laid_over
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.scalars import typed
@@ -18,6 +18,9 @@ from fieldspec.source import Span
 
 PROTOCOLS = "protocols"
 MAIN = "device.yaml"
+
+_NOT_OF_A_DEVICE = ("protocol",)
+_NOT_OF_A_PROTOCOL = ("device", "versions")
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +86,10 @@ class _Reader:
                 self.found.append(Diagnostic("device_id_unique", text, span, (first,), "give one another id"))
                 continue
             devices[spec.id] = spec
+        for path in sorted(self.files) if not only else ():
+            folder, _, name = path.partition("/")
+            if folder == PROTOCOLS and name.endswith(".yaml"):
+                self._loaded(name.removesuffix(".yaml"), ())
         return Project(devices, self.found)
 
     def _tree(self, path: str) -> Mapping | None:
@@ -119,9 +126,22 @@ class _Reader:
         whole = self._with_protocols(whole, ())
         lines = Lines(whole)
         self.found += bounded(lines.found) + bounded(lines.unknown(whole))
+        self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
         return DeviceSpec(identity.text, whole, lines)
+
+    def _placed(self, tree: Mapping, head: Mapping, name: str, foreign: tuple[str, ...]) -> None:
+        """Finds an id that is not the name of the folder or file, and sections that mean nothing there."""
+        identity = head.values["id"]
+        if isinstance(identity, Scalar) and identity.text != name:
+            text = f"the id is {quoted(identity.text)}, the folder or file is `{name}`"
+            self.found.append(Diagnostic("id_matches_path", text, identity.span, help="rename one of them"))
+        for key in foreign:
+            if key in tree.keys:
+                text = f"there is no key `{key}` here"
+                help = "a file is of a device or of a protocol, not of both"
+                self.found.append(Diagnostic("unknown_key", text, tree.keys[key].span, help=help))
 
     def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
         """The tree laid over every protocol that it uses."""
@@ -143,18 +163,27 @@ class _Reader:
             text = f"the protocol uses itself: {chain}"
             self.found.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
             return None
-        if name.text not in self.protocols:
-            path = f"{PROTOCOLS}/{name.text}.yaml"
-            if path not in self.files:
-                known = [p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/")]
-                text = f"there is no file `{path}`"
-                self.found.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
-                return None
-            tree = self._tree(path)
-            if tree is not None:
-                tree = self._with_protocols(tree, (*within, name.text))
-            self.protocols[name.text] = tree
-        return self.protocols[name.text]
+        path = f"{PROTOCOLS}/{name.text}.yaml"
+        if path not in self.files:
+            known = [p[len(PROTOCOLS) + 1 : -5] for p in self.files if p.startswith(f"{PROTOCOLS}/")]
+            text = f"there is no file `{path}`"
+            self.found.append(Diagnostic("file_missing", text, name.span, help=near(name.text, known)))
+            return None
+        return self._loaded(name.text, within)
+
+    def _loaded(self, name: str, within: tuple[str, ...]) -> Mapping | None:
+        """The tree of a protocol whose file is there, read once."""
+        if name not in self.protocols:
+            tree = self._tree(f"{PROTOCOLS}/{name}.yaml")
+            head = tree.values.get("protocol") if tree is not None else None
+            if tree is not None and not isinstance(head, Mapping):
+                text = "the key `protocol` is missing"
+                help = "say what the protocol is, under the key `protocol`"
+                self.found.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
+            elif tree is not None and isinstance(head, Mapping):
+                self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
+            self.protocols[name] = self._with_protocols(tree, (*within, name)) if tree is not None else None
+        return self.protocols[name]
 
 
 def _id_span(tree: Node) -> Span:

@@ -75,6 +75,14 @@ Example: a capture of a line that was saved with the ending `.yaml`.
 
 Cure: Split it over several files, or take it out of the folder.
 """,
+    "id_matches_path": """A device has the id of its folder, a protocol that of its file.
+
+Why: the command line finds a device by its folder, and `uses` finds a protocol by its file.
+
+Example: `id: gadget_2` in the folder `gadget`.
+
+Cure: Rename the folder or file, or put the id right.
+""",
     "import_cycle": """No protocol uses itself, neither directly nor through others.
 
 Why: there would be no first one to begin with.

@@ -173,10 +173,11 @@ class _Builder:
             self._refuse("file_too_large", text, event, "split it over several files")
 
     def _alias(self, event: yaml.AliasEvent, depth: int) -> Node:
-        node = self.anchors.get(event.anchor or "")
+        name = event.anchor or ""
+        node = self.anchors.get(name)
         if node is None:
-            known = event.anchor in self.anchors
-            text = f"the alias {quoted(event.anchor)} " + ("lies within what it names" if known else "names no anchor")
+            known = name in self.anchors
+            text = f"the alias {quoted(name)} " + ("lies within what it names" if known else "names no anchor")
             self._refuse("alias_unknown", text, event, "write the data out")
             raise AssertionError
         size = self.sizes[id(node)]
