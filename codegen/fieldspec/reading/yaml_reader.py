@@ -23,6 +23,8 @@ LARGEST_TREE = 2_000_000
 DEEPEST_TREE = 64
 
 _CONTROL = re.compile("[^\\t\\n\\r -~\\x85\\xa0-\\ufffd\\U00010000-\\U0010ffff]")
+_HALF = re.compile("[\ud800-\udfff]")
+_TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
 
 # libyaml's parser, which PyYAML has only where it was built with it; the other one gives the same events.
 _Parser = yaml._yaml.CParser if yaml.__with_libyaml__ else yaml.Loader
@@ -71,7 +73,7 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
     except yaml.reader.ReaderError as error:
         at = min(error.position, max(0, len(file.text) - 1))
         found = Diagnostic("yaml_syntax", error.reason, Span(file, at, at + 1))
-    except ValueError as error:  # an escape that names no character
+    except (ValueError, OverflowError) as error:  # PyYAML's own, for an escape that names no character
         found = Diagnostic("yaml_syntax", f"not YAML: {error}", Span(file, 0, 1))
     except _Refused as refused:
         found = refused.args[0]
@@ -132,6 +134,11 @@ class _Builder:
     def _span(self, event: yaml.Event) -> Span:
         return Span(self.file, *_bounds(event))
 
+    def _tag(self, event: yaml.Event) -> Span:
+        """Where the tag of a node stands: before it, perhaps behind an anchor."""
+        found = _TAG.search(self.file.text, _bounds(event)[0])
+        return Span(self.file, *found.span()) if found else self._span(event)
+
     def _refuse(self, code: str, message: str, event: yaml.Event, help: str) -> None:
         raise _Refused(Diagnostic(code, message, self._span(event), help=help))
 
@@ -141,12 +148,15 @@ class _Builder:
         self._grow(event, 1, depth)
         assert isinstance(event, yaml.ScalarEvent | CollectionStartEvent)
         if event.tag is not None and not (isinstance(event, yaml.ScalarEvent) and event.tag == "!"):
-            self._refuse("tag_used", f"the tag {quoted(event.tag)}: a spec holds plain data", event, "remove the tag")
+            text = f"the tag {quoted(event.tag)}: a spec holds plain data"
+            raise _Refused(Diagnostic("tag_used", text, self._tag(event), help="remove the tag"))
         if event.anchor:
             self.anchors[event.anchor] = None
         before, outer, self.deepest = self.total - 1, self.deepest, depth
         node: Node
         if isinstance(event, yaml.ScalarEvent):
+            if event.style == '"' and _HALF.search(event.value):
+                self._refuse("yaml_syntax", "an escape names half a character", event, "write the character itself")
             node = Scalar(self.file, *_bounds(event), event.value, not event.implicit[0])
         elif isinstance(event, yaml.SequenceStartEvent):
             node = self._sequence(event, events, depth)

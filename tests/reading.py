@@ -1,0 +1,47 @@
+"""Spec files for the tests of reading. In a text, `«` and `»` stand around what a finding must point to."""
+
+from __future__ import annotations
+
+import re
+
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.reading.project import DeviceSpec, Project, read
+from fieldspec.source import Span
+
+MANUAL = f'{{title: The manual, file: gadget.txt, sha256: "{"0" * 64}", lines: 999}}'
+DEVICE = f"device: {{id: gadget, name: Gadget, vendor: Maker, manual: {MANUAL}}}\n"
+
+_MARKS = re.compile("[«»]")
+
+
+def unmarked(text: str) -> tuple[str, int, int]:
+    """A text without its marks, and where they stood."""
+    before, _, rest = text.partition("«")
+    inside, _, after = rest.partition("»")
+    assert not _MARKS.search(before + inside + after), "one pair of marks"
+    return before + inside + after, len(before), len(before + inside)
+
+
+def project(text: str = "", **others: str) -> Project:
+    """The project of a device `gadget` with a text, and of other files: `protocols_wire` is `protocols/wire.yaml`."""
+    files = {"gadget/device.yaml": DEVICE + text} | {
+        f"{name.replace('_', '/', 1)}.yaml": other for name, other in others.items()
+    }
+    return read({path: held.encode() for path, held in files.items()})
+
+
+def gadget(text: str, **others: str) -> DeviceSpec:
+    """The device of such a project, which has no findings."""
+    read_from = project(text, **others)
+    assert codes(read_from.found) == []
+    return read_from.devices["gadget"]
+
+
+def codes(found: list[Diagnostic]) -> list[str]:
+    """The codes of findings."""
+    return [finding.code for finding in found]
+
+
+def pointed_at(span: Span) -> str:
+    """The text that a span holds."""
+    return span.file.text[span.start : span.end]
