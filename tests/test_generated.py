@@ -25,6 +25,8 @@ def test_no_file_lies_under_generated_that_the_manifest_does_not_list() -> None:
     import json
 
     manifest = json.loads((ROOT / "generated" / "manifest.json").read_text("utf-8"))
-    found = {path.relative_to(ROOT / "generated").as_posix() for path in (ROOT / "generated").rglob("*") if path.is_file()}
+    found = {
+        path.relative_to(ROOT / "generated").as_posix() for path in (ROOT / "generated").rglob("*") if path.is_file()
+    }
     extra = {path for path in found if not path.endswith(".pyc")} - set(manifest["files"]) - {"manifest.json"}
     assert not extra

@@ -1,0 +1,308 @@
+"""Frames of a link: how they are opened and closed, and the frames of each message."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.naming import Naming, argument, frame_member
+from fieldspec.backends.c.records import members
+from fieldspec.backends.c.text import array, comment, indented, integer
+from fieldspec.backends.c.values import Wire, access_name, declaration, load, range_test
+from fieldspec.backends.c.words import closed_test, told
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.record import RecordLayout
+
+DIRECTIONS = ("request", "response")
+
+
+def head_members(shape: FrameLayout) -> list[PartLayout]:
+    """The parts before the body that users give: neither the length nor the code, nor a constant."""
+    return [
+        part
+        for part in shape.head
+        if part.role in ("station", "plain") and not (part.value and part.value.const is not None)
+    ]
+
+
+def part_wire(part: PartLayout) -> Wire:
+    """The value of a part that holds one."""
+    assert part.value is not None
+    return Wire(part.value, part.order, False)
+
+
+def link_lines(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[str]:
+    """All of a link's functions."""
+    lines = told(link.link, f"A frame is {_form(link)}.")
+    if link.link.encoding == "hex_ascii" or link.link.start or link.link.end:
+        lines += [*_parts(naming, link), ""]
+    for direction in DIRECTIONS:
+        lines += [*_frame_struct(naming, link, direction), "", *_open(naming, layout, link, direction), ""]
+        lines += [*_close(naming, layout, link, direction), ""]
+    for message in layout.messages.values():
+        for direction in DIRECTIONS:
+            code = message.message.code if link.frame(direction).role("code") is not None else None
+            lines += [*_message(naming, link, direction, message.data(direction), f"{message.name}", code), ""]
+    error = link.link.error
+    if error is not None:
+        lines += [*_message(naming, link, "response", layout.records[error.record], "error", None, error.flag), ""]
+    return lines[:-1]
+
+
+def _form(link: LinkLayout) -> str:
+    text = "bytes" if link.link.encoding == "binary" else "hexadecimal characters"
+    marks = [f"from {link.link.start.hex(' ').upper()}"] if link.link.start else []
+    marks += [f"to {link.link.end.hex(' ').upper()}"] if link.link.end else []
+    return " ".join([text, *marks])
+
+
+def _fits(naming: Naming, test: str, error: str) -> list[str]:
+    return [f"if ({test}) {{", f"    return {naming.macro(error)};", "}"]
+
+
+def _parts(naming: Naming, link: LinkLayout) -> list[str]:
+    """The function that takes a frame's marks away, and turns characters into bytes."""
+    start, end = link.link.start, link.link.end
+    name = naming.function(link.name, "parts")
+    lines = [
+        *comment("Takes the marks away and writes the bytes between them. They may replace the frame itself."),
+        f"static inline {naming.type('codec_status')} {name}"
+        "(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)",
+        "{",
+    ]
+    body = ["size_t at;"]
+    for mark, mark_name in ((start, "start"), (end, "end")):
+        if mark:
+            body.append(f"static const uint8_t {mark_name}[] = {{{array(mark)}}};")
+    marks = len(start) + len(end)
+    body += _fits(naming, f"size < {marks}u", "err_wrong_mark")
+    if start:
+        body += _fits(naming, f"memcmp(frame, start, {len(start)}u) != 0", "err_wrong_mark")
+    if end:
+        body += _fits(naming, f"memcmp(frame + size - {len(end)}u, end, {len(end)}u) != 0", "err_wrong_mark")
+    body.append(f"*length = size - {marks}u;")
+    if link.link.encoding == "binary":
+        body += _fits(naming, "capacity < *length", "err_capacity")
+        body += ["for (at = 0; at < *length; at++) {", f"    out[at] = frame[{len(start)}u + at];", "}"]
+    else:
+        digit = naming.function("digit")
+        body += ["for (at = 0; at < *length; at++) {"]
+        body += indented(_fits(naming, f"{digit}(frame[{len(start)}u + at]) > 15u", "err_not_hex"))
+        body += ["}", *_fits(naming, "*length % 2u != 0", "err_wrong_length"), "*length /= 2u;"]
+        body += _fits(naming, "capacity < *length", "err_capacity")
+        first = f"frame[{len(start)}u + 2u * at]"
+        second = f"frame[{len(start) + 1}u + 2u * at]"
+        body += ["for (at = 0; at < *length; at++) {"]
+        body += [f"    out[at] = (uint8_t)({digit}({first}) << 4 | {digit}({second}));", "}"]
+    body.append(f"return {naming.macro('ok')};")
+    return [*lines, *indented(body), "}"]
+
+
+def _frame_struct(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
+    shape = link.frame(direction)
+    name = naming.type(link.name, direction, "frame")
+    lines = [*comment(f"An opened {direction}: what stands before the body, and where the body is.")]
+    lines.append(f"typedef struct {name} {{")
+    for part in head_members(shape):
+        lines += indented([*told(part.part), declaration(part_wire(part), frame_member(part.name), None) + ";"])
+    if shape.role("code") is not None:
+        lines += indented(["/** The code, without the flag of an error reply. */", "uint32_t code;"])
+    if direction == "response" and link.link.error is not None:
+        lines += indented(["/** The frame refuses a request; its body is an error record. */", "bool error;"])
+    return [*lines, *indented(["const uint8_t *body;", "size_t body_length;"]), f"}} {name};"]
+
+
+def _open(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str) -> list[str]:
+    """The function that checks a frame and finds its body."""
+    shape = link.frame(direction)
+    unwrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+    buffer = ", uint8_t *buffer, size_t capacity" if unwrapped else ""
+    kind = naming.type(link.name, direction, "frame")
+    told_of = ["Checks a frame and finds its body."]
+    if unwrapped:
+        told_of.append("The buffer receives the frame's bytes, and the body lies in it.")
+    lines = [
+        *comment(*told_of),
+        f"static inline {naming.type('codec_status')} {naming.function(link.name, direction, 'open')}"
+        f"(const uint8_t *frame, size_t size{buffer}, {kind} *out)",
+        "{",
+    ]
+    body = []
+    if unwrapped:
+        body += ["const uint8_t *in = buffer;", "size_t length = 0;", f"{naming.type('codec_status')} status;"]
+        body += [f"status = {naming.function(link.name, 'parts')}(frame, size, buffer, capacity, &length);"]
+        body += [f"if (status != {naming.macro('ok')}) {{", "    return status;", "}"]
+    else:
+        body += ["const uint8_t *in = frame;", "size_t length = size;"]
+    least = shape.head_size + shape.tail_size
+    if least:
+        body += _fits(naming, f"length < {least}u", "err_incomplete")
+    length = shape.role("length")
+    if length is not None:
+        body += _fits(
+            naming, f"{load(naming, part_wire(length), f'in + {length.offset}')} != length", "err_wrong_length"
+        )
+    check = shape.check
+    if check is not None:
+        at = f"length - {-check.offset}u"
+        held = f"{naming.function('load', access_name(check.size, check.order, False))}(in + {at})"
+        body += _fits(naming, f"{naming.function(check.algorithm)}(in, {at}) != {held}", "err_wrong_check")
+    for part in head_members(shape):
+        body.append(f"out->{frame_member(part.name)} = {load(naming, part_wire(part), f'in + {part.offset}')};")
+    body += _code(naming, layout, link, shape)
+    body += [f"out->body = in + {shape.head_size};", f"out->body_length = length - {least}u;"]
+    body.append(f"return {naming.macro('ok')};")
+    return [*lines, *indented(body), "}"]
+
+
+def _code(naming: Naming, layout: DeviceLayout, link: LinkLayout, shape: FrameLayout) -> list[str]:
+    part = shape.role("code")
+    if part is None:
+        return []
+    lines = [f"out->code = {load(naming, part_wire(part), f'in + {part.offset}')};"]
+    error = link.link.error
+    guard = ""
+    if error is not None and shape.direction == "response":
+        lines.append(f"out->error = (out->code & {error.flag}u) != 0;")
+        lines += ["if (out->error) {", f"    out->code &= ~(uint32_t){error.flag}u;", "}"]
+        guard = "!out->error && "
+    codes = sorted({m.message.code for m in layout.messages.values() if m.message.code is not None})
+    if codes:
+        tests = " && ".join(f"out->code != {code}u" for code in codes)
+        lines += _fits(naming, f"{guard}{tests}", "err_unknown_code")
+    return lines
+
+
+def _arguments(shape: FrameLayout) -> list[str]:
+    return [declaration(part_wire(part), argument(part.name), None) for part in head_members(shape)]
+
+
+def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str) -> list[str]:
+    """The function that puts everything around a body that lies in the buffer already."""
+    shape = link.frame(direction)
+    arguments = [*_arguments(shape)]
+    if shape.role("code") is not None:
+        arguments.append("uint32_t code")
+    arguments += ["size_t body_length", "uint8_t *out", "size_t capacity", "size_t *length"]
+    lines = [
+        *comment(f"Completes a frame whose body lies at out + {shape.head_size}. Length receives the frame's size."),
+        f"static inline {naming.type('codec_status')} {naming.function(link.name, direction, 'close')}"
+        f"({', '.join(arguments)})",
+        "{",
+    ]
+    marks = len(link.link.start) + len(link.link.end)
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    body = [f"const size_t total = {shape.head_size + shape.tail_size}u + body_length;"]
+    if marks or width == 2:
+        body.append("size_t at;")
+    body += _fits(naming, f"capacity < total * {width}u + {marks}u", "err_capacity")
+    for part in shape.head:
+        body += _head(naming, layout, link, part)
+    if shape.check is not None:
+        check = shape.check
+        store = naming.function("store", access_name(check.size, check.order, False))
+        at = f"total - {-check.offset}u"
+        body.append(f"{store}(out + {at}, {naming.function(check.algorithm)}(out, {at}));")
+    if marks or width == 2:
+        body += _wrap(naming, link)
+    if not any("out" in line for line in body):
+        body.append("(void)out;")
+    body += [f"*length = total * {width}u + {marks}u;", f"return {naming.macro('ok')};"]
+    return [*lines, *indented(body), "}"]
+
+
+def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayout) -> list[str]:
+    held = part_wire(part)
+    store = naming.function("store", access_name(held.size, held.order, False))
+    number = f"uint{8 * held.size}_t"
+    at = f"out + {part.offset}"
+    if part.role == "length":
+        limit = _fits(naming, f"total > {held.value.type.high}u", "err_wrong_length")
+        return [*limit, f"{store}({at}, ({number})total);"]
+    if part.role == "code":
+        return [
+            *_fits(naming, f"code > {held.value.type.high}u", "err_unknown_code"),
+            f"{store}({at}, ({number})code);",
+        ]
+    if held.value.const is not None:
+        return [f"{store}({at}, {integer(held.value.const, held.size, False)});"]
+    name = argument(part.name)
+    lines = []
+    closed = closed_test(naming, layout.device, held.value, name)
+    if closed:
+        lines += _fits(naming, closed, "err_unknown_value")
+    test = range_test(held.value, name)
+    stations = link.link.stations
+    if part.role == "station" and stations is not None and stations.ranges is not None:
+        tests = []
+        for low, high in stations.ranges.intervals:
+            bounds = [f"{name} >= {low}"] if low > held.value.type.low else []
+            bounds += [f"{name} <= {high}"] if high < held.value.type.high else []
+            tests.append("(" + (" && ".join(bounds) or "1") + ")")
+        if stations.broadcast is not None and stations.broadcast not in stations.ranges:
+            tests.append(f"({name} == {stations.broadcast})")
+        test = f"!({' || '.join(tests)})"
+    if test:
+        lines += _fits(naming, test, "err_out_of_range")
+    return [*lines, f"{store}({at}, ({number}){name});"]
+
+
+def _wrap(naming: Naming, link: LinkLayout) -> list[str]:
+    """Statements that turn the bytes at `out` into a marked frame, the last byte first: they overwrite themselves."""
+    start, end = link.link.start, link.link.end
+    lines = ["for (at = total; at-- > 0;) {"]
+    if link.link.encoding == "hex_ascii":
+        digits = naming.function("hex_digit")
+        lines += [
+            "    const uint8_t byte = out[at];",
+            f"    out[{len(start)}u + 2u * at] = {digits}((uint8_t)(byte >> 4));",
+            f"    out[{len(start) + 1}u + 2u * at] = {digits}((uint8_t)(byte & 15u));",
+        ]
+        size = f"{len(start)}u + 2u * total"
+    else:
+        lines.append(f"    out[{len(start)}u + at] = out[at];")
+        size = f"{len(start)}u + total"
+    lines.append("}")
+    lines += [f"out[{at}] = 0x{byte:02X};" for at, byte in enumerate(start)]
+    return lines + [f"out[{size} + {at}u] = 0x{byte:02X};" for at, byte in enumerate(end)]
+
+
+def _message(
+    naming: Naming,
+    link: LinkLayout,
+    direction: str,
+    data: RecordLayout,
+    name: str,
+    code: int | None,
+    flag: int | None = None,
+) -> list[str]:
+    """The function that writes the whole frame of a message, or of an error reply."""
+    shape = link.frame(direction)
+    heads = [argument(part.name) for part in head_members(shape)]
+    arguments = _arguments(shape)
+    if flag is not None:
+        arguments.append("uint32_t code")
+    if members(data):
+        arguments.append(f"const {naming.type(data.name)} *in")
+    arguments += ["uint8_t *out", "size_t capacity", "size_t *length"]
+    function = naming.function(link.name, "encode", name, *(() if flag is not None else (direction,)))
+    codes = [f"code | {flag}u"] if flag is not None else [f"{code}u"] if code is not None else []
+    values = ", ".join([*heads, *codes, "body_length", "out", "capacity", "length"])
+    held = "in, " if members(data) else ""
+    head = shape.head_size
+    body = [
+        "size_t body_length = 0;",
+        f"{naming.type('codec_status')} status;",
+        *(_fits(naming, f"capacity < {head}u", "err_capacity") if head else []),
+        f"status = {naming.function(data.name, 'encode')}({held}out + {head}, capacity - {head}u, &body_length);",
+        f"if (status != {naming.macro('ok')}) {{",
+        "    return status;",
+        "}",
+        f"return {naming.function(link.name, direction, 'close')}({values});",
+    ]
+    what = "an error reply to a code" if flag is not None else f"the {direction} {data.name}"
+    return [
+        *comment(f"Writes the whole frame of {what}."),
+        f"static inline {naming.type('codec_status')} {function}({', '.join(arguments)})",
+        "{",
+        *indented(body),
+        "}",
+    ]

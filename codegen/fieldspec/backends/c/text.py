@@ -1,0 +1,77 @@
+"""Literals and comments of C. Text from a spec gets into an output through these functions only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+_ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t", "?": "\\?"}
+_WIDTH = 108
+
+
+def string(text: str) -> str:
+    """A string literal in UTF-8. Octal escapes have three digits, so that no digit behind them joins in."""
+    return '"' + "".join(_escaped(char) for char in text) + '"'
+
+
+def _escaped(char: str) -> str:
+    if char in _ESCAPES:
+        return _ESCAPES[char]
+    if " " <= char < "\x7f":
+        return char
+    return "".join(f"\\{byte:03o}" for byte in char.encode("utf-8", "replace"))
+
+
+def comment(*texts: str) -> list[str]:
+    """A comment for documentation tools, one paragraph a text; empty texts are left out."""
+    lines = [line for text in texts if text for line in wrapped(text)]
+    if not lines:
+        return []
+    if len(lines) == 1:
+        return [f"/** {lines[0]} */"]
+    return ["/**", *(f" * {line}".rstrip() for line in lines), " */"]
+
+
+def plain(text: str) -> str:
+    """A text that ends no comment and starts none, on one line, without trigraphs or joined lines."""
+    text = "".join(char if char.isprintable() else " " for char in text)
+    text = text.replace("*/", "* /").replace("/*", "/ *").replace("//", "/ /").replace("??", "? ?")
+    return " ".join(text.replace("\\", "\\ ").replace("@", "(at)").split())
+
+
+def wrapped(text: str) -> list[str]:
+    """A text in lines of a comment."""
+    lines = [""]
+    for word in plain(text).split(" "):
+        if lines[-1] and len(lines[-1]) + len(word) >= _WIDTH:
+            lines.append("")
+        lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
+    return lines
+
+
+def integer(value: int, size: int = 4, signed: bool = True) -> str:
+    """A constant of a width in bytes that every compiler takes, the least values of signed types included."""
+    if not signed:
+        return f"UINT64_C({value})" if size > 4 else f"{value}u"
+    if value == -(1 << 63):
+        return "(-INT64_C(9223372036854775807) - 1)"
+    if value == -(1 << 31):
+        return "(-2147483647 - 1)"
+    if size > 4:
+        return f"(-INT64_C({-value}))" if value < 0 else f"INT64_C({value})"
+    return f"({value})" if value < 0 else str(value)
+
+
+def hexadecimal(value: int, size: int) -> str:
+    """An unsigned constant in hexadecimal, as wide as its type."""
+    digits = f"0x{value:0{2 * size}X}"
+    return f"UINT64_C({digits})" if size > 4 else f"{digits}u"
+
+
+def array(data: bytes) -> str:
+    """The bytes of an array's initializer."""
+    return ", ".join(f"0x{byte:02X}" for byte in data)
+
+
+def indented(lines: Iterable[str], depth: int = 1) -> list[str]:
+    """Lines further to the right."""
+    return [("    " * depth + line) if line else "" for line in lines]

@@ -1,0 +1,227 @@
+"""Single values in C: their types, how they are loaded and stored, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.backends.c.naming import Naming
+from fieldspec.backends.c.text import integer
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+
+_TYPES = {
+    "u8": "uint8_t",
+    "i8": "int8_t",
+    "u16": "uint16_t",
+    "i16": "int16_t",
+    "u32": "uint32_t",
+    "i32": "int32_t",
+    "u64": "uint64_t",
+    "i64": "int64_t",
+    "f32": "float",
+    "bool8": "bool",
+    "bool16": "bool",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """A value and the order of its bytes."""
+
+    value: Value
+    order: str
+    swapped: bool
+
+    @property
+    def kind(self) -> Kind:
+        return self.value.type.kind
+
+    @property
+    def size(self) -> int:
+        return self.value.size
+
+
+def declaration(wire: Wire, name: str, count: int | None) -> str:
+    """The member of a struct, or the variable, that holds a value."""
+    times = f"[{count}]" if count is not None else ""
+    if wire.kind is Kind.TEXT:
+        return f"char {name}{times}[{wire.size + 1}]"
+    if wire.kind is Kind.BYTES:
+        return f"uint8_t {name}{times}[{wire.size}]"
+    return f"{_TYPES[wire.value.type.name]} {name}{times}"
+
+
+def shifts(size: int, order: str, swapped: bool) -> list[int]:
+    """By how many bits each byte is shifted, the byte at the lowest address first."""
+    steps = [8 * at for at in range(size)]
+    if (order == "big") != swapped:
+        steps.reverse()
+    if not swapped:
+        return steps
+    return [steps[at ^ 1] for at in range(size)]
+
+
+def access_name(size: int, order: str, swapped: bool) -> str:
+    """What the functions that load and store such a number are called: `u32_be`, `u32_be_words_le`."""
+    if size == 1:
+        return "u8"
+    first = "be" if order == "big" else "le"
+    second = ("_words_le" if order == "big" else "_words_be") if swapped else ""
+    return f"u{8 * size}_{first}{second}"
+
+
+def access_functions(naming: Naming, size: int, order: str, swapped: bool) -> list[str]:
+    """The functions that load and store an unsigned number, byte by byte: right on every machine."""
+    kind = f"uint{8 * size}_t"
+    wide = "uint64_t" if size == 8 else "uint32_t"
+    name = access_name(size, order, swapped)
+    steps = shifts(size, order, swapped)
+    parts = [f"({wide})in[{at}]" + (f" << {step}" if step else "") for at, step in enumerate(steps)]
+    lines = [
+        f"static inline {kind} {naming.function('load', name)}(const uint8_t *in)",
+        "{",
+        f"    return ({kind})({' | '.join(f'({part})' for part in parts)});",
+        "}",
+        "",
+        f"static inline void {naming.function('store', name)}(uint8_t *out, {kind} value)",
+        "{",
+    ]
+    for at, step in enumerate(steps):
+        shifted = f"value >> {step}" if step else "value"
+        lines.append(f"    out[{at}] = (uint8_t)({shifted});")
+    return [*lines, "}"]
+
+
+def load(naming: Naming, wire: Wire, source: str) -> str:
+    """An expression for the number at `source`, an expression for a pointer to its first byte."""
+    call = f"{naming.function('load', access_name(wire.size, wire.order, wire.swapped))}({source})"
+    if wire.value.type.signed and wire.kind is Kind.INTEGER:
+        return f"{naming.function('signed', str(8 * wire.size))}({call})"
+    return call
+
+
+def signed_functions(naming: Naming) -> list[str]:
+    """Two's complement without conversions that the standard leaves to the compiler."""
+    lines: list[str] = []
+    for bits, wide in ((8, "int32_t"), (16, "int32_t"), (32, "int32_t"), (64, "int64_t")):
+        kind = f"uint{bits}_t"
+        top = f"UINT64_C(0x{1 << (bits - 1):X})" if bits == 64 else f"0x{1 << (bits - 1):X}u"
+        lines += [
+            f"static inline int{bits}_t {naming.function('signed', str(bits))}({kind} raw)",
+            "{",
+            f"    return (int{bits}_t)((raw & {top}) ? -({wide})({kind})~raw - 1 : ({wide})raw);",
+            "}",
+            "",
+        ]
+    return lines[:-1]
+
+
+def range_test(value: Value, name: str) -> str:
+    """A condition under which an integer is out of range; empty where every value of its type is in it.
+
+    Bounds that are those of the type are left out: compilers warn of comparisons that are always true.
+    """
+    if value.ranges is None:
+        return ""
+    kind = value.type
+    parts = []
+    for low, high in sorted(value.ranges.intervals):
+        low_text, high_text = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
+        if low == high:
+            parts.append(f"{name} == {low_text}")
+            continue
+        bounds = []
+        if low > kind.low:
+            bounds.append(f"{name} >= {low_text}")
+        if high < kind.high:
+            bounds.append(f"{name} <= {high_text}")
+        if not bounds:
+            return ""
+        parts.append(" && ".join(bounds))
+    parts += [
+        f"{name} == {integer(sentinel.value, value.size, kind.signed)}"
+        for sentinel in value.sentinels
+        if sentinel.value not in value.ranges
+    ]
+    return "!(" + " || ".join(f"({part})" for part in parts) + ")"
+
+
+def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
+    """Statements that read the value at `source` into `target`, and return where it is refused.
+
+    `closed` is the condition under which a closed enum refuses the value, over the name `target`, or empty.
+    """
+    value = wire.value
+    if wire.kind is Kind.TEXT:
+        return [
+            f"if (!{naming.function('is_ascii')}({source}, {wire.size}u)) {{",
+            f"    return {naming.macro('err_unknown_value')};",
+            "}",
+            f"memcpy({target}, {source}, {wire.size}u);",
+            f"{target}[{wire.size}] = '\\0';",
+        ]
+    if wire.kind is Kind.BYTES:
+        return [f"memcpy({target}, {source}, {wire.size}u);"]
+    if wire.kind is Kind.FLOAT:
+        return [f"{target} = {naming.function('float_of')}({load(naming, wire, source)});"]
+    if wire.kind is Kind.BOOLEAN:
+        return [
+            f"if ({load(naming, wire, source)} > 1u) {{",
+            f"    return {naming.macro('err_unknown_value')};",
+            "}",
+            f"{target} = {load(naming, wire, source)} == 1u;",
+        ]
+    lines = [f"{target} = {load(naming, wire, source)};"]
+    if value.const is not None:
+        return const_test(naming, wire, source)
+    if closed:
+        lines += [f"if ({closed}) {{", f"    return {naming.macro('err_unknown_value')};", "}"]
+    return lines
+
+
+def const_test(naming: Naming, wire: Wire, source: str) -> list[str]:
+    """Statements that refuse another value than the constant at `source`."""
+    assert wire.value.const is not None
+    wanted = integer(wire.value.const, wire.size, wire.value.type.signed)
+    return [
+        f"if ({load(naming, wire, source)} != {wanted}) {{",
+        f"    return {naming.macro('err_wrong_const')};",
+        "}",
+    ]
+
+
+def encode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
+    """Statements that check the value `source` and write it at `target`, and return where it is refused."""
+    store = (
+        naming.function("store", access_name(wire.size, wire.order, wire.swapped)) if wire.size in (1, 2, 4, 8) else ""
+    )
+    if wire.kind is Kind.TEXT:
+        return [
+            f"if (!{naming.function('put_text')}({target}, {source}, {wire.size}u)) {{",
+            f"    return {naming.macro('err_unknown_value')};",
+            "}",
+        ]
+    if wire.kind is Kind.BYTES:
+        return [f"memcpy({target}, {source}, {wire.size}u);"]
+    if wire.kind is Kind.FLOAT:
+        return [f"{store}({target}, {naming.function('bits_of')}({source}));"]
+    number = f"uint{8 * wire.size}_t"
+    if wire.kind is Kind.BOOLEAN:
+        return [f"{store}({target}, ({number})({source} ? 1 : 0));"]
+    lines = []
+    if closed:
+        lines += [f"if ({closed}) {{", f"    return {naming.macro('err_unknown_value')};", "}"]
+    test = range_test(wire.value, source)
+    if test:
+        lines += [f"if ({test}) {{", f"    return {naming.macro('err_out_of_range')};", "}"]
+    cast = f"({number})" if wire.value.type.signed else ""
+    return [*lines, f"{store}({target}, {cast}{source});"]
+
+
+def fixed_lines(naming: Naming, wire: Wire, number: int, target: str) -> list[str]:
+    """Statements that write a number that nobody gives: a constant, or that of a reserved field."""
+    if wire.kind in (Kind.TEXT, Kind.BYTES):
+        return [f"memset({target}, 0, {wire.size}u);"]
+    store = naming.function("store", access_name(wire.size, wire.order, wire.swapped))
+    raw = number & ((1 << (8 * wire.size)) - 1)
+    return [f"{store}({target}, {integer(raw, wire.size, False)});"]

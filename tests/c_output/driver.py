@@ -1,0 +1,84 @@
+"""A program for the tests: it decodes what a line says, encodes it again, and prints both verdicts."""
+
+from __future__ import annotations
+
+from fieldspec.backends.c.naming import Naming, stem
+from fieldspec.backends.c.records import members
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+
+_MAIN = """
+static int hex(const char *text, uint8_t *out)
+{
+    int size = 0;
+    unsigned byte;
+    while (sscanf(text + 2 * size, "%2x", &byte) == 1) {
+        out[size++] = (uint8_t)byte;
+    }
+    return size;
+}
+
+static void show(const uint8_t *data, size_t size)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        printf("%02x", data[at]);
+    }
+}
+
+int main(void)
+{
+    static char name[256], text[4096];
+    static uint8_t data[2048], again[4096], buffer[4096];
+    char line[8192];
+    (void)buffer;
+    while (fgets(line, sizeof line, stdin)) {
+        size_t length = 0;
+        int size = 0, status = -1, second = -1;
+        text[0] = 0;
+        if (sscanf(line, "%255s %4095s", name, text) >= 1) {
+            size = hex(text, data);
+        }
+        CASES
+        printf("%d %d ", status, second);
+        show(again, second == 0 ? length : 0);
+        printf("\\n");
+    }
+    return 0;
+}
+"""
+
+
+def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
+    """Everything of a device that is decoded without a frame."""
+    found = dict(layout.records)
+    for message in layout.messages.values():
+        found |= {data.name: data for data in (message.request, message.response)}
+    return found
+
+
+def source(layout: DeviceLayout) -> str:
+    """The text of the program."""
+    naming = Naming(layout.device.id)
+    cases = []
+    for name, record in records(layout).items():
+        decode, encode = naming.function(name, "decode"), naming.function(name, "encode")
+        held = bool(members(record))
+        cases.append(
+            f'if (strcmp(name, "{name}") == 0) {{'
+            + (f" {naming.type(name)} value; memset(&value, 0, sizeof value);" if held else "")
+            + f" status = (int){decode}(data, (size_t)size{', &value' if held else ''});"
+            + f" if (status == 0) second = (int){encode}({'&value, ' if held else ''}again, sizeof again, &length); }}"
+        )
+    for link in layout.links.values():
+        wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+        for direction in ("request", "response"):
+            frame = naming.type(link.name, direction, "frame")
+            call = naming.function(link.name, direction, "open")
+            cases.append(
+                f'if (strcmp(name, "{link.name}.{direction}") == 0) {{ {frame} value; memset(&value, 0, sizeof value);'
+                f" status = (int){call}(data, (size_t)size, {'buffer, sizeof buffer, ' if wrapped else ''}&value);"
+                " if (status == 0) { second = 0; length = value.body_length; memcpy(again, value.body, length); } }"
+            )
+    header = stem(layout.device.id, layout.device.version) + ".h"
+    return f'#include "{header}"\n#include <stdio.h>\n' + _MAIN.replace("CASES", "\n        ".join(cases))
