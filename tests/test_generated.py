@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -22,8 +23,6 @@ def test_the_specs_of_all_devices_have_no_findings(capsys: pytest.CaptureFixture
 
 
 def test_no_file_lies_under_generated_that_the_manifest_does_not_list() -> None:
-    import json
-
     manifest = json.loads((ROOT / "generated" / "manifest.json").read_text("utf-8"))
     found = {
         path.relative_to(ROOT / "generated").as_posix() for path in (ROOT / "generated").rglob("*") if path.is_file()

@@ -8,16 +8,8 @@ from pathlib import Path
 from tools_available import require_tool
 
 STRICT = [
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Wconversion",
-    "-Wsign-conversion",
-    "-Wshadow",
-    "-Wcast-qual",
-    "-Wundef",
-    "-Wcast-align",
-    "-Werror",
+    *("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion"),
+    *("-Wshadow", "-Wcast-qual", "-Wundef", "-Wcast-align", "-Werror"),
 ]
 COMPILERS = {
     "gcc": ["gcc", "-std=c99", "-O1"],

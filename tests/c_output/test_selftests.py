@@ -15,12 +15,8 @@ from compiling import COMPILERS, compiled
 from fieldspec.backends.c.backend import files
 from laid_out import MADE_UP, SPECS, layouts
 
-TEXTS = {
-    path: text
-    for root in (SPECS, MADE_UP)
-    for versions in layouts(root).values()
-    for path, text in files(versions).items()
-}
+VERSIONS = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
 HEADERS = sorted(path for path in TEXTS if path.endswith(".h"))
 
 

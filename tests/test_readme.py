@@ -1,0 +1,61 @@
+"""Every command and every piece of code in the README does what it says."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from tools_available import require_tool
+
+ROOT = Path(__file__).resolve().parent.parent
+TEXT = (ROOT / "README.md").read_text("utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", TEXT, re.DOTALL)
+
+
+COMMANDS = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("fieldspec ")]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_command_runs(command: str) -> None:
+    words = [sys.executable, "-m", "fieldspec", *shlex.split(command)[1:]]
+    result = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert result.stdout.strip()
+
+
+def test_make_and_make_test_are_the_commands_to_start_with() -> None:
+    assert blocks("sh")[0].split("\n")[:2] == ["make", "make test"]
+    targets = re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE)
+    assert {"build", "test"} <= set(targets)
+
+
+@pytest.mark.parametrize("code", blocks("python"))
+def test_the_python_code_runs(code: str) -> None:
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated" / "python")}
+    result = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+
+
+@pytest.mark.parametrize("code", blocks("c"))
+def test_the_c_code_compiles_and_writes_the_frame_of_the_manual(code: str, tmp_path: Path) -> None:
+    main = "#include <stdio.h>\nint main(void) { uint8_t f[64]; size_t at, n = move(f, sizeof f);"
+    main += ' for (at = 0; at < n; at++) printf("%02X ", f[at]); return 0; }\n'
+    source, program = tmp_path / "readme.c", tmp_path / "readme"
+    source.write_text(code + main, encoding="utf-8")
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-I", str(ROOT / "generated" / "c")]
+    subprocess.run([require_tool("gcc"), *flags, "-o", str(program), str(source)], check=True)
+    result = subprocess.run([str(program)], capture_output=True, text=True, check=True)
+    assert result.stdout == "09 00 16 D0 07 00 00 32 28 "
+
+
+def test_every_file_that_it_names_is_there() -> None:
+    for path in [*re.findall(r"\]\(([^)]+)\)", TEXT), "generated/docs", "generated/vectors", "generated/c"]:
+        assert (ROOT / path).exists(), path
