@@ -7,7 +7,7 @@ from pathlib import Path
 
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import read
+from fieldspec.reading.project import DeviceSpec, read
 
 SPECS = Path(__file__).parent.parent / "specs"
 MADE_UP = Path(__file__).parent / "specs"
@@ -17,12 +17,16 @@ MADE_UP = Path(__file__).parent / "specs"
 def layouts(root: Path) -> dict[str, list[DeviceLayout]]:
     """The layouts of all devices of a folder of specs: their versions, the oldest first."""
     files = {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(root.rglob("*.yaml"))}
-    found: dict[str, list[DeviceLayout]] = {}
-    for name, spec in read(files).devices.items():
-        versions = [spec.at(version) for version in spec.versions()]
-        if not any(has_errors(findings) for _, findings in versions):
-            found[name] = [device_layout(device) for device, _ in versions]
-    return found
+    project = read(files)
+    assert not has_errors(project.found), project.found[0].message
+    return {name: [laid_at(spec, version) for version in spec.versions()] for name, spec in project.devices.items()}
+
+
+def laid_at(spec: DeviceSpec, version: str) -> DeviceLayout:
+    """The layout of a device at a version, whose spec must be in order."""
+    device, found = spec.at(version)
+    assert not has_errors(found), found[0].message
+    return device_layout(device)
 
 
 def all_layouts() -> list[DeviceLayout]:

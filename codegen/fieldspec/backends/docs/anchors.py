@@ -1,0 +1,102 @@
+"""Links within a page lead to anchors that are there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from fieldspec.backends.docs.document import (
+    BitRow,
+    Bits,
+    Block,
+    Cell,
+    Facts,
+    Footnote,
+    Item,
+    Line,
+    Paragraph,
+    Piece,
+    Row,
+    Section,
+    Table,
+)
+
+
+def linked(sections: tuple[Section, ...]) -> tuple[Section, ...]:
+    """Sections whose links lead to what encloses a fact, where the fact has no anchor of its own."""
+    anchors = _Anchors(frozenset(_anchors(sections)))
+    return tuple(anchors.section(section) for section in sections)
+
+
+def _anchors(sections: tuple[Section, ...]) -> Iterator[str]:
+    for section in sections:
+        yield section.anchor
+        for block in section.blocks:
+            if isinstance(block, Table):
+                yield block.anchor
+                yield from (row.anchor for row in block.rows)
+                yield from (footnote.anchor for footnote in block.footnotes)
+        yield from _anchors(section.sections)
+
+
+class _Anchors:
+    """The anchors of a page, and its parts with links to them."""
+
+    def __init__(self, known: frozenset[str]) -> None:
+        self.known = known
+
+    def target(self, link: str) -> str:
+        """A link to the innermost anchor of a path; no link where there is none."""
+        if not link.startswith("#"):
+            return link
+        path = link[1:]
+        while path and path not in self.known:
+            path = path.rpartition("/")[0]
+        return f"#{path}" if path else ""
+
+    def piece(self, held: Piece) -> Piece:
+        """A piece with its link."""
+        return replace(held, link=self.target(held.link)) if held.link else held
+
+    def line(self, held: Line) -> Line:
+        """A line with its links."""
+        return tuple(map(self.piece, held))
+
+    def lines(self, held: tuple[Line, ...]) -> tuple[Line, ...]:
+        """Lines with their links."""
+        return tuple(map(self.line, held))
+
+    def row(self, held: Row) -> Row:
+        """A row with its links."""
+        return replace(held, cells=tuple(map(self.cell, held.cells)))
+
+    def cell(self, held: Cell) -> Cell:
+        """A cell with its links."""
+        items = tuple(Item(self.line(item.line), self.lines(item.inner)) for item in held.items)
+        return replace(held, lines=self.lines(held.lines), items=items)
+
+    def bits(self, held: BitRow) -> BitRow:
+        """Drawn bits with their links."""
+        return replace(held, boxes=tuple(replace(box, link=self.target(box.link)) for box in held.boxes))
+
+    def block(self, held: Block) -> Block:
+        """A block with its links."""
+        if isinstance(held, Table):
+            notes = tuple(Footnote(note.mark, note.anchor, self.line(note.line)) for note in held.footnotes)
+            return replace(held, rows=tuple(map(self.row, held.rows)), footnotes=notes)
+        if isinstance(held, Paragraph):
+            return replace(held, line=self.line(held.line))
+        if isinstance(held, Facts):
+            return Facts(tuple((term, self.lines(lines)) for term, lines in held.rows))
+        if isinstance(held, Bits):
+            return replace(held, rows=tuple(map(self.bits, held.rows)))
+        return held
+
+    def section(self, held: Section) -> Section:
+        """A section with its links."""
+        return Section(
+            held.anchor,
+            self.line(held.title),
+            tuple(map(self.block, held.blocks)),
+            tuple(map(self.section, held.sections)),
+        )

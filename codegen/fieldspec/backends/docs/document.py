@@ -1,0 +1,248 @@
+"""A page before it is HTML or Markdown: sections, tables and lines of styled text.
+
+Both forms are written from this, so that they say the same. Text that comes from a spec enters through `plain`,
+`code` and their like, which leave no control characters in it; each form then escapes it in its own way.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import ClassVar, TypeAlias
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Some text in one style. `link` is where it leads: `#path` on this page, or another page; or nowhere.
+
+    The styles: empty, `code`, `strong`, `label` (in the manual's language), `quiet`, `unknown`, `badge`, `wrong`,
+    `right`, `open`, `changed` (a byte that differs), and `mark` (the sign of a footnote).
+    """
+
+    text: str
+    style: str = ""
+    link: str = ""
+
+
+Line: TypeAlias = tuple[Piece, ...]
+
+_BLANKS = re.compile(r"\s+")
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A line of a list, and the lines of the list below it."""
+
+    line: Line
+    inner: tuple[Line, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """Lines below each other, then a list. `style` is that of its column; a `heading` names its row."""
+
+    lines: tuple[Line, ...] = ()
+    items: tuple[Item, ...] = ()
+    style: str = ""
+    heading: bool = False
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing stands in it."""
+        return not self.items and not any(piece.text for line in self.lines for piece in line)
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column; `kept` says that it stays where all of its cells are empty."""
+
+    title: str
+    style: str = ""
+    kept: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row of a table, to which `anchor` leads. An `element` is one of several that the row above stands for."""
+
+    cells: tuple[Cell, ...]
+    anchor: str = ""
+    element: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Footnote:
+    """What a mark in a table refers to."""
+
+    mark: str
+    anchor: str
+    line: Line
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Rows below titles of columns; its footnotes are below it. `anchor` leads to it, where it has one."""
+
+    kind: ClassVar[str] = "table"
+    caption: str
+    columns: tuple[Column, ...]
+    rows: tuple[Row, ...]
+    footnotes: tuple[Footnote, ...] = ()
+    anchor: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    """A line of text; `style` is empty, `note` or `erratum`."""
+
+    kind: ClassVar[str] = "paragraph"
+    line: Line
+    style: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """Terms with their lines, for what is said once."""
+
+    kind: ClassVar[str] = "facts"
+    rows: tuple[tuple[str, tuple[Line, ...]], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """One bit, or the bits of one field, in a drawing, `width` bits wide. Its style is `bit`, `field` or `free`."""
+
+    width: int
+    text: str
+    link: str
+    style: str
+
+
+@dataclass(frozen=True, slots=True)
+class BitRow:
+    """Up to sixteen bits, the highest first."""
+
+    caption: str
+    numbers: tuple[int, ...]
+    boxes: tuple[Box, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Bits:
+    """A word, drawn bit by bit: as boxes, and in characters."""
+
+    kind: ClassVar[str] = "bits"
+    rows: tuple[BitRow, ...]
+    characters: str
+
+
+@dataclass(frozen=True, slots=True)
+class Strip:
+    """Bytes under a title, each in its style."""
+
+    title: str
+    bytes: Line
+
+
+@dataclass(frozen=True, slots=True)
+class Strips:
+    """Rows of bytes below each other, to be compared."""
+
+    kind: ClassVar[str] = "strips"
+    rows: tuple[Strip, ...]
+
+
+Block: TypeAlias = Table | Paragraph | Facts | Bits | Strips
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A heading with what stands under it, and the sections within it."""
+
+    anchor: str
+    title: Line
+    blocks: tuple[Block, ...] = ()
+    sections: tuple[Section, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A page. `language` is that of the manual's labels, a BCP 47 tag or empty."""
+
+    title: str
+    subtitle: str
+    identity: str
+    language: str
+    summary: tuple[Line, ...]
+    sections: tuple[Section, ...] = field(repr=False)
+
+
+def clean(text: str) -> str:
+    """Text in one line, with a picture for every other control character."""
+    text = _BLANKS.sub(" ", text)
+    return "".join(_shown(char) if unicodedata.category(char) in ("Cc", "Cs") else char for char in text)
+
+
+def _shown(char: str) -> str:
+    return chr(0x2400 + ord(char)) if ord(char) < 0x20 else "\ufffd"
+
+
+def plain(text: str, link: str = "") -> Piece:
+    """Text of ours."""
+    return Piece(clean(text), "", link)
+
+
+def code(text: str, link: str = "") -> Piece:
+    """An identifier, a number or bytes."""
+    return Piece(clean(text), "code", link)
+
+
+def label(text: str) -> Piece:
+    """A label of the manual, in its language."""
+    return Piece(clean(text), "label")
+
+
+def styled(text: str, style: str, link: str = "") -> Piece:
+    """Text in any style."""
+    return Piece(clean(text), style, link)
+
+
+UNKNOWN = Piece("unknown", "unknown")
+
+
+def joined(lines: Iterable[Line], between: str = ", ") -> Line:
+    """Lines in one, with a text between each two."""
+    pieces: list[Piece] = []
+    for line in lines:
+        pieces += [Piece(between), *line] if pieces else line
+    return tuple(pieces)
+
+
+def cell(*lines: Line | Piece | str, items: Sequence[Item] = ()) -> Cell:
+    """A cell of lines, empty ones left out."""
+    return Cell(tuple(line for line in map(_line, lines) if any(piece.text for piece in line)), tuple(items))
+
+
+def _line(held: Line | Piece | str) -> Line:
+    if isinstance(held, str):
+        return (plain(held),)
+    return (held,) if isinstance(held, Piece) else held
+
+
+def table(
+    caption: str, columns: Sequence[Column], rows: Iterable[Row], footnotes: Sequence[Footnote] = (), heading: int = 0
+) -> Table:
+    """A table without the columns that nothing stands in; the cell of column `heading` names its row."""
+    rows = list(rows)
+    kept = [n for n, column in enumerate(columns) if column.kept or any(not row.cells[n].empty for row in rows)]
+    return Table(
+        clean(caption),
+        tuple(replace(columns[n], title=clean(columns[n].title)) for n in kept),
+        tuple(
+            replace(row, cells=tuple(replace(row.cells[n], style=columns[n].style, heading=n == heading) for n in kept))
+            for row in rows
+        ),
+        tuple(footnotes),
+    )

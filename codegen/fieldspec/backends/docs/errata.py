@@ -1,0 +1,174 @@
+"""Where the spec departs from the print."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from decimal import Decimal
+
+from fieldspec.backends.docs.context import Context, address, cited
+from fieldspec.backends.docs.document import (
+    Cell,
+    Column,
+    Line,
+    Paragraph,
+    Row,
+    Section,
+    cell,
+    code,
+    label,
+    plain,
+    styled,
+    table,
+)
+from fieldspec.backends.docs.holders import Holder
+from fieldspec.layout.explaining.worded import decimal_text, range_in_unit
+from fieldspec.model.enum import Enum, Member
+from fieldspec.model.erratum import Erratum
+from fieldspec.model.example import Example
+from fieldspec.model.fact import Claim
+from fieldspec.model.flags import Bit
+from fieldspec.model.message import Message
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.record import Field
+from fieldspec.model.register import Register
+from fieldspec.model.table import PrintedElement, Table
+from fieldspec.model.value import Value
+
+COLUMNS = (
+    Column("Erratum and fact", "path", kept=True),
+    Column("Printed", "path", kept=True),
+    Column("Used here", "path", kept=True),
+    Column("Reason", "wide", kept=True),
+    Column("Confidence and proof", "proof", kept=True),
+    Column("Source", "source"),
+)
+EFFECTS = {
+    "bytes": "Who trusts the print gets wrong bytes.",
+    "range": "Who trusts the print gets a wrong range.",
+    "name": "Who trusts the print gets a wrong name.",
+    "ambiguous": "Who trusts the print cannot tell.",
+}
+INTRODUCTION = (
+    "What the manual prints, and what is used here instead. A proof names the check of the compiler that fails when "
+    "the printed value is put back; a judgement has none."
+)
+
+
+def errata(context: Context) -> Section:
+    """All departures from the print."""
+    device = context.device
+    if not device.errata:
+        return Section("errata", (plain("Errata"),))
+    rows = [_row(context, erratum) for erratum in device.errata]
+    blocks = (Paragraph((plain(INTRODUCTION),)), table("Errata", COLUMNS, rows))
+    return Section("errata", (plain("Errata of the manual"),), blocks)
+
+
+def _row(context: Context, erratum: Erratum) -> Row:
+    holder = context.holders.get(erratum.fact)
+    keys = list(erratum.printed)
+    style = "open" if erratum.confidence == "open" else ""
+    return Row(
+        (
+            cell((code(erratum.id),), (context.link_to(erratum.fact),)),
+            _sides([(key, _printed(key, erratum.printed[key])) for key in keys], (label(erratum.literal),)),
+            _sides([(key, _used(holder, key)) for key in keys], ()),
+            cell(erratum.reason),
+            cell(
+                styled(erratum.confidence, style),
+                EFFECTS[erratum.effect],
+                (styled("Proof: ", "quiet"), code(erratum.proof)) if erratum.proof != "judgement" else "A judgement.",
+            ),
+            cell(cited(erratum.sources)),
+        ),
+        f"errata/{erratum.id}",
+    )
+
+
+def _sides(pairs: list[tuple[str, str]], last: Line) -> Cell:
+    lines: list[Line] = [(styled(f"{key}: ", "quiet"), code(text) if text else plain("nothing")) for key, text in pairs]
+    return cell(*lines, last)
+
+
+def _printed(key: str, held: object) -> str:
+    if key == "present":
+        return "missing"
+    if key in ("at", "base") and isinstance(held, int):
+        return address(held)
+    return _text(held)
+
+
+def _text(held: object) -> str:
+    """Any value of a spec as text."""
+    if held is None:
+        return ""
+    if isinstance(held, bool):
+        return {True: "yes", False: "no"}[held]
+    if isinstance(held, Decimal):
+        return decimal_text(held)
+    if isinstance(held, Ranges):
+        return held.text()
+    if isinstance(held, bytes):
+        return held.hex(" ").upper()
+    if isinstance(held, Mapping):
+        return ", ".join(f"{key} {_text(inner)}" for key, inner in held.items())
+    if isinstance(held, list | tuple):
+        return ", ".join(_text(inner) for inner in held)
+    return str(held)
+
+
+def _used(holder: Holder | None, key: str) -> str:
+    """What the spec has under a key, empty where it has nothing."""
+    if key == "present":
+        return "belongs there"
+    if isinstance(holder, Claim):
+        return _printed(key, holder.values.get(key))
+    for kind, getters in GETTERS:
+        if isinstance(holder, kind) and key in getters:
+            return _text(getters[key](holder))
+    value = getattr(holder, "value", None)
+    if isinstance(value, Value) and key in OF_VALUES:
+        return _text(OF_VALUES[key](value))
+    found = getattr(holder, key, None)
+    return "" if callable(found) else _text(found)
+
+
+def _span(bounds: tuple[int, int] | None) -> str:
+    if bounds is None:
+        return ""
+    first, last = bounds
+    return str(first) if first == last else f"{first}-{last}"
+
+
+def _elements(element: PrintedElement) -> Iterator[str]:
+    yield from (address(bound) for bound in (element.first, element.last) if bound is not None)
+
+
+# How the model holds what the language calls by another name.
+OF_VALUES: dict[str, Callable[[Value], object]] = {
+    "type": lambda value: value.type.name,
+    "length": lambda value: value.size,
+    "characters": lambda value: value.characters,
+    "byte_order": lambda value: value.byte_order,
+    "scale": lambda value: value.scale,
+    "offset": lambda value: value.offset,
+    "unit": lambda value: value.unit,
+    "range": lambda value: value.ranges,
+    "unit_range": lambda value: value.ranges and range_in_unit(value, value.ranges),
+    "default": lambda value: value.default,
+    "unit_default": lambda value: value.in_unit(value.default) if isinstance(value.default, int) else value.default,
+    "const": lambda value: value.const,
+    "enum": lambda value: value.enum,
+    "flags": lambda value: value.flags,
+}
+GETTERS: tuple[tuple[type, dict[str, Callable[..., object]]], ...] = (
+    (Register, {"at": lambda r: address(r.address), "words": lambda r: r.width, "decimal": lambda r: r.address}),
+    (Table, {"base": lambda t: address(t.base), "decimal": lambda t: t.base}),
+    (PrintedElement, {"at": lambda e: "..".join(_elements(e))}),
+    (Field, {"at": lambda f: None if f.at is None else address(f.at), "span": lambda f: _span(f.span)}),
+    (Bit, {"bit": lambda b: b.first, "bits": lambda b: f"{b.first}..{b.last}"}),
+    (Member, {"value": lambda m: m.value}),
+    (Enum, {"gaps": lambda e: e.gaps}),
+    (Message, {"code": lambda m: m.code}),
+    (Example, {"frame": lambda e: e.frame, "values": lambda e: e.values}),
+)

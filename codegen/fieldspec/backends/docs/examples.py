@@ -1,0 +1,221 @@
+"""The example frames, byte by byte, misprints beside what is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import SequenceMatcher
+
+from fieldspec.backends.docs.context import Context, address, cited
+from fieldspec.backends.docs.document import (
+    Column,
+    Facts,
+    Line,
+    Paragraph,
+    Row,
+    Section,
+    Strip,
+    Strips,
+    Table,
+    cell,
+    code,
+    joined,
+    label,
+    plain,
+    styled,
+    table,
+)
+from fieldspec.layout.explaining.row import Row as ByteRow
+from fieldspec.layout.explanation import Explanation, Meaning, explained
+from fieldspec.layout.meaning import Raw
+from fieldspec.layout.printed import Printed, printed
+from fieldspec.model.erratum import Erratum
+from fieldspec.model.example import Example
+
+BYTES = (
+    Column("Byte", "number", kept=True),
+    Column("Bytes", "bytes", kept=True),
+    Column("Characters", "bytes"),
+    Column("Field", kept=True),
+    Column("Raw", "number", kept=True),
+    Column("Value", "number"),
+    Column("Meaning", "wide"),
+    Column("Verdict"),
+    Column("Source", "source"),
+)
+REGISTERS = (
+    Column("Address", "number", kept=True),
+    Column("Words", "number", kept=True),
+    Column("Register", kept=True),
+    Column("Bytes", "bytes"),
+    Column("Raw", "number"),
+    Column("Value", "number"),
+    Column("Meaning", "wide"),
+    Column("Verdict"),
+    Column("Source", "source"),
+)
+REFUSALS = {
+    "unknown_code": "its code is not known",
+    "wrong_check": "its check is wrong",
+    "wrong_length": "its length is wrong",
+    "out_of_range": "a value is out of range",
+    "incomplete": "it is not complete",
+}
+
+
+def examples(context: Context) -> Section:
+    """All example frames in the order of the manual."""
+    inner = tuple(_example(context, example) for example in sorted(context.device.examples.values(), key=_line))
+    return Section("examples", (plain("Example frames"),), (), inner)
+
+
+def _line(example: Example) -> tuple[bool, int]:
+    return not example.sources, example.sources[0].line() if example.sources else 0
+
+
+def _example(context: Context, example: Example) -> Section:
+    asked = context.device.examples.get(example.reply_to)
+    found = explained(
+        context.layout, example.link, example.direction, example.frame, example.message, asked.frame if asked else b""
+    )
+    print_of = printed(context.device, example)
+    blocks: list[Paragraph | Facts | Strips | Table] = []
+    blocks += [Paragraph(_erratum_line(erratum), "erratum") for erratum in print_of.errata]
+    blocks += [Paragraph((styled("Note: ", "strong"), plain(note))) for note in example.notes]
+    blocks.append(Strips(tuple(_strips(example, print_of, found))))
+    blocks.append(Facts(tuple(_facts(context, example))))
+    rows = [_byte_row(row) for row in found.rows]
+    blocks.append(table("What the bytes say", BYTES, rows, heading=3))
+    if found.registers:
+        touched = [_register_row(row) for row in found.registers]
+        blocks.append(table("Registers that the frame accesses", REGISTERS, touched, heading=2))
+    title: list[Line] = [(code(example.id),)]
+    if example.title:
+        title.append((plain(example.title),))
+    if print_of.verdict != "ok":
+        title.append((styled(print_of.verdict, "badge"),))
+    return Section(example.place.path, joined(title, " "), tuple(blocks))
+
+
+def _erratum_line(erratum: Erratum) -> Line:
+    return (styled("Erratum ", "strong"), plain(erratum.id, f"#errata/{erratum.id}"), plain(f": {erratum.reason}"))
+
+
+def _strips(example: Example, print_of: Printed, found: Explanation) -> Iterator[Strip]:
+    """The right bytes, above them what is printed where it differs, and the characters where a byte is two."""
+    right = _pairs(example.frame.hex())
+    as_printed = _pairs(print_of.frame)
+    if print_of.frame and as_printed != right:
+        yield Strip("printed", _compared(as_printed, right))
+        yield Strip("right", _compared(right, as_printed))
+    else:
+        yield Strip("computed, not printed" if example.origin == "computed" else "frame", _compared(right, right))
+    if any(row.characters for row in found.rows):
+        characters = example.frame.decode("latin-1")
+        if print_of.characters and print_of.characters != characters:
+            yield Strip("characters as printed", (code(_characters(print_of.characters)),))
+        yield Strip("characters", (code(_characters(characters)),))
+
+
+def _pairs(text: str) -> list[str]:
+    """Hexadecimal bytes, two digits each."""
+    digits = "".join(text.split()).upper()
+    return [digits[at : at + 2] for at in range(0, len(digits), 2)]
+
+
+def _compared(one: list[str], other: list[str]) -> Line:
+    """Bytes, those marked that the other frame does not have."""
+    pieces = []
+    for change, start, end, _, _ in SequenceMatcher(None, one, other, autojunk=False).get_opcodes():
+        style = "code" if change == "equal" else "changed"
+        pieces += [styled(pair, style) for pair in one[start:end]]
+    return tuple(pieces)
+
+
+def _characters(text: str) -> str:
+    return text.replace("\r", "\\r").replace("\n", "\\n")
+
+
+def _facts(context: Context, example: Example) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    link = context.device.links[example.link]
+    text = f"{example.direction} on " if not example.error else "refusal on "
+    yield "Frame", ((plain(text), plain(link.title or link.name, f"#{link.place.path}")),)
+    message = context.device.messages.get(example.message)
+    if message is not None:
+        yield "Message", ((code(message.name, f"#{message.place.path}"),),)
+    if example.refused:
+        yield "Must be refused", ((plain(REFUSALS[example.refused]),),)
+    if example.reply_to:
+        yield "Answers", ((plain(example.reply_to, f"#examples/{example.reply_to}"),),)
+    if example.elided:
+        names = joined((code(name),) for name in example.elided)
+        yield "Printed as dots", ((*names, plain("; the values here are ours")),)
+    if example.sources:
+        yield "Source", (cited(example.sources),)
+
+
+def raw_text(number: Raw | None) -> str:
+    """A raw value as text."""
+    if number is None:
+        return ""
+    if isinstance(number, bytes):
+        return number.hex(" ").upper()
+    return {True: "1", False: "0"}[number] if isinstance(number, bool) else str(number)
+
+
+def _byte_row(row: ByteRow) -> Row:
+    last = row.offset + row.length - 1
+    place = str(row.offset) if row.length < 2 else f"{row.offset}..{last}"
+    name = code(row.path, f"#{row.fact}" if row.fact else "") if row.path else styled("left over", "wrong")
+    return Row(
+        (
+            cell(code(place)),
+            cell(code(row.raw.hex(" ").upper())),
+            cell(code(_characters(row.characters))),
+            cell(name, label(row.label)),
+            cell(raw_text(row.number)),
+            cell(row.value),
+            cell(*(_meaning(meaning) for meaning in row.meanings)),
+            cell(_verdict(row.verdict), *_errata(row)),
+            cell(row.source),
+        )
+    )
+
+
+def _register_row(row: ByteRow) -> Row:
+    name = code(row.path, f"#{row.fact}") if row.path else plain(row.doc)
+    found = row.raw.hex(" ").upper() if len(row.raw) <= 32 else f"{len(row.raw)} bytes"
+    return Row(
+        (
+            cell(code(address(row.address or 0))),
+            cell(str(row.words)),
+            cell(name, label(row.label)),
+            cell(code(found)),
+            cell(raw_text(row.number)),
+            cell(row.value),
+            cell(*(_meaning(meaning) for meaning in row.meanings)),
+            cell(_verdict(row.verdict), *_errata(row)),
+            cell(row.source),
+        )
+    )
+
+
+def _verdict(verdict: str) -> Line:
+    return (styled(verdict, "right" if verdict == "right" else "wrong"),) if verdict else ()
+
+
+def _errata(row: ByteRow) -> list[Line]:
+    links = ((plain(found, f"#errata/{found}"),) for found in row.errata)
+    return [(styled("Erratum: ", "quiet"), *joined(links))] if row.errata else []
+
+
+def _meaning(meaning: Meaning) -> Line:
+    parts: list[Line] = []
+    if meaning.bits:
+        parts.append((styled(f"bit {meaning.bits}" if meaning.bits.isdigit() else f"bits {meaning.bits}", "quiet"),))
+    if meaning.name:
+        parts.append((code(meaning.name),))
+    if meaning.label:
+        parts.append((label(meaning.label),))
+    if meaning.text:
+        parts.append((plain(meaning.text),))
+    return joined(parts, " ")

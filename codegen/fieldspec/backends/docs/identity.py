@@ -1,0 +1,73 @@
+"""What the page is about: the device, its manual, its versions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import Context, cited
+from fieldspec.backends.docs.document import (
+    Column,
+    Facts,
+    Line,
+    Paragraph,
+    Row,
+    Section,
+    Table,
+    cell,
+    code,
+    label,
+    plain,
+    styled,
+    table,
+)
+from fieldspec.model.device import Version, VersionLine
+
+VERSIONS = (Column("Version"), Column("What it is"), Column("Source"))
+
+
+def identity(context: Context) -> Section:
+    """The device, its manual and its versions."""
+    device = context.device
+    blocks: list[Paragraph | Facts | Table] = []
+    if device.doc:
+        blocks.append(Paragraph((plain(device.doc),)))
+    blocks.append(Facts(tuple(_facts(context))))
+    blocks += [_versions(line, device.version) for line in device.lines]
+    return Section("device", (plain("Device and manual"),), tuple(blocks))
+
+
+def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    device, manual = context.device, context.device.manual
+    yield "Device", ((plain(f"{device.vendor} {device.name}, "), code(device.id)),)
+    yield "Version", ((plain(version_title(context)),),)
+    yield "Identity", ((code(context.layout.identity), plain(": equal in all outputs that agree on every byte")),)
+    yield "Manual", ((label(manual.title),),)
+    if manual.edition:
+        yield "Edition", ((label(manual.edition),),)
+    if manual.language:
+        yield "Language", ((code(manual.language),),)
+    yield "Text", ((code(manual.file), plain(f", {manual.lines} lines; a source is a section and lines of it")),)
+    yield "SHA-256", ((code(manual.sha256),),)
+
+
+def version_title(context: Context) -> str:
+    """`firmware 2.0`, or the version alone where the device declares no versions."""
+    device = context.device
+    for line in device.lines:
+        for version in line.versions:
+            if version.id == device.version:
+                return f"{' '.join(line.name.split('_'))} {version.id}"
+    return device.version
+
+
+def _versions(line: VersionLine, present: str) -> Table:
+    caption = line.title or line.name
+    return table(caption, VERSIONS, [_version(version, present) for version in line.versions])
+
+
+def _version(version: Version, present: str) -> Row:
+    here: Line = (plain(" "), styled("this page", "badge")) if version.id == present else ()
+    doc: list[Line] = [(plain(text),) for text in (version.title, version.doc) if text]
+    if version.inferred:
+        doc.append((styled("inferred: ", "strong"), plain(version.inferred)))
+    return Row((cell((code(version.id), *here)), cell(*doc), cell(cited(version.sources))))

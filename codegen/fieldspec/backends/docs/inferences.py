@@ -1,0 +1,60 @@
+"""What the manual implies and does not print: marks in a table, and their reasons below it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from fieldspec.backends.docs.document import Footnote, Line, Piece, plain, styled
+
+# Which cell of a row shows a key of the spec. All other keys are marked at the name.
+CELLS = {
+    "type": "type",
+    "length": "type",
+    "const": "type",
+    "unit": "unit",
+    "scale": "unit",
+    "offset": "unit",
+    "range": "range",
+    "unit_range": "range",
+    "default": "default",
+    "unit_default": "default",
+    "access": "access",
+    "restart": "restart",
+}
+
+
+class Inferences:
+    """The inferred keys of one table. Each reason is written once, however many rows share it."""
+
+    def __init__(self, anchor: str) -> None:
+        self.anchor = anchor
+        self._marks: dict[tuple[str, str], int] = {}
+
+    def marks(self, inferred: Mapping[str, str], cell: str = "") -> Line:
+        """The marks of the inferred keys that one cell of a row shows; `cell` is empty for that of the name."""
+        return tuple(self._mark(key, reason) for key, reason in inferred.items() if CELLS.get(key, "") == cell)
+
+    def all_marks(self, inferred: Mapping[str, str]) -> Line:
+        """The marks of all inferred keys, for rows that have no cells of their own for them."""
+        return tuple(self._mark(key, reason) for key, reason in inferred.items())
+
+    def _mark(self, key: str, reason: str) -> Piece:
+        number = self._marks.setdefault((key, reason), len(self._marks) + 1)
+        return Piece(f"i{number}", "mark", f"#{self.anchor}/i{number}")
+
+    def footnotes(self) -> tuple[Footnote, ...]:
+        """The reasons, in the order of their marks."""
+        return tuple(
+            Footnote(f"i{number}", f"{self.anchor}/i{number}", _reason(key, reason))
+            for (key, reason), number in self._marks.items()
+        )
+
+
+def reasons(inferred: Mapping[str, str]) -> Iterable[Line]:
+    """Inferred keys and their reasons as lines, where there is no table to put marks in."""
+    for key, reason in inferred.items():
+        yield _reason(key, reason)
+
+
+def _reason(key: str, reason: str) -> Line:
+    return (styled(f"{key} is inferred: ", "strong"), plain(reason))

@@ -1,0 +1,147 @@
+"""Lookups, limits and notes: what is not on the wire by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import Context, cited, names, sources
+from fieldspec.backends.docs.document import (
+    Block,
+    Cell,
+    Column,
+    Facts,
+    Line,
+    Paragraph,
+    Row,
+    Section,
+    cell,
+    code,
+    joined,
+    plain,
+    styled,
+    table,
+)
+from fieldspec.backends.docs.inferences import Inferences
+from fieldspec.layout.explaining.worded import decimal_text
+from fieldspec.model.fact import Plain
+from fieldspec.model.limit import Limit
+from fieldspec.model.lookup import Column as LookupColumn
+from fieldspec.model.lookup import Lookup
+from fieldspec.model.lookup import Row as LookupRow
+from fieldspec.model.note import Note
+
+KINDS = {
+    "timing": "Timings",
+    "limit": "Limits",
+    "electrical": "Electrical data",
+    "link": "The line",
+    "capacity": "Capacities",
+}
+LIMITS = (
+    Column("Name", kept=True),
+    Column("Value", "number", kept=True),
+    Column("Meaning", "wide"),
+    Column("Source", "source"),
+)
+
+
+def lookups(context: Context) -> Section:
+    """All tables of pins, lamps, priorities and their like."""
+    inner = tuple(_lookup(context, lookup) for lookup in context.device.lookups)
+    return Section("lookups", (plain("Pins, lamps and other tables"),), (), inner)
+
+
+def _lookup(context: Context, lookup: Lookup) -> Section:
+    blocks = context.opening(lookup)
+    columns = [
+        *(Column(_title(column), kept=True) for column in lookup.columns),
+        Column("Notes", "wide"),
+        Column("Source", "source"),
+    ]
+    rows = [_lookup_row(context, lookup.columns, row) for row in lookup.rows]
+    title = lookup.title or lookup.name
+    blocks.append(table(title, columns, rows))
+    if lookup.sources:
+        blocks.append(Facts((("Source", (cited(lookup.sources),)),)))
+    return Section(lookup.place.path, context.section_title(title, lookup), tuple(blocks))
+
+
+def _title(column: LookupColumn) -> str:
+    title = column.title or " ".join(column.name.split("_")).capitalize()
+    return f"{title} {column.label}".strip()
+
+
+def _lookup_row(context: Context, columns: tuple[LookupColumn, ...], row: LookupRow) -> Row:
+    notes: list[Line] = [(styled(f"only {', '.join(row.only)}", "badge"),)] if row.only else []
+    notes += [(plain(row.notes),)] if row.notes else []
+    cells = [_lookup_cell(context, column, held) for column, held in zip(columns, row.cells, strict=True)]
+    where = cell(cited(row.sources))
+    return Row((*cells, cell(*notes, *context.beside(row.place)), where), row.place.path)
+
+
+def _lookup_cell(context: Context, column: LookupColumn, held: Plain) -> Cell:
+    if held is None:
+        return Cell()
+    text = {True: "yes", False: "no"}[held] if isinstance(held, bool) else str(held)
+    if column.enum:
+        return cell(code(text, f"#enums/{column.enum}/{text}"))
+    return cell(text)
+
+
+def limits(context: Context) -> Section:
+    """All single numbers, by what they are about."""
+    inner = []
+    for kind, title in KINDS.items():
+        held = [limit for limit in context.device.limits if limit.kind == kind]
+        if held:
+            path = f"limits-{kind}"
+            marks = Inferences(path)
+            rows = [_limit(context, limit, marks) for limit in held]
+            blocks = (table(title, LIMITS, rows, marks.footnotes()),)
+            inner.append(Section(path, (plain(title),), blocks))
+    return Section("limits", (plain("Timings and limits"),), (), tuple(inner))
+
+
+def _limit(context: Context, limit: Limit, marks: Inferences) -> Row:
+    return Row(
+        (
+            names(limit, limit.name, mark=marks.all_marks(limit.inferred)),
+            cell(*_limit_lines(limit)),
+            cell(*context.about(limit)),
+            sources(limit),
+        ),
+        limit.place.path,
+    )
+
+
+def _limit_lines(limit: Limit) -> Iterator[str]:
+    unit = f" {limit.unit}" if limit.unit else ""
+    if limit.value is not None:
+        yield f"{decimal_text(limit.value)}{unit}"
+    if limit.low is not None and limit.high is not None:
+        yield f"{decimal_text(limit.low)} to {decimal_text(limit.high)}{unit}"
+    elif limit.low is not None:
+        yield f"at least {decimal_text(limit.low)}{unit}"
+    elif limit.high is not None:
+        yield f"at most {decimal_text(limit.high)}{unit}"
+    if limit.text:
+        yield limit.text
+
+
+def notes(context: Context) -> Section:
+    """What a user must know and that belongs to no single fact."""
+    inner = tuple(_note(context, note) for note in context.device.notes)
+    return Section("notes", (plain("Notes"),), (), inner)
+
+
+def _note(context: Context, note: Note) -> Section:
+    facts: list[tuple[str, tuple[Line, ...]]] = []
+    if note.about:
+        facts.append(("About", (joined((context.link_to(path),) for path in note.about),)))
+    if note.sources:
+        facts.append(("Source", (cited(note.sources),)))
+    blocks: list[Block] = [Paragraph((plain(note.text),))]
+    if facts:
+        blocks.append(Facts(tuple(facts)))
+    title: Line = (plain(note.title),) if note.title else (code(note.name),)
+    return Section(note.place.path, title, tuple(blocks))

@@ -1,0 +1,73 @@
+"""The page of a device at one version: its sections in order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.anchors import linked
+from fieldspec.backends.docs.context import Context
+from fieldspec.backends.docs.document import Document, Line, clean, code, plain
+from fieldspec.backends.docs.enums import codes, enums
+from fieldspec.backends.docs.errata import errata
+from fieldspec.backends.docs.examples import examples
+from fieldspec.backends.docs.identity import identity, version_title
+from fieldspec.backends.docs.links import links
+from fieldspec.backends.docs.lists import limits, lookups, notes
+from fieldspec.backends.docs.messages import messages
+from fieldspec.backends.docs.parameters import parameters
+from fieldspec.backends.docs.places import places
+from fieldspec.backends.docs.registers import registers
+from fieldspec.backends.docs.tables import records, tables
+from fieldspec.backends.docs.words import words
+from fieldspec.layout.device import DeviceLayout
+
+SECTIONS = (
+    identity,
+    links,
+    registers,
+    tables,
+    messages,
+    parameters,
+    records,
+    words,
+    enums,
+    codes,
+    lookups,
+    limits,
+    notes,
+    examples,
+    errata,
+    places,
+)
+
+
+def page(layout: DeviceLayout) -> Document:
+    """The page of a device at one version. Sections in which nothing would stand are left out."""
+    context = Context(layout)
+    device = layout.device
+    made = [section(context) for section in SECTIONS]
+    sections = tuple(section for section in made if section.blocks or section.sections)
+    title = f"{device.name}, {version_title(context)}" if device.lines else device.name
+    return Document(
+        clean(title),
+        clean(device.title),
+        layout.identity,
+        device.manual.language,
+        tuple(_summary(layout)),
+        linked(sections),
+    )
+
+
+def _summary(layout: DeviceLayout) -> Iterator[Line]:
+    device = layout.device
+    counts = (
+        ("registers", sum(register.count for register in device.registers()), "registers"),
+        ("messages", len(device.messages), "messages"),
+        ("parameters", sum(len(held.parameters) for held in device.parameters.values()), "parameters"),
+        ("example frames", len(device.examples), "examples"),
+        ("errata", len(device.errata), "errata"),
+    )
+    for title, number, anchor in counts:
+        if number:
+            yield (plain(f"{number} {title}", f"#{anchor}"),)
+    yield (plain("identity "), code(layout.identity))

@@ -1,0 +1,141 @@
+"""The registers by group."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import Context, address, cited, names, sources
+from fieldspec.backends.docs.document import (
+    Cell,
+    Column,
+    Facts,
+    Line,
+    Row,
+    Section,
+    cell,
+    code,
+    joined,
+    label,
+    plain,
+    styled,
+    table,
+)
+from fieldspec.backends.docs.inferences import Inferences
+from fieldspec.backends.docs.value_cells import (
+    VALUE_COLUMNS,
+    access_cell,
+    default_cell,
+    meaning_cell,
+    restart_cell,
+    value_cells,
+)
+from fieldspec.model.register import Gap, Register, RegisterGroup
+
+COLUMNS = (
+    Column("Address", "number", kept=True),
+    Column("Words", "number", kept=True),
+    Column("Name", kept=True),
+    VALUE_COLUMNS[0],
+    Column("Access", "short", kept=True),
+    *VALUE_COLUMNS[1:],
+    Column("Default"),
+    Column("Restart", "short"),
+    Column("Meaning", "wide"),
+    Column("Source", "source"),
+)
+
+
+def registers(context: Context) -> Section:
+    """All groups of registers."""
+    inner = tuple(_group(context, group) for group in context.device.groups)
+    return Section("registers", (plain("Registers"),), (), inner)
+
+
+def _group(context: Context, group: RegisterGroup) -> Section:
+    blocks = context.opening(group)
+    path = group.place.path
+    if any(register.place.path == path for register in context.device.registers()):
+        path += "/group"
+    marks = Inferences(path)
+    restart = any(register.restart is not None for register in group.registers)
+    rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
+    title = group.title or group.name
+    blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=2))
+    if group.gaps:
+        blocks.append(Facts(tuple(_gaps(group.gaps))))
+    if group.sources:
+        blocks.append(Facts((("Source", (cited(group.sources),)),)))
+    return Section(path, context.section_title(title, group), tuple(blocks))
+
+
+def _gaps(gaps: tuple[Gap, ...]) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """The addresses that are left out, those with the same reason in one."""
+    for reason in dict.fromkeys(gap.reason for gap in gaps):
+        bounds = [bound for gap in gaps if gap.reason == reason for bound in gap.addresses.intervals]
+        spans = (address(low) if low == high else f"{address(low)}..{address(high)}" for low, high in bounds)
+        yield "No registers at", (joined(((code(span),) for span in spans), ", "), (plain(reason),))
+
+
+def _rows(context: Context, register: Register, marks: Inferences, restart: bool) -> Iterator[Row]:
+    inferred = register.inferred
+    kind, unit, bounds = value_cells(register.value, inferred, marks)
+    yield Row(
+        (
+            _address(register),
+            cell(str(register.width)),
+            names(register, register.name, mark=marks.marks(inferred)),
+            kind,
+            access_cell(register.access, inferred, marks),
+            unit,
+            bounds,
+            default_cell(register.value, inferred, marks),
+            restart_cell(register.restart, inferred, marks) if restart else Cell(),
+            meaning_cell(context, register, register.value, *_special(register)),
+            sources(register),
+        ),
+        register.place.path,
+    )
+    if register.count > 1:
+        yield from (_element(register, number) for number in range(register.count))
+
+
+def _address(register: Register) -> Cell:
+    last = register.address + (register.count - 1) * register.stride
+    if register.count == 1:
+        return cell(code(address(register.address)), styled(str(register.address), "quiet"))
+    return cell(code(f"{address(register.address)}..{address(last)}"), styled(f"{register.address}..{last}", "quiet"))
+
+
+def _special(register: Register) -> Iterator[Line]:
+    """What is special about reading and writing a register."""
+    if register.count > 1:
+        apart = "" if register.stride == register.width else f", {register.stride} words apart"
+        last = register.index_from + register.count - 1
+        yield (plain(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
+    if register.trigger:
+        text = " Writing has an effect; reading does not give back what was written."
+        yield (styled("trigger", "badge"), plain(text))
+    if register.atomic:
+        yield (styled("atomic", "badge"), plain(" All of its words are to be accessed in one request."))
+    if register.same_as:
+        yield (plain("The same as "), code(register.same_as, f"#registers/{register.same_as}"))
+
+
+def _element(register: Register, number: int) -> Row:
+    """The row of one of several equal registers: where it lies, and what the manual calls it."""
+    index = register.index_from + number
+    at = register.address + number * register.stride
+    printed = register.element_name.format(n=index) if register.element_name else ""
+    source = register.element_sources[number : number + 1]
+    blank = (Cell(),) * 7
+    return Row(
+        (
+            cell(code(address(at)), styled(str(at), "quiet")),
+            Cell(),
+            cell((code(f"{register.name}[{index}]"),), (label(printed),)),
+            *blank,
+            cell(cited(source)),
+        ),
+        f"{register.place.path}/{index}",
+        element=True,
+    )

@@ -1,0 +1,146 @@
+"""The cells of a value: type, unit, range, default, and what its numbers mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec.backends.docs.context import Context, many
+from fieldspec.backends.docs.document import UNKNOWN, Cell, Column, Item, Line, cell, code, label, plain, styled
+from fieldspec.backends.docs.inferences import Inferences
+from fieldspec.layout.explaining.worded import decimal_text, in_unit, range_in_unit
+from fieldspec.model.enum import Enum, Member
+from fieldspec.model.fact import Fact
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+
+# An enum with more members than this is not written out in the rows that use it.
+MOST_MEMBERS = 8
+
+VALUE_COLUMNS = (Column("Type"), Column("Unit"), Column("Range"))
+PARTS = {"number": "The number of one of: ", "value": "The value of one of: ", "values": "The values of all: "}
+RESTART = {True: "yes", False: "no"}
+
+
+def value_cells(value: Value, inferred: Mapping[str, str], marks: Inferences) -> tuple[Cell, Cell, Cell]:
+    """The cells below VALUE_COLUMNS."""
+    return (
+        _with(type_lines(value), marks.marks(inferred, "type")),
+        _with(unit_lines(value), marks.marks(inferred, "unit")),
+        _with(range_lines(value), marks.marks(inferred, "range")),
+    )
+
+
+def _with(lines: list[Line], marks: Line) -> Cell:
+    """Lines with marks behind the first one."""
+    if not marks:
+        return cell(*lines)
+    first = lines[0] if lines else ()
+    return cell((*first, *marks), *lines[1:])
+
+
+def type_lines(value: Value) -> list[Line]:
+    """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
+    kind = value.type.kind
+    size = f" of {many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
+    lines: list[Line] = [(code(value.type.name), plain(size))]
+    if value.characters is not None:
+        lines.append((plain(f"{value.characters} characters at most"),))
+    if value.byte_order:
+        lines.append((plain(f"{value.byte_order} endian"),))
+    if value.const is not None:
+        lines.append((plain("always "), code(_number(value, value.const))))
+    return lines
+
+
+def _number(value: Value, number: int) -> str:
+    """A constant: in hexadecimal digits, as many as it has bytes, where it is a pattern rather than a number."""
+    return f"0x{number:0{2 * value.size}X}" if number > 9 else str(number)
+
+
+def unit_lines(value: Value) -> list[Line]:
+    """`0.01 mm`: the worth of one count."""
+    if not value.scaled:
+        return [(plain(value.unit),)] if value.unit else []
+    lines: list[Line] = [(plain(f"{decimal_text(value.scale)} {value.unit}".strip()),)]
+    if value.offset:
+        lines.append((plain(f"plus {decimal_text(value.offset)} {value.unit}".strip()),))
+    return lines
+
+
+def range_lines(value: Value) -> list[Line]:
+    """The range in the unit, then in counts where these are other numbers."""
+    if value.ranges is None:
+        return []
+    lines: list[Line] = [(plain(spoken(range_in_unit(value, value.ranges))),)]
+    if value.scaled:
+        lines.append((styled(f"raw {spoken(value.ranges.text())}", "quiet"),))
+    return lines
+
+
+def spoken(ranges: str) -> str:
+    """`0 to 100`: long intervals may then be broken into lines."""
+    return ranges.replace("..", " to ")
+
+
+def default_cell(value: Value, inferred: Mapping[str, str], marks: Inferences) -> Cell:
+    """The default in the unit, then in counts where that is another number."""
+    default = value.default
+    lines: list[Line] = []
+    if isinstance(default, int):
+        lines = [(plain(in_unit(value, default) or str(default)),)]
+        if value.scaled:
+            lines.append((styled(f"raw {default}", "quiet"),))
+    elif default is not None:
+        lines = [(code(default),)]
+    return _with(lines, marks.marks(inferred, "default"))
+
+
+def access_cell(access: str, inferred: Mapping[str, str], marks: Inferences) -> Cell:
+    """The access, or that it is unknown."""
+    known: Line = (code(access),) if access else (UNKNOWN,)
+    return cell((*known, *marks.marks(inferred, "access")))
+
+
+def restart_cell(restart: bool | None, inferred: Mapping[str, str], marks: Inferences) -> Cell:
+    """Whether a restart is needed, or that it is unknown."""
+    known: Line = (plain(RESTART[restart]),) if restart is not None else (UNKNOWN,)
+    return cell((*known, *marks.marks(inferred, "restart")))
+
+
+def meaning_cell(context: Context, fact: Fact, value: Value | None, *more: Line) -> Cell:
+    """What a fact is, what its numbers mean, and what else is said about it."""
+    about = list(context.about(fact))
+    if value is None:
+        return cell(*more, *about)
+    return cell(*more, *about, *_named_by(value), items=tuple(_meanings(context, value)))
+
+
+def _named_by(value: Value) -> Iterator[Line]:
+    """The enum, the word of flags and the parameters that a value refers to."""
+    if value.enum:
+        yield (styled("Values: ", "quiet"), code(value.enum, f"#enums/{value.enum}"))
+    if value.flags:
+        yield (styled("Bits: ", "quiet"), code(value.flags, f"#flags/{value.flags}"))
+    if value.parameter is not None:
+        name = value.parameter.set
+        yield (styled(PARTS[value.parameter.part], "quiet"), code(name, f"#parameters/{name}"))
+
+
+def _meanings(context: Context, value: Value) -> Iterator[Item]:
+    """Values that stand for something: those of a short enum, and sentinels."""
+    enum = context.device.enums[value.enum] if value.enum else None
+    if enum is not None and _short(enum):
+        yield from (Item(_member(member)) for member in enum.members)
+    for sentinel in value.sentinels:
+        doc: Line = (plain(f": {sentinel.doc}"),) if sentinel.doc else ()
+        yield Item((code(str(sentinel.value)), plain(" "), code(sentinel.name), *doc))
+
+
+def _short(enum: Enum) -> bool:
+    return len(enum.members) <= MOST_MEMBERS and enum.kind == "enum"
+
+
+def _member(member: Member) -> Line:
+    gone: Line = (plain(" "), styled("not available", "badge")) if member.unavailable else ()
+    beside: Line = (plain(" "), label(member.label)) if member.label else ()
+    return (code(str(member.value)), plain(" "), code(member.name), *beside, *gone)

@@ -1,0 +1,31 @@
+"""The documentation of all devices, the real and the made-up ones, for the tests of it."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+from fieldspec.backends.docs.backend import files
+from laid_out import MADE_UP, SPECS, layouts
+
+
+@cache
+def documentation() -> dict[str, str]:
+    """The texts of the documentation by path."""
+    return {
+        path: text
+        for root in (SPECS, MADE_UP)
+        for versions in layouts(root).values()
+        for path, text in files(versions).items()
+    }
+
+
+def with_ending(ending: str) -> list[str]:
+    """The paths of the pages of one form."""
+    return [path for path in documentation() if path.endswith(ending)]
+
+
+def shown(text: str) -> str:
+    """Text as a page shows it: blanks in one, control characters as pictures."""
+    text = re.sub(r"\s+", " ", text).strip()
+    return re.sub(r"[\x00-\x1f]", lambda found: chr(0x2400 + ord(found[0])), text)

@@ -1,0 +1,230 @@
+"""Pages are valid, accessible, whole by themselves, and say everything that the spec says."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+from itertools import pairwise
+from xml.etree.ElementTree import Element
+
+import html5lib
+import pytest
+
+from docs_output.documented import documentation, shown, with_ending
+from fieldspec.backends.docs.backend import files
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.fact import Fact
+from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
+
+PAGES = with_ending(".html")
+LAYOUTS = {f"{laid.device.id}/{laid.device.version}.html": laid for laid in all_layouts()}
+TEXTS = ("printed_name", "label", "doc", "title", "zero", "one", "when", "problem", "cause", "rule", "text")
+
+
+@cache
+def tree(path: str) -> Element:
+    """A page, parsed by the book: any error of syntax raises."""
+    parser = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False)
+    root: Element = parser.parse(documentation()[path])
+    return root
+
+
+def text_of(node: Element) -> str:
+    return shown("".join(node.itertext()))
+
+
+def visible(path: str) -> str:
+    body = tree(path).find("body")
+    assert body is not None
+    return text_of(body)
+
+
+def strings(thing: object) -> Iterator[str]:
+    """The texts that a model holds for its readers."""
+    if isinstance(thing, tuple | list):
+        for item in thing:
+            yield from strings(item)
+    elif isinstance(thing, dict):
+        yield from strings(list(thing.values()))
+    elif dataclasses.is_dataclass(thing) and not isinstance(thing, type):
+        for field in dataclasses.fields(thing):
+            held = getattr(thing, field.name)
+            if isinstance(held, str) and field.name in TEXTS:
+                yield held
+            elif field.name in ("notes", "remedies"):
+                yield from (held if all(isinstance(one, str) for one in held) else strings(held))
+            elif field.name not in ("place", "restated", "examples", "errata", "lines", "sources"):
+                yield from strings(held)
+
+
+def facts(laid: DeviceLayout) -> Iterator[Fact]:
+    """The facts that have an anchor of their own."""
+    device = laid.device
+    yield from device.registers()
+    for holder in (device.links, device.messages, device.tables, device.parameters, device.enums, device.flags):
+        yield from holder.values()
+    for enum in device.enums.values():
+        yield from enum.members
+    for word in device.flags.values():
+        yield from word.bits
+    for record in device.records.values():
+        yield from record.fields
+    for message in device.messages.values():
+        yield from (*message.request.fields, *message.response.fields)
+    yield from device.limits
+    yield from device.lookups
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_a_page_is_valid_html(path: str) -> None:
+    assert tree(path).tag == "html"
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_a_page_says_its_language(path: str) -> None:
+    assert tree(path).get("lang") == "en"
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_an_anchor_is_there_once(path: str) -> None:
+    ids = Counter(node.get("id") for node in tree(path).iter() if node.get("id"))
+    assert [anchor for anchor, count in ids.items() if count > 1] == []
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
+    ids = {node.get("id") for node in tree(path).iter()}
+    folder = path.partition("/")[0]
+    for node in tree(path).iter("a"):
+        link = node.get("href") or ""
+        assert link.startswith("#") or f"{folder}/{link}" in PAGES, link
+        assert not link.startswith("#") or link[1:] in ids, link
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_a_page_needs_no_other_file(path: str) -> None:
+    loading = {
+        name for node in tree(path).iter() for name in node.attrib if name in ("src", "srcset", "data", "action")
+    }
+    assert loading == set()
+    assert [node.get("href") for node in tree(path).iter("link")] == ["data:,"]
+    style = "".join(node.text or "" for node in tree(path).iter("style"))
+    assert "url(" not in style
+    assert "@import" not in style
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_headings_are_in_order(path: str) -> None:
+    levels = [int(node.tag[1]) for node in tree(path).iter() if re.fullmatch("h[1-6]", str(node.tag))]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(later <= earlier + 1 for earlier, later in pairwise(levels))
+    assert all(text_of(node) for node in tree(path).iter() if re.fullmatch("h[1-6]", str(node.tag)))
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_tables_have_captions_and_headers_with_scopes(path: str) -> None:
+    for table in tree(path).iter("table"):
+        caption = table.find("caption")
+        assert caption is not None
+        assert text_of(caption)
+        headers = list(table.iter("th"))
+        assert headers
+        assert {node.get("scope") for node in headers} <= {"col", "row"}
+        width = sum(int(node.get("colspan", "1")) for node in table.findall("./thead/tr/th"))
+        for row in table.findall("./tbody/tr"):
+            assert sum(int(cell.get("colspan", "1")) for cell in row) == width
+
+
+@pytest.mark.parametrize("path", LAYOUTS)
+def test_every_fact_has_its_anchor(path: str) -> None:
+    ids = {node.get("id") for node in tree(path).iter()}
+    missing = [fact.place.path for fact in facts(LAYOUTS[path]) if fact.place.path not in ids]
+    assert missing == []
+
+
+@pytest.mark.parametrize("path", LAYOUTS)
+def test_every_text_of_a_spec_is_on_its_page(path: str) -> None:
+    page = visible(path)
+    missing = {text for text in strings(LAYOUTS[path].device) if shown(text) not in page}
+    assert missing == set()
+
+
+@pytest.mark.parametrize("path", LAYOUTS)
+def test_examples_and_errata_are_on_the_page(path: str) -> None:
+    device = LAYOUTS[path].device
+    ids = {node.get("id") for node in tree(path).iter()}
+    assert {f"examples/{name}" for name in device.examples} <= ids
+    assert {f"errata/{erratum.id}" for erratum in device.errata} <= ids
+    page = visible(path)
+    assert [erratum.reason for erratum in device.errata if shown(erratum.reason) not in page] == []
+
+
+@pytest.mark.parametrize("path", LAYOUTS)
+def test_a_page_carries_the_identity(path: str) -> None:
+    (meta,) = [node for node in tree(path).iter("meta") if node.get("name") == "fieldspec-identity"]
+    assert meta.get("content") == LAYOUTS[path].identity
+
+
+def test_texts_of_a_spec_make_no_elements() -> None:
+    page = tree("hostile/1.html")
+    assert len(list(page.iter("script"))) == 1
+    assert [node.tag for node in page.iter() if node.tag in ("img", "b", "iframe")] == []
+
+
+def test_labels_are_marked_with_their_language() -> None:
+    page = tree("tc100/2.0.html")
+    labels = [node for node in page.iter("span") if node.get("class") == "label"]
+    assert labels
+    assert {node.get("lang") for node in labels} == {"zh-Hant"}
+
+
+def test_a_misprinted_frame_stands_beside_the_right_one() -> None:
+    device = newest(SPECS, "esc11").device
+    (erratum,) = [erratum for erratum in device.errata if erratum.id == "excite-request-checksum"]
+    (section,) = [node for node in tree("esc11/1.17.html").iter("section") if node.get("id") == erratum.fact]
+    strips = section.find("dl")
+    assert strips is not None
+    lines = {text_of(div).split(" ", 1)[0]: text_of(div) for div in strips}
+    assert lines["printed05"].endswith(str(erratum.printed["frame"])[3:])
+    assert [text_of(mark) for mark in strips.iter("mark")] == ["17", "37"]
+
+
+def test_what_is_not_printed_is_shown_as_unknown() -> None:
+    (row,) = [node for node in tree("widget/2.0.html").iter("tr") if node.get("id") == "registers/unknown_access"]
+    assert "unknown" in {text_of(cell) for cell in row.iter("td")}
+
+
+def test_what_is_inferred_is_marked_with_the_reason() -> None:
+    register = newest(SPECS, "tc100").device.register("servo")
+    assert register is not None
+    page = tree("tc100/2.0.html")
+    (row,) = [node for node in page.iter("tr") if node.get("id") == register.place.path]
+    marks = [link.get("href", "")[1:] for link in row.iter("a") if link.find("sup") is not None]
+    notes = {node.get("id"): text_of(node) for node in page.iter("li") if node.get("id")}
+    assert len(marks) == len(register.inferred) > 0
+    for reason in register.inferred.values():
+        assert any(shown(reason) in notes[mark] for mark in marks)
+
+
+def test_a_word_is_drawn_with_a_box_for_each_bit() -> None:
+    (section,) = [node for node in tree("widget/2.0.html").iter("section") if node.get("id") == "flags/status"]
+    (drawn,) = [table for table in section.iter("table") if table.get("class") == "bits"]
+    assert [text_of(node) for node in drawn.iter("th")] == [str(bit) for bit in range(15, -1, -1)]
+    boxes = [(int(cell.get("colspan", "1")), text_of(cell)) for cell in drawn.iter("td")]
+    assert (2, "level") in boxes
+    assert (4, "lap") in boxes
+    assert sum(width for width, _ in boxes) == 16
+
+
+def test_the_list_of_versions_leads_to_all_of_them() -> None:
+    links = [node.get("href") for node in tree("widget/index.html").iter("a") if node.get("href", "").endswith(".html")]
+    assert links == ["2.0.html", "before-2.0.html"]
+
+
+def test_the_same_specs_give_the_same_pages() -> None:
+    versions = layouts(MADE_UP)["widget"]
+    assert files(versions) == files(versions)

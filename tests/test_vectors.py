@@ -1,0 +1,165 @@
+"""Vectors hold the example frames as data that other codecs can use."""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pymodbus.framer import FramerAscii, FramerRTU
+from pymodbus.pdu import DecodePDU
+
+from fieldspec.backends.vectors.backend import files
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.reference import CodecError, codec
+from laid_out import MADE_UP, SPECS, layouts
+
+FORMAT = Path(__file__).parent.parent / "docs" / "vectors.md"
+VERSIONS = {name: versions for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+
+
+@cache
+def text(device: str) -> str:
+    (made,) = files(VERSIONS[device]).values()
+    return made
+
+
+def document(device: str) -> dict[str, Any]:
+    held: dict[str, Any] = json.loads(text(device))
+    return held
+
+
+def laid_at(device: str, version: str) -> DeviceLayout:
+    return next(laid for laid in VERSIONS[device] if laid.device.version == version)
+
+
+VECTORS = [
+    pytest.param(device, vector, id=f"{device}-{vector['id']}-{vector['versions'][0]}")
+    for device in VERSIONS
+    for vector in document(device)["vectors"]
+]
+TAKEN = [param for param in VECTORS if not param.values[1]["refused"]]
+
+
+def as_json(raw: object) -> object:
+    """A raw value of the reference as JSON has it."""
+    if isinstance(raw, bytes):
+        return raw.hex()
+    if isinstance(raw, list):
+        return [as_json(item) for item in raw]
+    if isinstance(raw, dict):
+        return {name: as_json(item) for name, item in raw.items()}
+    return raw
+
+
+def decoder(framer: type[FramerRTU] | type[FramerAscii], direction: str, frame: bytes) -> Any:
+    """What another implementation of the protocol makes of a frame; it checks marks and check."""
+    pdus = DecodePDU(direction == "request")
+    length, station, _, data = framer(pdus).decode(frame)
+    assert length == len(frame)
+    pdu = pdus.decode(data)
+    assert pdu is not None
+    pdu.dev_id = station
+    return pdu
+
+
+@pytest.mark.parametrize("device", VERSIONS)
+def test_the_file_is_readable_text(device: str) -> None:
+    made = text(device)
+    assert made.endswith("}\n")
+    assert "\\u" not in made
+    assert made == json.dumps(json.loads(made), ensure_ascii=False, indent=1) + "\n"
+
+
+@pytest.mark.parametrize("device", VERSIONS)
+def test_the_file_names_the_identity_of_each_version(device: str) -> None:
+    assert document(device)["identities"] == {laid.device.version: laid.identity for laid in VERSIONS[device]}
+
+
+@pytest.mark.parametrize("device", VERSIONS)
+def test_every_example_of_every_version_is_there_once(device: str) -> None:
+    wanted = [(laid.device.version, name) for laid in VERSIONS[device] for name in laid.device.examples]
+    found = [(version, vector["id"]) for vector in document(device)["vectors"] for version in vector["versions"]]
+    assert sorted(found) == sorted(wanted)
+
+
+def test_the_format_is_documented() -> None:
+    keys = [*document("widget"), *document("widget")["vectors"][0]]
+    documented = re.findall(
+        r"`(\w+)`",
+        "\n".join(line.split("|")[1] for line in FORMAT.read_text("utf-8").splitlines() if line.startswith("| `")),
+    )
+    assert documented == keys
+
+
+@pytest.mark.parametrize(("device", "vector"), TAKEN)
+def test_the_reference_decodes_the_right_bytes_to_the_values(device: str, vector: dict[str, Any]) -> None:
+    for version in vector["versions"]:
+        link = codec(laid_at(device, version)).links[vector["link"]]
+        found = link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
+        assert vector["values"] == as_json({**found.head, **found.values})
+        assert vector["error"] == found.error
+
+
+@pytest.mark.parametrize(("device", "vector"), [param for param in VECTORS if param.values[1]["refused"]])
+def test_the_reference_refuses_what_must_be_refused(device: str, vector: dict[str, Any]) -> None:
+    link = codec(laid_at(device, vector["versions"][-1])).links[vector["link"]]
+    with pytest.raises(CodecError) as caught:
+        link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
+    assert (caught.value.reason, vector["values"]) == (vector["refused"], None)
+
+
+@pytest.mark.parametrize(("device", "vector"), [param for param in TAKEN if param.values[0] == "tc100"])
+def test_another_modbus_stack_reads_the_same(device: str, vector: dict[str, Any]) -> None:
+    framer = FramerRTU if vector["link"] == "rtu" else FramerAscii
+    pdu = decoder(framer, vector["direction"], bytes.fromhex(vector["right"]))
+    values = vector["values"]
+    assert pdu.dev_id == values["station"]
+    if vector["error"]:
+        assert (pdu.function_code, pdu.exception_code) == (values["function"] | 0x80, values["exception_code"])
+        return
+    assert pdu.function_code == values["function"]
+    if "address" in values:
+        assert pdu.address == values["address"]
+    if "values" in values or "value" in values:
+        assert pdu.registers == values.get("values", [values.get("value")])
+
+
+@pytest.mark.parametrize(("device", "vector"), [param for param in TAKEN if param.values[0] == "esc11"])
+def test_packets_have_the_length_and_the_sum_that_their_manual_asks_for(device: str, vector: dict[str, Any]) -> None:
+    frame = bytes.fromhex(vector["right"])
+    assert (frame[0], frame[-1]) == (len(frame), sum(frame[:-1]) % 256)
+    assert frame[1] == vector["values"]["address"]
+
+
+@pytest.mark.parametrize(("device", "vector"), VECTORS)
+def test_the_verdict_says_whether_print_and_right_bytes_differ(device: str, vector: dict[str, Any]) -> None:
+    printed = vector["printed"]
+    assert (printed is None) == (vector["origin"] == "computed" or vector["elided"] != [])
+    if printed is not None and vector["printed_characters"] == vector["characters"]:
+        assert (printed != vector["right"]) == (vector["verdict"] != "ok")
+    if vector["verdict"] != "ok":
+        assert vector["errata"]
+
+
+@pytest.mark.parametrize(("device", "vector"), VECTORS)
+def test_characters_are_those_of_the_right_bytes(device: str, vector: dict[str, Any]) -> None:
+    link = laid_at(device, vector["versions"][0]).links[vector["link"]].link
+    if link.encoding == "hex_ascii":
+        assert vector["characters"].encode("ascii") == bytes.fromhex(vector["right"])
+    else:
+        assert vector["characters"] is None
+
+
+def test_a_misprint_has_the_printed_bytes_beside_the_right_ones() -> None:
+    (vector,) = [one for one in document("esc11")["vectors"] if one["id"] == "excite-motor-request"]
+    assert (vector["printed"], vector["right"], vector["verdict"]) == ("0500310117", "0500310137", "misprint")
+    assert vector["errata"] == ["excite-request-checksum"]
+
+
+def test_a_frame_that_the_manual_does_not_decide_is_open() -> None:
+    (vector,) = [one for one in document("esc11")["vectors"] if one["id"] == "reset-alarm-response"]
+    assert vector["verdict"] == "open"
