@@ -80,15 +80,15 @@ def access_functions(naming: Naming, size: int, order: str, swapped: bool) -> li
     lines = [
         f"static inline {kind} {naming.function('load', name)}(const uint8_t *in)",
         "{",
-        f"    return ({kind})({' | '.join(f'({part})' for part in parts)});",
+        f"    return ({kind})({' | '.join(parts if size == 1 else [f'({part})' for part in parts])});",
         "}",
         "",
         f"static inline void {naming.function('store', name)}(uint8_t *out, {kind} value)",
         "{",
     ]
     for at, step in enumerate(steps):
-        shifted = f"value >> {step}" if step else "value"
-        lines.append(f"    out[{at}] = (uint8_t)({shifted});")
+        shifted = f"(value >> {step})" if step else "value"
+        lines.append(f"    out[{at}] = (uint8_t){shifted};")
     return [*lines, "}"]
 
 
@@ -143,7 +143,7 @@ def range_test(value: Value, name: str) -> str:
         for sentinel in value.sentinels
         if sentinel.value not in value.ranges
     ]
-    return "!(" + " || ".join(f"({part})" for part in parts) + ")"
+    return "!(" + " || ".join(parts if len(parts) == 1 else [f"({part})" for part in parts]) + ")"
 
 
 def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
