@@ -1,0 +1,119 @@
+"""Whatever is in the files, reading gives findings and never raises, and so does each version of what was read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import any_spec
+from fieldspec.reading import yaml_reader
+from fieldspec.reading.project import Project, read
+from reading import DEVICE, codes
+
+ROOT = Path(__file__).parent.parent
+FOLDERS = [ROOT / "specs", ROOT / "tests" / "specs"]
+SPECS = [path for folder in FOLDERS for path in sorted(folder.glob("*/*.yaml"))]
+PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
+SEEDS = 400
+PARSERS = [yaml.Loader, *([yaml._yaml.CParser] if yaml.__with_libyaml__ else [])]
+
+# What YAML gives a meaning to, and words of the language.
+WORDS = st.sampled_from(
+    [*"-:,[]{}#&*!|>'\"%@`?~ \n\t\r\x85\u2028\ufeff", ": ", "- ", "\n  ", "---\n", "...\n", "&a ", "*a", "!!int ", "<<: *a"]
+    + ["device: ", "registers: ", "rows: ", "name: ", "at: ", "0x10", "since: ", "uses: ", "protocol: ", "wire", "伺服"]
+    + ['"\\x', '"\\u', '"\\U0011', "%YAML 1.1\n", "%TAG ! x\n", "!<", "!%FF "]
+)
+
+
+def read_whole(files: dict[str, bytes]) -> Project:
+    """Reads files and every version of their devices; whatever is found can be shown."""
+    found = read(files)
+    findings = list(found.found)
+    for spec in found.devices.values():
+        for version in [*spec.versions(), "no such version"]:
+            findings += spec.at(version)[1]
+    for finding in findings:
+        assert finding.code
+        assert finding.message.encode()
+        assert len(finding.message) < 1000
+        for span in (finding.span, *(label.span for label in finding.labels)):
+            assert 0 <= span.start <= span.end
+            line, column = span.position()
+            assert line >= 1
+            assert column >= 1
+            span.file.line(line)
+    return found
+
+
+def of_device(data: bytes) -> dict[str, bytes]:
+    """A device with one more file, and that file alone as a device and as a protocol."""
+    return {
+        "gadget/device.yaml": DEVICE.encode() + b"uses: [{protocol: wire}, {protocol: other}]\n",
+        "gadget/more.yaml": data,
+        "gizmo/device.yaml": data,
+        "protocols/wire.yaml": PROTOCOL,
+        "protocols/other.yaml": data,
+    }
+
+
+@given(st.binary(max_size=300))
+@settings(max_examples=300, deadline=None)
+def test_any_bytes_are_read(data: bytes) -> None:
+    read_whole(of_device(data))
+
+
+@given(st.text(max_size=200))
+@settings(max_examples=300, deadline=None)
+def test_any_text_is_read(text: str) -> None:
+    read_whole(of_device(text.encode("utf-8", "surrogatepass")))
+
+
+@pytest.mark.parametrize("parser", PARSERS)
+def test_anything_like_yaml_is_read(parser: object) -> None:
+    @given(st.lists(st.one_of(WORDS, st.text(max_size=2)), max_size=40).map("".join))
+    @settings(max_examples=500, deadline=None)
+    def is_read(text: str) -> None:
+        read_whole(of_device(text.encode("utf-8", "surrogatepass")))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(yaml_reader, "_Parser", parser)
+        is_read()
+
+
+@given(st.sampled_from(SPECS), st.data())
+@settings(max_examples=150, deadline=None)
+def test_any_damaged_spec_is_read(path: Path, data: st.DataObject) -> None:
+    text = path.read_bytes()
+    for _ in range(data.draw(st.integers(1, 3))):
+        at = data.draw(st.integers(0, len(text)))
+        size = data.draw(st.integers(0, 12))
+        text = text[:at] + data.draw(st.binary(max_size=4)) + text[at + size :]
+    files = {f"protocols/{spec.name}": spec.read_bytes() for spec in SPECS if spec.parent.name == "protocols"}
+    read_whole(files | {"gadget/device.yaml": DEVICE.encode(), f"{path.parent.name}/{path.name}": text})
+
+
+@given(st.sampled_from(SPECS), st.data())
+@settings(max_examples=60, deadline=None)
+def test_any_spec_whose_words_are_changed_is_read(path: Path, data: st.DataObject) -> None:
+    words = path.read_text("utf-8").split(" ")
+    for _ in range(data.draw(st.integers(1, 8))):
+        at = data.draw(st.integers(0, len(words) - 1))
+        words[at] = data.draw(st.one_of(WORDS, st.sampled_from(words)))
+    folder = {spec.name: spec.read_bytes() for spec in path.parent.glob("*.yaml")} | {path.name: " ".join(words).encode()}
+    protocols = {f"protocols/{spec.name}": spec.read_bytes() for spec in SPECS if spec.parent.name == "protocols"}
+    read_whole(protocols | {f"{path.parent.name}/{name}": held for name, held in folder.items()})
+
+
+def test_any_spec_that_fits_the_schema_is_read() -> None:
+    built = 0
+    for seed in range(SEEDS):
+        text = any_spec.spec(seed)
+        files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
+        found = read_whole(files)
+        assert set(codes(found.found)) <= {"version_unknown", "version_twice", "yaml_syntax"}, (seed, found.found[0].message)
+        built += "gadget" in found.devices
+    assert built > SEEDS / 2
