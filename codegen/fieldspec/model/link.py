@@ -43,6 +43,7 @@ class Stations:
     ranges: Ranges | None
     broadcast: int | None
     rule: str
+    notes: tuple[str, ...]
     sources: tuple[Citation, ...]
 
 

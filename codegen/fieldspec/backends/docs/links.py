@@ -87,6 +87,8 @@ def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "All stations", ((plain(str(stations.broadcast)),),)
     if stations.rule:
         yield "How a station is set", ((plain(stations.rule),),)
+    for note in stations.notes:
+        yield "Note on the stations", ((plain(note),),)
     if stations.sources:
         yield "Source of the stations", (cited(stations.sources),)
 

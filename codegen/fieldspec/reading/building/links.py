@@ -54,6 +54,7 @@ def _stations(entry: Entry) -> Stations | None:
         ranges=held.whole_ranges("range"),
         broadcast=held.integer("broadcast"),
         rule=held.text("rule"),
+        notes=held.texts("notes"),
         sources=held.sources,
     )
 
