@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import cache
-from importlib import resources
+from pathlib import Path
 from typing import Any, TypeAlias
 
 Schema: TypeAlias = dict[str, Any]
@@ -13,7 +13,7 @@ Schema: TypeAlias = dict[str, Any]
 @cache
 def schema() -> Schema:
     """The language as JSON Schema, draft 2020-12."""
-    text = resources.files(__name__).joinpath("spec.schema.json").read_text("utf-8")
+    text = Path(__file__).with_name("spec.schema.json").read_text("utf-8")
     return json.loads(text)  # type: ignore[no-any-return]
 
 

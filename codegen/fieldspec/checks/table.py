@@ -1,0 +1,154 @@
+"""All checks by name, and how they are run.
+
+A check yields findings and knows nothing of allowances: they are applied here, once for all checks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.addresses_ascending import addresses_ascending
+from fieldspec.checks.addresses_disjoint import addresses_disjoint
+from fieldspec.checks.addresses_within_space import addresses_within_space
+from fieldspec.checks.aliases_agree import aliases_agree
+from fieldspec.checks.allowances import Allowance, allowances
+from fieldspec.checks.allowances_used import allowances_used
+from fieldspec.checks.bits_match_range import bits_match_range
+from fieldspec.checks.bits_unique import bits_unique
+from fieldspec.checks.bits_within_width import bits_within_width
+from fieldspec.checks.broadcast_apart import broadcast_apart
+from fieldspec.checks.codes_fit_link import codes_fit_link
+from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
+from fieldspec.checks.default_within_range import default_within_range
+from fieldspec.checks.elements_match_table import elements_match_table
+from fieldspec.checks.enum_contiguous import enum_contiguous
+from fieldspec.checks.enum_names_unique import enum_names_unique
+from fieldspec.checks.enum_values_unique import enum_values_unique
+from fieldspec.checks.enum_within_range import enum_within_range
+from fieldspec.checks.examples_fit_registers import examples_fit_registers
+from fieldspec.checks.finding import Check
+from fieldspec.checks.frame_length_matches import frame_length_matches
+from fieldspec.checks.gaps_declared import gaps_declared
+from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.labels_unique import labels_unique
+from fieldspec.checks.lengths_hold import lengths_hold
+from fieldspec.checks.limits_ordered import limits_ordered
+from fieldspec.checks.links_complete import links_complete
+from fieldspec.checks.measures_match_repeats import measures_match_repeats
+from fieldspec.checks.messages_complete import messages_complete
+from fieldspec.checks.names_unique import names_unique
+from fieldspec.checks.offsets_match_layout import offsets_match_layout
+from fieldspec.checks.orders_agree import orders_agree
+from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascending
+from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
+from fieldspec.checks.range_ends_match import range_ends_match
+from fieldspec.checks.range_within_enum import range_within_enum
+from fieldspec.checks.range_within_type import range_within_type
+from fieldspec.checks.record_size_matches import record_size_matches
+from fieldspec.checks.records_finite import records_finite
+from fieldspec.checks.references_resolve import references_resolve
+from fieldspec.checks.repeat_last import repeat_last
+from fieldspec.checks.replies_agree import replies_agree
+from fieldspec.checks.restatements_agree import restatements_agree
+from fieldspec.checks.senses_differ import senses_differ
+from fieldspec.checks.series_regular import series_regular
+from fieldspec.checks.siblings_agree import siblings_agree
+from fieldspec.checks.sources_ascending import sources_ascending
+from fieldspec.checks.sources_present import sources_present
+from fieldspec.checks.spans_match_layout import spans_match_layout
+from fieldspec.checks.text_fits_words import text_fits_words
+from fieldspec.checks.triggers_writable import triggers_writable
+from fieldspec.checks.value_within_range import value_within_range
+from fieldspec.checks.words_match_type import words_match_type
+from fieldspec.diagnostics import Diagnostic, in_order
+from fieldspec.model.device import Device
+
+CHECKS: tuple[tuple[str, Check], ...] = (
+    ("addresses_ascending", addresses_ascending),
+    ("addresses_disjoint", addresses_disjoint),
+    ("addresses_within_space", addresses_within_space),
+    ("aliases_agree", aliases_agree),
+    ("bits_match_range", bits_match_range),
+    ("bits_unique", bits_unique),
+    ("bits_within_width", bits_within_width),
+    ("broadcast_apart", broadcast_apart),
+    ("codes_fit_link", codes_fit_link),
+    ("decimal_equals_hex", decimal_equals_hex),
+    ("default_within_range", default_within_range),
+    ("elements_match_table", elements_match_table),
+    ("enum_contiguous", enum_contiguous),
+    ("enum_names_unique", enum_names_unique),
+    ("enum_values_unique", enum_values_unique),
+    ("enum_within_range", enum_within_range),
+    ("examples_fit_registers", examples_fit_registers),
+    ("frame_length_matches", frame_length_matches),
+    ("gaps_declared", gaps_declared),
+    ("inferred_keys_given", inferred_keys_given),
+    ("labels_unique", labels_unique),
+    ("lengths_hold", lengths_hold),
+    ("limits_ordered", limits_ordered),
+    ("links_complete", links_complete),
+    ("measures_match_repeats", measures_match_repeats),
+    ("messages_complete", messages_complete),
+    ("names_unique", names_unique),
+    ("offsets_match_layout", offsets_match_layout),
+    ("orders_agree", orders_agree),
+    ("parameter_numbers_ascending", parameter_numbers_ascending),
+    ("parameter_numbers_within_range", parameter_numbers_within_range),
+    ("range_ends_match", range_ends_match),
+    ("range_within_enum", range_within_enum),
+    ("range_within_type", range_within_type),
+    ("record_size_matches", record_size_matches),
+    ("records_finite", records_finite),
+    ("references_resolve", references_resolve),
+    ("repeat_last", repeat_last),
+    ("replies_agree", replies_agree),
+    ("restatements_agree", restatements_agree),
+    ("senses_differ", senses_differ),
+    ("series_regular", series_regular),
+    ("siblings_agree", siblings_agree),
+    ("sources_ascending", sources_ascending),
+    ("sources_present", sources_present),
+    ("spans_match_layout", spans_match_layout),
+    ("text_fits_words", text_fits_words),
+    ("triggers_writable", triggers_writable),
+    ("value_within_range", value_within_range),
+    ("words_match_type", words_match_type),
+)
+
+MOST_FINDINGS = 200
+"""How many findings one check may have; more of them help nobody."""
+
+_BY_NAME = dict(CHECKS)
+
+
+def run(device: Device) -> list[Diagnostic]:
+    """The findings of all checks, in order."""
+    given = list(allowances(device))
+    used: set[Allowance] = set()
+    found = [finding for name, _ in CHECKS for finding in _kept(device, name, given, used)]
+    return in_order([*found, *allowances_used(given, used, _BY_NAME)])
+
+
+def run_named(device: Device, name: str) -> list[Diagnostic]:
+    """The findings of one check, in order."""
+    if name == "allowances_used":
+        return [finding for finding in run(device) if finding.code == name]
+    return in_order(_kept(device, name, list(allowances(device)), set()))
+
+
+def _kept(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
+    """The findings of a check that nothing allows; allowances that are met are added to `used`."""
+    own = [allowance for allowance in given if allowance.check == name]
+    kept = 0
+    for finding in _BY_NAME[name](device):
+        covering = [allowance for allowance in own if allowance.covers(finding)]
+        used.update(covering)
+        if covering:
+            continue
+        if kept == MOST_FINDINGS:
+            text = f"`{name}` has more than {MOST_FINDINGS} findings; the rest is not listed"
+            yield Diagnostic("too_many_findings", text, finding.span, help="mend the first ones")
+            return
+        kept += 1
+        yield finding
