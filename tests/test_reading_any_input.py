@@ -22,11 +22,22 @@ SEEDS = 400
 PARSERS = [yaml.Loader, *([yaml._yaml.CParser] if yaml.__with_libyaml__ else [])]
 
 # What YAML gives a meaning to, and words of the language.
-WORDS = st.sampled_from(
-    [*"-:,[]{}#&*!|>'\"%@`?~ \n\t\r\x85\u2028\ufeff", ": ", "- ", "\n  ", "---\n", "...\n", "&a ", "*a", "!!int ", "<<: *a"]
-    + ["device: ", "registers: ", "rows: ", "name: ", "at: ", "0x10", "since: ", "uses: ", "protocol: ", "wire", "伺服"]
-    + ['"\\x', '"\\u', '"\\U0011', "%YAML 1.1\n", "%TAG ! x\n", "!<", "!%FF "]
-)
+MARKS = [*"-:,[]{}#&*!|>'\"%@`?~ \n\t\r\x85\u2028\ufeff", ": ", "- ", "\n  ", "---\n", "...\n", "&a ", "*a", "!!int "]
+ESCAPES = ['"\\x', '"\\u', '"\\U0011', "%YAML 1.1\n", "%TAG ! x\n", "!<", "!%FF ", "<<: *a"]
+KEYS = [
+    "device: ",
+    "registers: ",
+    "rows: ",
+    "name: ",
+    "at: ",
+    "0x10",
+    "since: ",
+    "uses: ",
+    "protocol: ",
+    "wire",
+    "伺服",
+]
+WORDS = st.sampled_from([*MARKS, *ESCAPES, *KEYS])
 
 
 def read_whole(files: dict[str, bytes]) -> Project:
@@ -92,8 +103,7 @@ def test_any_damaged_spec_is_read(path: Path, data: st.DataObject) -> None:
         at = data.draw(st.integers(0, len(text)))
         size = data.draw(st.integers(0, 12))
         text = text[:at] + data.draw(st.binary(max_size=4)) + text[at + size :]
-    files = {f"protocols/{spec.name}": spec.read_bytes() for spec in SPECS if spec.parent.name == "protocols"}
-    read_whole(files | {"gadget/device.yaml": DEVICE.encode(), f"{path.parent.name}/{path.name}": text})
+    read_whole({"gadget/device.yaml": DEVICE.encode(), f"{path.parent.name}/{path.name}": text})
 
 
 @given(st.sampled_from(SPECS), st.data())
@@ -103,9 +113,9 @@ def test_any_spec_whose_words_are_changed_is_read(path: Path, data: st.DataObjec
     for _ in range(data.draw(st.integers(1, 8))):
         at = data.draw(st.integers(0, len(words) - 1))
         words[at] = data.draw(st.one_of(WORDS, st.sampled_from(words)))
-    folder = {spec.name: spec.read_bytes() for spec in path.parent.glob("*.yaml")} | {path.name: " ".join(words).encode()}
-    protocols = {f"protocols/{spec.name}": spec.read_bytes() for spec in SPECS if spec.parent.name == "protocols"}
-    read_whole(protocols | {f"{path.parent.name}/{name}": held for name, held in folder.items()})
+    folders = {path.parent.name, "protocols"}
+    files = {f"{spec.parent.name}/{spec.name}": spec.read_bytes() for spec in SPECS if spec.parent.name in folders}
+    read_whole(files | {f"{path.parent.name}/{path.name}": " ".join(words).encode()})
 
 
 def test_any_spec_that_fits_the_schema_is_read() -> None:
@@ -114,6 +124,6 @@ def test_any_spec_that_fits_the_schema_is_read() -> None:
         text = any_spec.spec(seed)
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         found = read_whole(files)
-        assert set(codes(found.found)) <= {"version_unknown", "version_twice", "yaml_syntax"}, (seed, found.found[0].message)
+        assert set(codes(found.found)) <= {"version_unknown", "version_twice"}, f"seed {seed}"
         built += "gadget" in found.devices
     assert built > SEEDS / 2
