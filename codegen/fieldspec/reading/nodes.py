@@ -25,6 +25,7 @@ class Scalar:
 
     @property
     def span(self) -> Span:
+        """Where it stands."""
         return Span(self.file, self.start, self.end)
 
 
@@ -39,6 +40,7 @@ class Sequence:
 
     @property
     def span(self) -> Span:
+        """Where it stands."""
         return Span(self.file, self.start, self.end)
 
 
@@ -54,6 +56,7 @@ class Mapping:
 
     @property
     def span(self) -> Span:
+        """Where it stands."""
         return Span(self.file, self.start, self.end)
 
     def with_value(self, key: str, value: Node) -> Mapping:
