@@ -63,7 +63,7 @@ Cure: Write a section, or remove the file.
 
 Why: what it defines is missing from the device.
 
-Example: `uses: [{protocol: modbuss}]` where the file is `protocols/modbus.yaml`.
+Example: `uses: [{protocol: wires}]` where the file is `protocols/wire.yaml`.
 
 Cure: Put the name right, or write the file.
 """,

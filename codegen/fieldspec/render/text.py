@@ -81,7 +81,7 @@ def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
 
 
 def place(span: Span) -> str:
-    """`tc100/points.yaml:12:7`"""
+    """`gadget/points.yaml:12:7`"""
     line, column = span.position()
     return f"{span.file.path}:{line}:{column}"
 
