@@ -1,4 +1,8 @@
-"""The untyped tree of a YAML file. Every key and value keeps its place."""
+"""The untyped tree of a YAML file. Every key and value keeps its place.
+
+Nobody changes a node that is built. They are not frozen, because frozen ones take five times as long to build, and
+most of a short run is reading.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +16,7 @@ from fieldspec.source import SourceFile, Span
 Plain: TypeAlias = bool | int | Decimal | str | None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Scalar:
     """A scalar: its text, whether it was quoted, and its value once the schema has typed it."""
 
@@ -29,7 +33,7 @@ class Scalar:
         return Span(self.file, self.start, self.end)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Sequence:
     """A list of nodes."""
 
@@ -44,7 +48,7 @@ class Sequence:
         return Span(self.file, self.start, self.end)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Mapping:
     """Nodes by key, in the order of the file. `keys` holds the places of the keys."""
 

@@ -146,7 +146,7 @@ class _Builder:
         if isinstance(event, yaml.AliasEvent):
             return self._alias(event, depth)
         self._grow(event, 1, depth)
-        assert isinstance(event, yaml.ScalarEvent | CollectionStartEvent)
+        assert isinstance(event, (yaml.ScalarEvent, CollectionStartEvent))
         if event.tag is not None and not (isinstance(event, yaml.ScalarEvent) and event.tag == "!"):
             text = f"the tag {quoted(event.tag)}: a spec holds plain data"
             raise _Refused(Diagnostic("tag_used", text, self._tag(event), help="remove the tag"))
