@@ -12,6 +12,7 @@ import sys
 from collections.abc import Sequence
 from importlib import import_module
 from io import TextIOWrapper
+from typing import Any
 
 from fieldspec import __version__
 from fieldspec.commands.usage import UsageError
@@ -19,8 +20,20 @@ from fieldspec.commands.usage import UsageError
 FINE, FINDINGS, WRONG_USE = 0, 1, 2
 
 
+def _help(prog: str) -> argparse.HelpFormatter:
+    """The form of help texts; argparse would import the whole of shutil to ask for the width."""
+    try:
+        width = int(os.environ.get("COLUMNS") or os.get_terminal_size().columns)
+    except (ValueError, OSError):
+        width = 80
+    return argparse.HelpFormatter(prog, width=max(width - 2, 40))
+
+
 class _Parser(argparse.ArgumentParser):
     """Says wrong use in one line, with where to read more."""
+
+    def __init__(self, **given: Any) -> None:
+        super().__init__(formatter_class=_help, **given)
 
     def error(self, message: str) -> None:  # type: ignore[override]
         raise UsageError(f"{message}; see: {self.prog} --help")
@@ -57,7 +70,7 @@ def parser() -> argparse.ArgumentParser:
 
     decode = verb("decode", "explain a frame, or a log of frames, byte by byte")
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
-    decode.add_argument("frame", nargs="?", metavar="HEX|-", help="the bytes; - or nothing: lines of standard input")
+    decode.add_argument("frame", nargs="*", metavar="HEX|-", help="the bytes; - or nothing: lines of standard input")
     decode.add_argument("--link", help="the link that the frame was sent on")
     decode.add_argument("--direction", choices=("request", "response"))
     decode.add_argument("--message", help="the message, where the frame does not say it")

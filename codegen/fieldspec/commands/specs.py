@@ -5,9 +5,13 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from fieldspec.checks.records_finite import records_finite
+from fieldspec.checks.references_resolve import references_resolve
+from fieldspec.checks.repeat_last import repeat_last
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.model.device import Device
 from fieldspec.reading.project import MAIN, PROTOCOLS, DeviceSpec, Project, read
 
 FOLDER = "specs"
@@ -74,14 +78,17 @@ def picked(spec: DeviceSpec, version: str) -> str:
 
 def layout(given: str | None, text: str) -> DeviceLayout:
     """The layout of `DEVICE` or `DEVICE@VERSION`, for verbs that use a spec and do not judge it."""
-    from fieldspec import checks
-
     name, version = split(text)
     found = project(given, frozenset([name]))
     if name not in found.devices or has_errors(found.found):
         raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
     spec = found.devices[name]
     device, broken = spec.at(picked(spec, version))
-    if has_errors(broken) or has_errors(checks.run_named(device, "references_resolve")):
+    if has_errors(broken) or not _sound(device):
         raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
     return device_layout(device)
+
+
+def _sound(device: Device) -> bool:
+    """Whether a device can be laid out: what it names is there, and its records end."""
+    return not any(True for check in (references_resolve, records_finite, repeat_last) for _ in check(device))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 
 
@@ -12,6 +11,8 @@ class UsageError(Exception):
 
 def unknown(what: str, given: str, known: Iterable[str]) -> UsageError:
     """That there is no such thing, with the nearest one, or all of them."""
+    import difflib
+
     names = sorted(known)
     near = difflib.get_close_matches(given, names, 1, 0.6)
     if near:

@@ -1,0 +1,206 @@
+"""The explanation of a frame as lines and tables for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.explaining.row import citations
+from fieldspec.layout.explanation import Explanation, Meaning, Row
+from fieldspec.layout.printed import printed
+from fieldspec.model.example import Example
+
+_BYTES_A_LINE = 8
+_NUMBERS_A_LINE = 8
+_LIST = 3
+_EXAMPLES = 3
+_JUDGED = ("meaning", "check", "manual")
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Cells by row, and whether a row is wrong."""
+
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    wrong: tuple[bool, ...]
+
+
+def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
+    """`write_register request, rtu, TC100 2.0: Write one register`; without the message where that is not `sure`."""
+    device = layout.device
+    kind = "refusal" if held.error else held.direction
+    name = f"{held.message or 'unknown'} {kind}" if sure else kind
+    text = f"{name}, {held.link}, {device.name} {device.version}"
+    laid = layout.messages.get(held.message)
+    said = laid.message.title or laid.message.label if laid else ""
+    return f"{text}: {said}" if said and sure else text
+
+
+def accessed(layout: DeviceLayout, held: Explanation) -> str:
+    """`reads 0x1000..0x1001`"""
+    accesses = layout.messages[held.message].message.accesses
+    addresses = [row.address + row.words for row in held.registers if row.address is not None]
+    first = min(row.address for row in held.registers if row.address is not None)
+    last = max(addresses) - 1
+    span = f"0x{first:04X}" if first == last else f"0x{first:04X}..0x{last:04X}"
+    return f"{accesses.operation}s {span}" if accesses else span
+
+
+def faults(held: Explanation) -> Iterator[str]:
+    """What is wrong, or beyond what the manual gives, a line each."""
+    for row in (*held.rows, *held.registers):
+        if row.verdict.startswith("wrong"):
+            place = f"{row.path} at byte {row.offset}" if row.path else f"byte {row.offset}"
+            doubtful = row.kind == "register" or row.reason == "out_of_range"
+            yield f"{'doubtful' if doubtful else 'wrong'}: {place}: {row.verdict.removeprefix('wrong: ')}"
+
+
+def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
+    """Every byte of the frame, in order; neighbouring elements of a list of plain numbers in one row."""
+    shape = layout.links[held.link].frame(held.direction)
+    check = shape.check
+    code = shape.role("code")
+    laid = layout.messages.get(held.message)
+    accesses = laid.message.accesses if laid else None
+    addresses = {code.name if code else "", accesses.start if accesses else ""}
+    headings = ("at", "sent", "bytes", "field", "label", "raw", "value", *_JUDGED)
+    lines: list[tuple[tuple[str, ...], bool]] = []
+    for _, group in groupby(held.rows, key=_run):
+        rows = list(group)
+        if len(rows) >= _LIST:
+            lines += _listed(rows)
+            continue
+        for row in rows:
+            raw = "" if check is not None and row.path == check.name else raw_text(row, row.path in addresses)
+            first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
+            lines += _lines(row, first, 2)
+    return _table(headings, lines)
+
+
+def register_table(held: Explanation) -> Table:
+    """The registers that the frame reads or writes."""
+    headings = ("address", "words", "bytes", "register", "label", "access", "raw", "value", *_JUDGED)
+    lines: list[tuple[tuple[str, ...], bool]] = []
+    for row in held.registers:
+        name = row.path or row.doc
+        first = (f"0x{row.address:04X}", str(row.words), _hex(row.raw), name, _label(row), row.access)
+        lines += _lines(row, (*first, raw_text(row, False), row.value), 2)
+    return _table(headings, lines)
+
+
+def footnotes(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
+    """The notes and errata that touch the frame, each once."""
+    rows = (*held.rows, *held.registers)
+    seen = set()
+    for row in rows:
+        for note in row.notes:
+            if note not in seen:
+                seen.add(note)
+                yield f"note on {row.path or 'the frame'}: {note}"
+    touching = {*held.errata, *(number for row in rows for number in row.errata)}
+    for erratum in layout.device.errata:
+        if erratum.id in touching:
+            keys = ", ".join(f"{key} {value}" for key, value in erratum.printed.items())
+            yield f"erratum {erratum.id}: " + (f"printed {keys}. " if keys else "") + erratum.reason
+
+
+def examples(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
+    """Where the manual prints the very frame, and where it misprints another one as these bytes."""
+    device = layout.device
+    own = [example for example in device.examples.values() if _alike(example, held)]
+    same = [example for example in own if example.frame == held.frame]
+    for example in same[:_EXAMPLES]:
+        text = f"example {example.id}, {citations(example.sources)}"
+        yield f"{text}: {example.title}" if example.title else text
+    if len(same) > _EXAMPLES:
+        yield f"{len(same) - _EXAMPLES} more examples have this frame"
+    for example in own:
+        print_ = printed(device, example)
+        if example.frame != held.frame and print_.frame == held.frame.hex().upper():
+            for erratum in print_.errata:
+                yield f"erratum {erratum.id}: the manual prints this for {_hex(example.frame)}. {erratum.reason}"
+
+
+def _alike(example: Example, held: Explanation) -> bool:
+    """Whether an example is of the same kind as a frame."""
+    of = (example.link, example.direction, example.message or held.message)
+    return of == (held.link, held.direction, held.message)
+
+
+def raw_text(row: Row, hexadecimal: bool) -> str:
+    """The raw value; words of bits and addresses in hexadecimal digits."""
+    number = row.number
+    if isinstance(number, bool):
+        return "true" if number else "false"
+    if isinstance(number, bytes) or number is None:
+        return ""
+    if isinstance(number, int) and (hexadecimal or any(meaning.bits for meaning in row.meanings)):
+        return f"0x{number & (1 << 8 * len(row.raw)) - 1:0{2 * len(row.raw)}X}"
+    return str(number)
+
+
+def meaning_text(meaning: Meaning) -> str:
+    """`bit 3 ready 准备: switched on`"""
+    text = "" if meaning.text.replace(" ", "_") == meaning.name else meaning.text
+    words = " ".join(word for word in (meaning.name, meaning.label) if word)
+    bits = f"bit {meaning.bits}" if meaning.bits.isdigit() else f"bits {meaning.bits}" if meaning.bits else ""
+    head = " ".join(word for word in (bits, words) if word)
+    return f"{head}: {text}" if head and text else head or text
+
+
+def _run(row: Row) -> object:
+    """Equal for neighbours that may stand in one row: elements of one list, of which nothing is to be said."""
+    name, bracket, _ = row.path.rpartition("[")
+    plain = row.path.endswith("]") and isinstance(row.number, int) and not isinstance(row.number, bool)
+    said = row.value or row.meanings or row.verdict or row.notes
+    return name if bracket and plain and not said else id(row)
+
+
+def _listed(rows: Sequence[Row]) -> Iterator[tuple[tuple[str, ...], bool]]:
+    """The lines of neighbouring elements of a list."""
+    for at in range(0, len(rows), _NUMBERS_A_LINE):
+        part = rows[at : at + _NUMBERS_A_LINE]
+        first, last = part[0], part[-1]
+        name, _, index = first.path.rpartition("[")
+        path = first.path if first is last else f"{name}[{index[:-1]}..{last.path.rpartition('[')[2]}"
+        sent = " ".join(row.characters for row in part).strip()
+        data = " ".join(row.raw.hex().upper() for row in part)
+        numbers = " ".join(str(row.number) for row in part)
+        source = "" if at else first.source
+        yield (str(first.offset), sent, data, path, "" if at else _label(first), numbers, "", "", "", source), False
+
+
+def _lines(row: Row, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
+    """The lines of one row: more than one where the bytes in cell `data`, or the meanings, are many."""
+    meanings = [meaning_text(meaning) for meaning in row.meanings]
+    chunks = _chunks(first[data])
+    wrong = row.verdict.startswith("wrong")
+    for number in range(max(1, len(meanings), len(chunks))):
+        cells = list(first) if number == 0 else [""] * len(first)
+        cells[data] = chunks[number] if number < len(chunks) else ""
+        meaning = meanings[number] if number < len(meanings) else ""
+        yield (*cells, meaning, *((row.verdict, row.source) if number == 0 else ("", ""))), wrong
+
+
+def _table(headings: tuple[str, ...], lines: Sequence[tuple[tuple[str, ...], bool]]) -> Table:
+    """A table without the columns that are empty."""
+    full = [at for at in range(len(headings)) if any(cells[at] for cells, _ in lines)]
+    rows = tuple(tuple(cells[at] for at in full) for cells, _ in lines)
+    return Table(tuple(headings[at] for at in full), rows, tuple(wrong for _, wrong in lines))
+
+
+def _label(row: Row) -> str:
+    return " ".join(text for text in (row.printed_name, row.label) if text)
+
+
+def _hex(data: bytes) -> str:
+    return data.hex(" ").upper()
+
+
+def _chunks(text: str) -> list[str]:
+    """Bytes in digits, some a line."""
+    size = 3 * _BYTES_A_LINE
+    return [text[at : at + size].strip() for at in range(0, len(text), size)]
