@@ -16,13 +16,13 @@ class Naming:
         self.device = Name.of(device)
 
     def type(self, *parts: str) -> str:
-        """`tc100_point`"""
+        """`gadget_point`"""
         return self._name(parts).snake()
 
     function = type
 
     def macro(self, *parts: str) -> str:
-        """`TC100_POINTS_BASE`"""
+        """`GADGET_POINTS_BASE`"""
         return self._name(parts).upper()
 
     def _name(self, parts: tuple[str, ...]) -> Name:
@@ -48,6 +48,6 @@ def frame_member(name: str) -> str:
 
 
 def stem(device: str, version: str) -> str:
-    """The name of a version's files: `tc100_v2_0`, `esc11_before_1_17`."""
+    """The name of a version's files: `gadget_v2_0`, `gadget_before_1_17`."""
     words = Name.of(version).snake()
     return f"{device}_v{words}" if words[:1].isdigit() else f"{device}_{words}"

@@ -34,10 +34,12 @@ class Wire:
 
     @property
     def kind(self) -> Kind:
+        """What it holds."""
         return self.value.type.kind
 
     @property
     def size(self) -> int:
+        """Its bytes."""
         return self.value.size
 
 
