@@ -1,0 +1,252 @@
+"""The compiler keeps the rules of its house: what imports what, and what is absent. See docs/architecture.md."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "codegen" / "fieldspec"
+ARCHITECTURE = ROOT / "docs" / "architecture.md"
+
+# Python that is copied into an output is a text like any other, not a module of the compiler.
+GENERATED = "runtime"
+MODULES = sorted(path for path in PACKAGE.rglob("*.py") if GENERATED not in path.parts)
+TEXTS = sorted(path for path in PACKAGE.rglob("*") if path.is_file() and path.suffix not in (".pyc", ".json"))
+TESTS = sorted((ROOT / "tests").glob("*.py"))
+
+LONGEST_FILE = 400
+BACK_ENDS_IMPORT = {"backends", "layout", "model", "names", "reserved"}
+
+# Where alone a library is imported: folders end with a slash.
+HOMES = {
+    "yaml": ("reading/",),
+    "jsonschema_rs": ("reading/",),
+    "jinja2": ("backends/templates.py",),
+    "construct": ("reference/",),
+    "argparse": ("cli.py", "commands/"),
+    "rich": ("commands/",),
+    "shtab": ("commands/",),
+    "os": ("cli.py", "commands/"),
+    "shutil": ("commands/",),
+    "tempfile": ("commands/",),
+    "subprocess": (),
+    "socket": (),
+    "platform": (),
+    "getpass": (),
+    "datetime": (),
+    "time": (),
+    "random": (),
+    "uuid": (),
+    "pickle": (),
+    "jsonschema": (),
+}
+TOUCHES_THE_WORLD = {
+    "print",
+    "open",
+    "input",
+    "exec",
+    "eval",
+    "breakpoint",
+    "write_text",
+    "write_bytes",
+    "mkdir",
+    "unlink",
+}
+UNDONE = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
+ALGORITHMS = re.compile(r"crc16_modbus|CRC-16/MODBUS")
+MAKERS = ("hiwin", "toyo", "taiyo", "profidrive")
+
+
+def inside(path: Path) -> str:
+    return path.relative_to(PACKAGE).as_posix()
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text("utf-8"))
+
+
+def imported(path: Path) -> Iterator[str]:
+    """The modules that a module imports, wherever in it; `from fieldspec import checks` is `fieldspec.checks`."""
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{inside(path)} imports by a relative path"
+            assert node.module
+            yield from (
+                [f"fieldspec.{alias.name}" for alias in node.names] if node.module == "fieldspec" else [node.module]
+            )
+
+
+def layer(name: str) -> str:
+    """The part of the house that a module of the compiler belongs to: `reading` for `fieldspec.reading.nodes`."""
+    return name.split(".")[1]
+
+
+@cache
+def order() -> list[list[set[str]]]:
+    """The order of imports as the documentation prints it: levels of siblings that may not import each other.
+
+    Modules that a comma joins are one sibling.
+    """
+    section = ARCHITECTURE.read_text("utf-8").partition("\n## The order of imports\n")[2]
+    block = section.partition("```text\n")[2].partition("```")[0]
+    return [[set(re.findall(r"\w+", sibling)) for sibling in level.split("|")] for level in block.split("->")]
+
+
+def above(name: str) -> set[str]:
+    """What a part of the house may import: itself, what a comma joins it with, and every level above."""
+    levels = order()
+    (at,) = (number for number, level in enumerate(levels) for sibling in level if name in sibling)
+    (own,) = (sibling for sibling in levels[at] if name in sibling)
+    return own.union(*(sibling for level in levels[:at] for sibling in level))
+
+
+def named(node: ast.Call) -> str:
+    return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+
+
+def test_every_part_of_the_house_is_in_the_order_of_imports() -> None:
+    parts = {path.name.removesuffix(".py") for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
+    listed = [name for level in order() for sibling in level for name in sibling]
+    assert sorted(listed) == sorted(parts - {"__init__", "__main__", "__pycache__"})
+
+
+@pytest.mark.parametrize("path", MODULES, ids=inside)
+def test_a_module_imports_only_what_stands_above_it(path: Path) -> None:
+    own = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+    if own.startswith("__"):
+        return
+    ours = {name for name in imported(path) if name.startswith("fieldspec.") and name != "fieldspec.__version__"}
+    assert {name for name in ours if layer(name) not in above(own)} == set()
+
+
+@pytest.mark.parametrize("path", [path for path in MODULES if inside(path).startswith("backends/")], ids=inside)
+def test_a_back_end_imports_layouts_and_no_other_back_end(path: Path) -> None:
+    ours = {name for name in imported(path) if name.startswith("fieldspec")}
+    assert {name for name in ours if layer(name) not in BACK_ENDS_IMPORT} == set()
+    own = path.relative_to(PACKAGE / "backends").parts[0]
+    others = {name.split(".")[2] for name in ours if name.startswith("fieldspec.backends.")}
+    assert others <= {own, "templates"}
+
+
+@pytest.mark.parametrize("library", HOMES)
+def test_a_library_is_imported_at_home_only(library: str) -> None:
+    users = {inside(path) for path in MODULES if library in {name.partition(".")[0] for name in imported(path)}}
+    assert {user for user in users if not user.startswith(HOMES[library])} == set()
+
+
+def test_only_the_command_line_touches_the_world() -> None:
+    found = {
+        f"{inside(path)}:{node.lineno}: {named(node)}"
+        for path in MODULES
+        if not inside(path).startswith(("cli.py", "commands/"))
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.Call) and named(node) in TOUCHES_THE_WORLD
+    }
+    assert found == set()
+
+
+def test_texts_are_read_and_written_as_utf8() -> None:
+    found = {
+        f"{path.name}:{node.lineno}: {named(node)}"
+        for path in [*MODULES, *TESTS]
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.Call)
+        and named(node) in ("read_text", "write_text")
+        and "utf-8" not in [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
+    }
+    assert found == set()
+
+
+def test_the_compiler_knows_no_device_and_no_protocol() -> None:
+    folders = [path for path in (ROOT / "specs").iterdir() if path.is_dir() and path.name != "protocols"]
+    names = (
+        {path.name for path in folders} | {path.stem for path in (ROOT / "specs" / "protocols").iterdir()} | {*MAKERS}
+    )
+    assert len(names) > 6
+    found = {}
+    for path in [*TEXTS, *PACKAGE.rglob("*.json")]:
+        text = ALGORITHMS.sub("", path.read_text("utf-8")).lower()
+        if held := [name for name in names if name in text]:
+            found[inside(path)] = held
+    assert found == {}
+
+
+def test_files_are_small() -> None:
+    long = {}
+    for path in [*TEXTS, *TESTS]:
+        lines = len(path.read_text("utf-8").splitlines())
+        if lines > LONGEST_FILE:
+            long[path.relative_to(ROOT).as_posix()] = lines
+    assert long == {}
+
+
+def public(body: list[ast.stmt], within: str = "") -> Iterator[tuple[str, ast.FunctionDef | ast.ClassDef]]:
+    """The public functions and classes of a module, and the public methods of such classes."""
+    for node in body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            yield within + node.name, node
+            if isinstance(node, ast.ClassDef):
+                yield from public(node.body, f"{node.name}.")
+
+
+@pytest.mark.parametrize("path", MODULES, ids=inside)
+def test_public_things_have_docstrings(path: Path) -> None:
+    assert ast.get_docstring(tree(path)) or path.name == "__main__.py"
+    # What a module is named after is documented by the module.
+    assert [name for name, node in public(tree(path).body) if not ast.get_docstring(node) and name != path.stem] == []
+
+
+def test_nothing_is_left_to_do() -> None:
+    here = Path(__file__)
+    files = [path for path in [*TEXTS, *TESTS, *(ROOT / "docs").glob("*.md")] if path != here]
+    assert [path.name for path in files if UNDONE.search(path.read_text("utf-8"))] == []
+    raised = {inside(path) for path in MODULES for node in ast.walk(tree(path)) if is_stub(node)}
+    assert raised == set()
+
+
+def is_stub(node: ast.AST) -> bool:
+    return isinstance(node, ast.Name) and node.id == "NotImplementedError"
+
+
+def test_generated_code_does_not_import_the_compiler() -> None:
+    texts = [path for path in TEXTS if GENERATED in path.parts or path.suffix == ".j2"]
+    assert [inside(path) for path in texts if re.search(r"(import|from) fieldspec\b", path.read_text("utf-8"))] == []
+
+
+BUILD = """
+import hashlib, json, pathlib
+from fieldspec.pipeline import checked, layouts, load, outputs
+root = pathlib.Path("tests/specs")
+project = load({path.relative_to(root).as_posix(): path.read_bytes() for path in root.glob("*/*.yaml")})
+found = [finding.message for finding in checked(project)]
+texts = outputs([layouts(spec) for spec in project.devices.values()])
+print(json.dumps([found, {path: hashlib.sha256(text.encode()).hexdigest() for path, text in texts.items()}]))
+"""
+
+
+def built(seed: str) -> list[dict[str, str]]:
+    """The findings and the hashes of all outputs of the made-up devices, in their order."""
+    environment = {**os.environ, "PYTHONHASHSEED": seed}
+    ran = subprocess.run([sys.executable, "-c", BUILD], cwd=ROOT, env=environment, capture_output=True, check=True)
+    found: list[dict[str, str]] = json.loads(ran.stdout)
+    return found
+
+
+def test_outputs_are_the_same_whatever_the_hashes_of_strings() -> None:
+    first, second = built("0"), built("1")
+    assert len(first[1]) > 10
+    assert [list(part) for part in first] == [list(part) for part in second]
+    assert first == second
