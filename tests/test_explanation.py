@@ -37,7 +37,7 @@ def of(name: str, laid: DeviceLayout = WIDGET) -> Explanation:
 
 
 def row(found: Explanation, path: str) -> Row:
-    (one,) = [row for row in (*found.rows, *found.registers) if row.path == path]
+    (one,) = [held for held in (*found.rows, *found.registers) if held.path == path]
     return one
 
 
@@ -240,6 +240,14 @@ def test_a_response_holds_the_registers_that_its_request_asks_for() -> None:
     assert [(one.address, one.raw) for one in found.registers] == [(0x1000, b"\x12\x34"), (0x1001, b"\xff\xff")]
     assert found.registers[0].offset == 3
     assert explained(WIDGET, "rtu", "response", found.frame).registers == ()
+
+
+def test_the_bytes_of_registers_lie_where_their_rows_say() -> None:
+    found = [of_example(laid, example) for laid in LAYOUTS for example in laid.device.examples.values()]
+    held = [(one.frame, row) for one in found for row in one.registers if row.raw]
+    assert len({row.offset for _, row in held}) > 2
+    for frame, row in held:
+        assert frame[row.offset : row.offset + row.length] == (row.characters.encode("ascii") or row.raw)
 
 
 def test_registers_of_characters_are_found_among_the_characters() -> None:

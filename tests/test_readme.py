@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from tools_available import require_tool
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -1,0 +1,164 @@
+"""A version's module as a whole."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from fieldspec.backends.python.access import parameter_messages, read_access, write_accesses
+from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, code_literal, link_view
+from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scope
+from fieldspec.backends.python.records import RecordView, record_doc, record_view, shape
+from fieldspec.backends.python.registers import parameter_set_view, register_view, table_view
+from fieldspec.backends.python.slots import Words
+from fieldspec.backends.python.text import docstring, literal, sentence
+from fieldspec.backends.python.words import enum_view, flags_view
+from fieldspec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.names import Name
+
+
+@dataclass(frozen=True, slots=True)
+class MessageView:
+    """The data of a message in one direction, and its frames on each link.
+
+    `response` is the class of the response, empty for responses.
+    """
+
+    record: RecordView
+    code: str
+    response: str
+    frames: list[ExchangeView]
+
+
+# Where each private name of a module comes from: what is not used is not imported.
+_IMPORTS = {
+    "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
+    "_conversions": (
+        "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members text texts turned"
+    ),
+    "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
+    "_flags": "Flags field_of_bits",
+    "_framers": "CodeFramer LengthFramer MarkFramer",
+    "_frames": "ErrorReply Frames Request RequestOf Response new",
+    "_parameters": "Parameter ParameterSet",
+    "_refusals": (
+        "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
+    ),
+    "_registers": "Register RegisterArray Table found only spans writable",
+    "_values": "Boolean Bytes Closed Constant Float Number Open Text Word",
+}
+
+
+def device_view(layout: DeviceLayout) -> dict[str, Any]:
+    """What the template of a version's module prints, but for its imports."""
+    device, scope = layout.device, module_scope()
+    enums = {name: enum_view(enum, scope) for name, enum in device.enums.items()}
+    flags = {name: flags_view(held, enums, scope) for name, held in device.flags.items()}
+    names = {name: _class(name, "Record", scope) for name in layout.records}
+    words = Words(enums, {name: view.name for name, view in flags.items()}, names)
+    records = [_record(layout, name, words) for name in layout.records]
+    exchanges = [_exchange(message, words, scope) for message in layout.messages.values()]
+    carried = {
+        link.name: any((one.message.message.code is not None) == _coded(layout, link.name) for one in exchanges)
+        for link in layout.links.values()
+    }
+    links = [
+        link_view(link, exchanges, layout.records, words, scope) for link in layout.links.values() if carried[link.name]
+    ]
+    messages = [view for one in exchanges for view in _messages(one, links)]
+    order = device.byte_order
+    single, block = write_accesses(exchanges)
+    view: dict[str, Any] = {
+        "doc": docstring(_doc(layout)),
+        "identity": layout.identity,
+        "device": literal(device.id),
+        "version": literal(device.version),
+        "enums": list(enums.values()),
+        "flags": list(flags.values()),
+        "records": records,
+        "messages": messages,
+        "links": links,
+        "registers": [register_view(laid, words, order, scope) for laid in layout.registers],
+        "tables": [table_view(laid, words, order, scope) for laid in layout.tables.values()],
+        "read": read_access(exchanges),
+        "single": single,
+        "block": block,
+        "parameters": [
+            parameter_set_view(held, layout, words, *parameter_messages(exchanges, held.name), scope)
+            for held in device.parameters.values()
+        ],
+    }
+    made = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
+    made += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
+    made += ["write_request", "write_requests"] * (single is not None or block is not None)
+    made += ["register_at"] * bool(view["registers"] or view["tables"])
+    return {**view, "names": [*made, *scope.given]}
+
+
+def imports(body: str) -> list[str]:
+    """The import lines of the private names that a module's text uses."""
+    used = set(re.findall(r"\b_[A-Za-z0-9]\w*", body))
+    lines = []
+    for module, names in _IMPORTS.items():
+        wanted = [name for name in names.split() if f"_{name}" in used]
+        lines += [f"from ..{module} import {name} as _{name}" for name in sorted(wanted)]
+    return lines
+
+
+def _coded(layout: DeviceLayout, link: str) -> bool:
+    return layout.links[link].request.role("code") is not None
+
+
+def _class(name: str, kind: str, scope: Scope) -> str:
+    pascal = Name.of(name).pascal()
+    return scope.take(pascal, pascal + kind)
+
+
+def _record(layout: DeviceLayout, name: str, words: Words) -> RecordView:
+    shaped = shape(layout.records[name], words, RECORD)
+    return record_view(shaped, words.records[name], record_doc(shaped, Name.of(name).title()))
+
+
+def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
+    return Exchange(
+        message,
+        shape(message.request, words, MESSAGE),
+        shape(message.response, words, MESSAGE),
+        _class(message.request.name, "Message", scope),
+        _class(message.response.name, "Message", scope),
+    )
+
+
+def _messages(one: Exchange, links: list[LinkView]) -> list[MessageView]:
+    """The response comes first, as the request refers to it."""
+    message = one.message.message
+    title = message.title or Name.of(message.name).title()
+    code = "" if message.code is None else f"Code {message.code:#04x}. "
+    group = f"Group {Name.of(message.group).title().lower()}. " if message.group else ""
+    views = []
+    for direction in ("response", "request"):
+        shaped, name = one.side(direction)
+        more = f"{code}{group}{sentence(message.doc)}"
+        doc = record_doc(shaped, f"{title}: the {direction}", more.strip())
+        response = one.response_name if direction == "request" else ""
+        sides = [link.request if direction == "request" else link.response for link in links]
+        frames = [view for side in sides for view in side.exchanges if view.message == name]
+        views.append(MessageView(record_view(shaped, name, doc), code_literal(message.code), response, frames))
+    return views
+
+
+def _doc(layout: DeviceLayout) -> list[str]:
+    device = layout.device
+    title = sentence(f"{device.vendor} {device.name}, version {device.version}")
+    manual = f"Manual: {device.manual.title}" + (f", {device.manual.edition}" if device.manual.edition else "")
+    known = next((v for line in device.lines for v in line.versions if v.id == device.version), None)
+    about = sentence(known.doc or known.inferred) if known else ""
+    return [
+        title,
+        sentence(device.title),
+        sentence(device.doc),
+        about,
+        sentence(manual),
+        f"Generated by fieldspec from the spec of {device.id}; do not edit. Identity {layout.identity}.",
+    ]

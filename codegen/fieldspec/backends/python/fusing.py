@@ -1,0 +1,187 @@
+"""Frames of a fixed length, packed and unpacked at once with their head and their check.
+
+A CRC is linear: in a frame of a fixed length each byte has its own table, and the bytes that never change make one
+constant. So short frames take one look-up for each byte that varies, and the check goes into the same Struct.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fieldspec.backends.python.lines import chained, filled, unpacked
+from fieldspec.backends.python.reading import local, targets
+from fieldspec.backends.python.records import RecordShape, joined, making_lines, writing_lines
+from fieldspec.backends.python.slots import Slots
+from fieldspec.layout.checksums import CHECKSUMS
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+
+TABLES = 8
+_WORDS = "crc16_modbus"
+_APPENDED = {
+    "": "",
+    "crc16_modbus": ' + _crc16_modbus(data).to_bytes(2, "little")',
+    "lrc": " + _BYTES[-sum(data) & 255]",
+    "sum8": " + _BYTES[sum(data) & 255]",
+}
+# The letters that take the check when a frame is read, what they are unpacked into, and when the check is wrong.
+_TAKEN = {
+    "": ("", [], []),
+    "crc16_modbus": ("2x", [], ["_crc16_modbus(data)"]),
+    "lrc": ("x", [], ["sum(data) & 255"]),
+    "sum8": ("B", ["check"], ["(sum(data) - check) & 255 != check"]),
+}
+_BIG = (
+    ' + _crc16_modbus(data).to_bytes(2, "big")',
+    ("2s", ["check"], ['_crc16_modbus(data[:-2]).to_bytes(2, "big") != check']),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Fused:
+    """The code of one message on one link in one direction.
+
+    Written: `bind` locals; where `tests` hold, `steps` return the frame. Read: `unpack`; unless what is
+    `compared` is `wrong`, `lines` make the message.
+    """
+
+    struct: str
+    letters: str
+    bind: list[str]
+    tests: list[str]
+    steps: list[str]
+    read_struct: str
+    read_letters: str
+    unpack: list[str]
+    compared: list[str]
+    wrong: str
+    lines: list[str]
+
+
+def variable(part: PartLayout) -> str:
+    """The variable of a part of the head."""
+    return "station" if part.role == "station" else f"part_{part.name}"
+
+
+def number(part: PartLayout) -> str:
+    """The expression of the number that fills the slot of a part of the head."""
+    return f"{variable(part)}.raw" if part.value is not None and part.value.flags else variable(part)
+
+
+def letter(part: PartLayout) -> str:
+    """The letter of a part of the head."""
+    assert part.value is not None
+    return part.value.type.letter
+
+
+def fuses(shaped: RecordShape, frame: FrameLayout) -> bool:
+    """Whether a message's frames are packed and unpacked at once."""
+    if shaped.tail is not None or sum(field.listed and not field.skipped for field in shaped.fields) > 1:
+        return False
+    orders = {part.order for part in frame.head if part.size > 1}
+    if any(field.letters.strip("0123456789sx") not in ("", "B", "b") for field in shaped.fields):
+        orders.add(shaped.order)
+    return len(orders) <= 1
+
+
+def fused(
+    shaped: RecordShape, link: LinkLayout, direction: str, code: int | None, struct: str, frames: str, tests: list[str]
+) -> Fused:
+    """The code for one message; `frames` is the name of the link's `Frames`, `tests` are the head's conditions."""
+    frame = link.frame(direction)
+    order = next((part.order for part in frame.head if part.size > 1), shaped.order)
+    size = frame.head_size + (shaped.record.size or 0)
+    known = {"code": code, "length": size + frame.tail_size}
+    constants = {part.name: held for part in frame.head if (held := known.get(part.role)) is not None}
+    algorithm = frame.check.algorithm if frame.check else ""
+    looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
+    writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset())
+    letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
+    packed = [str(constants.get(part.name, number(part))) for part in frame.head] + writing.values
+    marked = f"{frames}.marked" if link.link.start or link.link.end or link.link.encoding == "hex_ascii" else ""
+    into = [_target(part, constants, looked_up) for part in frame.head]
+    into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
+    check: list[str] = []
+    compared: list[str] = []
+    if looked_up:
+        written, read = (list(_shares(shaped, frame, constants, order, size, raw)) for raw in (".raw", ""))
+        letters += "H"
+        packed.append("check")
+        check = chained("check = ", written, "^", "", 16)
+        compared = chained("expected = ", read, "^", "", 8)
+        appended, taken, checked, wrong = "", "", ["check"], ["check != expected"]
+    else:
+        big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
+        appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
+        wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
+    conditions = joined([*tests, *writing.tests])
+    return Fused(
+        struct=struct,
+        letters=letters,
+        bind=writing.bind,
+        tests=conditions,
+        steps=[*check, *_packing(f"{struct}.pack(", packed, marked, appended, 16 if conditions else 12)],
+        read_struct=f"{struct}_CHECKED" if taken else struct,
+        read_letters=letters + taken,
+        unpack=unpacked([*into, *checked], f"{struct}{'_CHECKED' if taken else ''}.unpack(data)", 12),
+        compared=compared,
+        wrong=" or ".join(wrong),
+        lines=making_lines(shaped, "message", frame.head_size, looked_up),
+    )
+
+
+def _packing(call: str, packed: list[str], marked: str, appended: str, indent: int) -> list[str]:
+    """Lines that return the frame: the packed values, what is appended to them, and the marks around."""
+    if not marked and not appended:
+        return filled(f"return {call}", packed, ")", indent)
+    whole = f"{marked}(data{appended})" if marked else f"data{appended}"
+    return [*filled(f"data = {call}", packed, ")", indent), f"return {whole}"]
+
+
+def _single(field: Slots) -> bool:
+    """Whether a field is one number in one slot, so that its bytes can be had from the number."""
+    if field.field.record is not None or field.listed or field.field.field.measures:
+        return False
+    if not field.stored and field.constant is None and not field.skipped:
+        return False
+    return field.skipped or (len(field.letters) == 1 and field.letters in "BbHhIiQq")
+
+
+def _target(part: PartLayout, constants: dict[str, int], looked_up: bool) -> str:
+    """What a part of the head is unpacked into. The code has been looked at before; a CRC covers what is constant."""
+    return "_" if part.role == "code" or (looked_up and part.name in constants) else variable(part)
+
+
+def _shares(
+    shaped: RecordShape, frame: FrameLayout, constants: dict[str, int], order: str, size: int, raw: str
+) -> Iterator[str]:
+    """The terms whose exclusive or is the CRC: one constant, and a look-up for each byte that varies.
+
+    `raw` is what makes a number of a word of flags.
+    """
+    base = bytearray(size)
+    varying: list[tuple[int, int, bool, str]] = []
+    for part in frame.head:
+        if part.name in constants:
+            known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
+            base[part.offset : part.offset + part.size] = known
+        else:
+            flags = raw if part.value is not None and part.value.flags else ""
+            varying.append((part.offset, part.size, False, variable(part) + flags))
+    for field in shaped.fields:
+        at = frame.head_size + field.field.offset
+        if field.stored:
+            flags = raw if field.value.flags else ""
+            varying.append((at, field.field.size, field.value.type.signed, local(field) + flags))
+        elif field.constant:
+            base[at : at + field.field.size] = field.bytes_of(field.constant)
+    constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.check is not None and frame.check.order == order
+    yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
+    table = "_C" if same else "_X"
+    for at, width, signed, held in varying:
+        for place in range(width):
+            shift = 8 * (place if order == "little" else width - 1 - place)
+            byte = f"{held} >> {shift}" if shift else held
+            if signed or shift < 8 * (width - 1):
+                byte += " & 255"
+            yield f"{table}{size - 1 - at - place}[{byte}]"

@@ -1,0 +1,72 @@
+"""Names that Python allows, each once in its scope."""
+
+from __future__ import annotations
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+# Fixed lists rather than `keyword` and `builtins`: those differ between the versions of Python.
+KEYWORDS = _words(
+    "False None True and as assert async await break class continue def del elif else except finally for from global"
+    " if import in is lambda nonlocal not or pass raise return try while with yield"
+)
+TYPES = _words("bool bytes classmethod dict float int list object property staticmethod str super tuple type")
+BUILTINS = _words(
+    "all any bytearray callable chr enumerate filter hash id input isinstance iter len map max memoryview min next"
+    " open pow print range repr reversed round set slice sorted sum vars zip"
+)
+EXCEPTIONS = _words(
+    "ArithmeticError AssertionError AttributeError BaseException BufferError EOFError Ellipsis Exception"
+    " ImportError IndexError KeyError LookupError MemoryError NameError NotImplemented OSError OverflowError"
+    " ReferenceError RuntimeError StopIteration SyntaxError SystemError SystemExit TypeError ValueError Warning"
+    " ZeroDivisionError"
+)
+SHARED = _words(
+    "CodecError ErrorReply Flags Framer Parameter ParameterSet Register RegisterArray Request Response Table"
+)
+MODULE = _words(
+    "DEVICE IDENTITY LATEST REGISTERS TABLES TYPE_CHECKING VERSION VERSIONS annotations read_request read_requests"
+    " read_value register_at write_request write_requests"
+)
+RECORD = _words("at cls data decode encode raws record self")
+MESSAGE = RECORD | _words("CODE response_type")
+FLAGS = _words("cls flags of raw self word")
+PARAMETERS = _words("from_raws read_request read_value self to_raws write_request")
+
+
+class Scope:
+    """The names of one scope. A name that is taken, or that Python or the generated code needs, gets another form."""
+
+    def __init__(self, *reserved: frozenset[str]) -> None:
+        self._taken = set(KEYWORDS).union(*reserved)
+        self._given: list[str] = []
+
+    @property
+    def given(self) -> list[str]:
+        """The names that were taken here, in order."""
+        return list(self._given)
+
+    def take(self, name: str, *others: str) -> str:
+        """The first free one of some names; where none is free, the last one with underscores behind it."""
+        for candidate in (name, *others):
+            if candidate not in self._taken:
+                break
+        else:
+            while candidate in self._taken:
+                candidate += "_"
+        self._taken.add(candidate)
+        self._given.append(candidate)
+        return candidate
+
+
+def module_scope() -> Scope:
+    """The scope of a version's module."""
+    return Scope(TYPES, BUILTINS, EXCEPTIONS, SHARED, MODULE)
+
+
+def module_name(version: str) -> str:
+    """The module of a version: `v2_0`, `before_1_17`."""
+    words = "".join(char.lower() if char.isalnum() and char.isascii() else "_" for char in version)
+    return f"v{words}" if words[:1].isdigit() or words in KEYWORDS else words

@@ -1,0 +1,149 @@
+"""The code that reads a field from the raw values of its slots."""
+
+from __future__ import annotations
+
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import literal
+from fieldspec.model.primitive import Kind
+
+
+def local(field: Slots) -> str:
+    """The variable of a raw value. Two underscores part it from those of its words: no name of a spec has two."""
+    return f"raw_{field.title}"
+
+
+def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
+    """What the slots of a field are unpacked into: an attribute, or locals, always locals where it is to be `bound`."""
+    if field.skipped:
+        return []
+    star = "*" if field.listed else ""
+    if field.field.field.reserved and not field.field.field.measures:
+        return [f"{star}_"]
+    if field.plain and field.stored and not bound:
+        return [f"{star}{owner}.{field.name}"]
+    if field.parted:
+        return [f"{local(field)}__{part}" for part in range(field.parted)]
+    return [f"{star}{local(field)}"]
+
+
+def sources(field: Slots, at: int) -> str:
+    """The raw value of a field in a tuple `raws`, from a place on."""
+    if field.repeated:
+        return f"raws[{at}:]"
+    if field.listed:
+        return f"raws[{at}:{at + field.count}]"
+    return f"raws[{at}]"
+
+
+def indexed(field: Slots, owner: str, at: int) -> list[str]:
+    """Lines that take the raw values of a field from a tuple `raws`."""
+    if field.skipped or (field.field.field.reserved and not field.field.field.measures):
+        return []
+    if field.parted:
+        return [f"{local(field)}__{part} = raws[{at + part}]" for part in range(field.parted)]
+    if field.plain and field.stored:
+        held = sources(field, at)
+        return [f"{owner}.{field.name} = {f'list({held})' if field.listed else held}"]
+    return [f"{local(field)} = {sources(field, at)}"]
+
+
+def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
+    """Lines that make the value of a field from its raw value, and refuse what is not allowed.
+
+    `at` is the field's offset from the start of the bytes; `bound` says that the raw value is in a local in any
+    case. Measures are tested when all fields are read.
+    """
+    reserved = field.field.field.reserved and not field.field.field.measures
+    if reserved:
+        return []
+    if field.plain and field.stored:
+        return [f"{owner}.{field.name} = {local(field)}"] if bound else []
+    lines, raw = _number(field)
+    title = literal(field.title)
+    if field.field.field.measures:
+        return lines
+    size = field.field.size
+    if field.field.record is not None:
+        record = field.element_type
+        call = "_decoded_each" if field.listed else "_decoded_at"
+        sized = f", {size}" if field.listed else ""
+        return [f"{owner}.{field.name} = {call}({record}, {raw}, {at}{sized})"]
+    if field.constant is not None:
+        if field.listed:
+            return [*lines, f"_constants({title}, {raw}, {field.constant}, {at}, {size})"]
+        return [
+            *lines,
+            f"if {raw} != {field.constant}:",
+            f"    raise _wrong_const({title}, {raw}, {field.constant}, {at})",
+        ]
+    if field.kind is Kind.BOOLEAN:
+        if field.listed:
+            return [*lines, f"{owner}.{field.name} = _booleans({title}, {raw}, {at}, {size})"]
+        return [
+            *lines,
+            f"if {raw} > 1:",
+            f"    raise _no_boolean({title}, {raw}, {at})",
+            f"{owner}.{field.name} = {raw} == 1",
+        ]
+    if field.kind is Kind.TEXT:
+        call = f"_texts({title}, {raw}, {at}, {size})" if field.listed else f"_text({title}, {raw}, {at})"
+        return [f"{owner}.{field.name} = {call}"]
+    if field.value.flags:
+        flags = field.element_type
+        made = f"[{flags}(raw) for raw in {raw}]" if field.listed else f"{flags}({raw})"
+        return [*lines, f"{owner}.{field.name} = {made}"]
+    if field.enum is not None:
+        return [*lines, *_member(field, owner, raw, at)]
+    if field.listed:
+        return [*lines, f"{owner}.{field.name} = {raw}"]
+    return [*lines[:-1], f"{owner}.{field.name} = {lines[-1].partition(' = ')[2]}"]
+
+
+def _number(field: Slots) -> tuple[list[str], str]:
+    """Lines that put the number of a field together, and the expression that then holds it."""
+    raw = local(field)
+    if field.parted:
+        parts = [f"{raw}__{part}" for part in range(field.parted)]
+        if not field.big:
+            parts.reverse()
+        joined = " | ".join(f"{part} << {16 * number}" if number else part for number, part in enumerate(parts))
+        return [f"{raw} = {joined}"], raw
+    if not field.foreign:
+        return [], raw
+    held = _from_bytes(field, "item" if field.listed else raw)
+    return [f"{raw} = [{held} for item in {raw}]" if field.listed else f"{raw} = {held}"], raw
+
+
+def _from_bytes(field: Slots, raw: str) -> str:
+    turned = field.field.swapped
+    order = "big" if (field.field.order == "big") != turned else "little"
+    if field.kind is Kind.FLOAT:
+        return f'_f32_of({raw}, "{">" if order == "big" else "<"}f", {turned})'
+    signed = ", signed=True" if field.value.type.signed else ""
+    return f'_int_of({f"_turned({raw})" if turned else raw}, "{order}"{signed})'
+
+
+def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
+    enum = field.enum
+    assert enum is not None
+    title, name, held = literal(field.title), literal(enum.title), f"{owner}.{field.name}"
+    if enum.open:
+        made = f"[{enum.table}.get(raw, raw) for raw in {raw}]" if field.listed else f"{enum.table}.get({raw}, {raw})"
+        return [f"{held} = {made}"]
+    table = enum.table
+    if field.sentinels:
+        others = ", ".join(f"{value}: {value}" for value in field.sentinels)
+        table = f"{{**{enum.table}, {others}}}"
+    if field.listed:
+        return [f"{held} = _members({title}, {raw}, {table}, {name}, {at}, {field.field.size})"]
+    found = f"{enum.table}.get({raw})"
+    if field.sentinels:
+        others = ", ".join(map(str, field.sentinels)) + ","
+        found = f"{enum.table}.get({raw}, {raw} if {raw} in ({others}) else None)"
+    member = f"{field.title}__member"
+    return [
+        f"{member} = {found}",
+        f"if {member} is None:",
+        f"    raise _unknown_member({title}, {raw}, {name}, {at})",
+        f"{held} = {member}",
+    ]

@@ -1,0 +1,60 @@
+"""Check algorithms.
+
+A CRC is linear in the bits of its data. So a byte's share of it depends only on the byte and on how many bytes
+follow: `CRC[d][byte]` is the share of a byte that `d` bytes follow. Frames of a fixed length take one
+look-up for each byte that varies; longer data take eight look-ups for eight bytes at once. `CRC_EXCHANGED` holds
+the same shares with their two bytes exchanged, for Structs whose order is not that of the check.
+"""
+
+from __future__ import annotations
+
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._typing import Data
+
+
+def _shares() -> list[list[int]]:
+    bits, share = [], 1
+    for _ in range(8):
+        share = share >> 1 ^ (0xA001 if share & 1 else 0)
+        bits.append(share)
+    table = [0]
+    for share in reversed(bits):
+        table += [share ^ other for other in table]
+    tables = [table]
+    for _ in range(7):
+        tables.append([crc >> 8 ^ table[crc & 0xFF] for crc in tables[-1]])
+    return tables
+
+
+_TABLES = _shares()
+CRC = tuple(map(tuple, _TABLES))
+CRC_EXCHANGED = tuple(tuple((crc & 0xFF) << 8 | crc >> 8 for crc in table) for table in _TABLES)
+BYTES = tuple(bytes((number,)) for number in range(256))
+_T0, _T1, _T2, _T3, _T4, _T5, _T6, _T7 = CRC
+
+
+def crc16_modbus(data: Data) -> int:
+    """CRC-16 with polynomial 0xA001, reflected, start value 0xFFFF.
+
+    It is sent low byte first; so the CRC of data with their CRC is 0.
+    """
+    crc, table = 0xFFFF, _T0
+    long = len(data) - len(data) % 8 if len(data) > 15 else 0
+    for at in range(0, long, 8):
+        a, b, c, d, e, f, g, h = data[at : at + 8]
+        crc = _T7[a ^ crc & 0xFF] ^ _T6[b ^ crc >> 8] ^ _T5[c] ^ _T4[d] ^ _T3[e] ^ _T2[f] ^ _T1[g] ^ table[h]
+    for byte in data[long:] if long else data:
+        crc = crc >> 8 ^ table[(crc ^ byte) & 0xFF]
+    return crc
+
+
+def lrc(data: Data) -> int:
+    """The two's complement of the sum of all bytes, 8 bits."""
+    return -sum(data) & 0xFF
+
+
+def sum8(data: Data) -> int:
+    """The low byte of the sum of all bytes."""
+    return sum(data) & 0xFF

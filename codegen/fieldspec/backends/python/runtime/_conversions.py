@@ -1,0 +1,132 @@
+"""From raw values to those of attributes and back, for all that `struct` cannot do alone."""
+
+from __future__ import annotations
+
+from struct import Struct, pack, unpack
+from struct import error as StructError
+
+from ._error import CodecError, no_boolean, unknown_member, wrong_const
+from ._typing import TYPE_CHECKING, R
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Protocol, TypeVar
+
+    from typing_extensions import Self
+
+    from ._typing import Data
+
+    class _Decodes(Protocol):
+        @classmethod
+        def decode(cls, data: Data) -> Self: ...
+
+    Part = TypeVar("Part", bound=_Decodes)
+
+UNFIT = (StructError, TypeError, AttributeError, OverflowError, ValueError, IndexError)
+"""What straight-line code raises for values that cannot be encoded, `CodecError` among them."""
+
+
+class Repeated(dict[int, Struct]):
+    """The Structs of a record whose last field is repeated, by the number of elements."""
+
+    __slots__ = ("element", "fixed")
+
+    def __init__(self, fixed: str, element: str) -> None:
+        self.fixed, self.element = fixed, element
+
+    def __missing__(self, number: int) -> Struct:
+        struct = self[number] = Struct(self.fixed + self.element * number)
+        return struct
+
+
+def f32_of(raw: bytes, letters: str, words_turned: bool) -> float:
+    """A floating-point number that the Struct of its record cannot read."""
+    number: float = unpack(letters, turned(raw) if words_turned else raw)[0]
+    return number
+
+
+def f32_bytes(number: float, letters: str, words_turned: bool) -> bytes:
+    """The other way round."""
+    data = pack(letters, number)
+    return turned(data) if words_turned else data
+
+
+def turned(data: bytes) -> bytes:
+    """The same 16-bit words with the two bytes of each exchanged."""
+    mixed = bytearray(data)
+    mixed[0::2], mixed[1::2] = data[1::2], data[0::2]
+    return bytes(mixed)
+
+
+def text(name: str, raw: bytes, at: int) -> str:
+    """The ASCII characters before the zeros that fill the field."""
+    try:
+        return raw.rstrip(b"\0").decode("ascii")
+    except UnicodeDecodeError:
+        raise CodecError("unknown_value", f"{name} holds bytes that are not ASCII", at) from None
+
+
+def texts(name: str, raws: Sequence[bytes], at: int, size: int) -> list[str]:
+    """The same for a list, whose elements are `size` bytes each from byte `at` on."""
+    return [text(name, raw, at + number * size) for number, raw in enumerate(raws)]
+
+
+def members(name: str, raws: Sequence[int], table: dict[int, R], enum: str, at: int, size: int) -> list[R]:
+    """The members of a closed enum."""
+    try:
+        return [table[raw] for raw in raws]
+    except KeyError:
+        number = next(number for number, raw in enumerate(raws) if raw not in table)
+        raise unknown_member(name, raws[number], enum, at + number * size) from None
+
+
+def booleans(name: str, raws: Sequence[int], at: int, size: int) -> list[bool]:
+    """Truth values."""
+    for number, raw in enumerate(raws):
+        if raw > 1:
+            raise no_boolean(name, raw, at + number * size)
+    return [raw == 1 for raw in raws]
+
+
+def constants(name: str, raws: Sequence[int], const: int, at: int, size: int) -> None:
+    """Elements that must all be one constant."""
+    for number, raw in enumerate(raws):
+        if raw != const:
+            raise wrong_const(name, raw, const, at + number * size)
+
+
+def decoded_at(record: type[Part], data: Data, at: int) -> Part:
+    """A record that lies at byte `at` of another one."""
+    try:
+        return record.decode(data)
+    except CodecError as error:
+        raise error.shifted(at) from None
+
+
+def decoded_each(record: type[Part], raws: Sequence[bytes], at: int, size: int) -> list[Part]:
+    """Records of `size` bytes, one behind the other from byte `at` on."""
+    return [decoded_at(record, raw, at + number * size) for number, raw in enumerate(raws)]
+
+
+def counts(name: str, value: float, ratio: tuple[int, int, int], ranges: tuple[tuple[int, int], ...]) -> int:
+    """The count that is nearest to a value in the unit; of two equally near ones the even one.
+
+    `ratio` is (a, b, c) of value = (count * a + b) / c. The value counts as exactly the number that it is: the
+    float 0.015 is a little less than its digits say. Raises CodecError outside of `ranges`.
+    """
+    a, b, c = ratio
+    try:
+        over, under = value.as_integer_ratio()
+    except (ValueError, OverflowError):
+        raise CodecError("out_of_range", f"{name} is {value}") from None
+    whole, rest = divmod(over * c - b * under, under * a)
+    double = 2 * rest - under * a
+    if a < 0:
+        double = -double
+    raw = whole + (double > 0 or (double == 0 and whole % 2 == 1))
+    for low, high in ranges:
+        if low <= raw <= high:
+            return raw
+    lows = sorted((low * a + b) / c for low, _ in ranges)
+    highs = sorted((high * a + b) / c for _, high in ranges)
+    raise CodecError("out_of_range", f"{name} is {value}, not in {min(lows + highs)}..{max(lows + highs)}")

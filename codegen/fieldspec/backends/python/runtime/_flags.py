@@ -1,0 +1,50 @@
+"""Words whose bits have names."""
+
+from __future__ import annotations
+
+from ._error import CodecError
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Final
+
+
+class Flags:
+    """A word, and its bits as properties. It keeps the bits that have no name.
+
+    An `IntFlag` would keep every value that it ever saw, and take several times as long.
+    """
+
+    __slots__ = ("raw",)
+
+    def __init__(self, raw: int = 0) -> None:
+        self.raw: Final = raw
+
+    def __int__(self) -> int:
+        return self.raw
+
+    def __index__(self) -> int:
+        return self.raw
+
+    def __eq__(self, other: object) -> bool:
+        if other.__class__ is self.__class__ and isinstance(other, Flags):
+            return self.raw == other.raw
+        return NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self.__class__, self.raw))
+
+    def __repr__(self) -> str:
+        shown = [name if held is True else f"{name}={int(held)}" for name, held in self.flags().items() if held]
+        return f"<{self.__class__.__name__} {self.raw:#x}: {', '.join(shown) or 'none'}>"
+
+    def flags(self) -> dict[str, bool | int]:
+        """All bits and fields by name."""
+        raise NotImplementedError
+
+
+def field_of_bits(name: str, value: int, most: int) -> int:
+    """A value for a field of several bits. Raises CodecError where it does not fit."""
+    if not 0 <= value <= most:
+        raise CodecError("out_of_range", f"{name} is {value}, not in 0..{most}")
+    return value

@@ -1,0 +1,111 @@
+"""Why a value cannot be encoded. Each function gives None for a value that can.
+
+The generated `encode` methods test all fields in one expression; only where that fails do they ask here, field by
+field, which one it was.
+"""
+
+from __future__ import annotations
+
+from struct import Struct
+
+from ._error import CodecError
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Container
+    from typing import Any
+
+_F32 = Struct(">f")
+
+
+def refused_number(
+    name: str,
+    value: Any,
+    low: int,
+    high: int,
+    ranges: tuple[tuple[int, int], ...] = (),
+    others: tuple[int, ...] = (),
+    members: Container[int] | None = None,
+    enum: str = "",
+) -> CodecError | None:
+    """A whole number from `low` to `high`, in one of `ranges`, or one of `others`; for an enum, one of `members`."""
+    if not isinstance(value, int):
+        return CodecError("wrong_type", f"{name} is a whole number, not {value!r}")
+    if members is not None and value not in members and value not in others:
+        return CodecError("unknown_value", f"{name} is {int(value)}, which {enum} does not list")
+    fits = low <= value <= high
+    if fits and (not ranges or value in others or any(least <= value <= most for least, most in ranges)):
+        return None
+    allowed = ", ".join(f"{least}..{most}" for least, most in ranges or ((low, high),))
+    return CodecError("out_of_range", f"{name} is {int(value)}, not in {allowed}")
+
+
+def refused_flags(name: str, value: Any, high: int, ranges: tuple[tuple[int, int], ...] = ()) -> CodecError | None:
+    """A word of flags."""
+    raw = getattr(value, "raw", None)
+    if raw is None:
+        return CodecError("wrong_type", f"{name} is a word of flags, not {value!r}")
+    return refused_number(name, raw, 0, high, ranges)
+
+
+def refused_float(name: str, value: Any) -> CodecError | None:
+    """A floating-point number of 32 bits."""
+    if not isinstance(value, (int, float)):
+        return CodecError("wrong_type", f"{name} is a number, not {value!r}")
+    try:
+        _F32.pack(value)
+    except OverflowError:
+        return CodecError("out_of_range", f"{name} is {value}, more than 32 bits can hold")
+    return None
+
+
+def refused_text(name: str, value: Any, size: int) -> CodecError | None:
+    """Characters of ASCII, at most `size`."""
+    if not isinstance(value, str):
+        return CodecError("wrong_type", f"{name} is a text, not {value!r}")
+    if not value.isascii():
+        return CodecError("unknown_value", f"{name} holds characters that are not ASCII")
+    if len(value) > size:
+        return CodecError("wrong_length", f"{name} has {size} characters, not {len(value)}")
+    return None
+
+
+def refused_bytes(name: str, value: Any, size: int) -> CodecError | None:
+    """Exactly `size` bytes."""
+    if not isinstance(value, (bytes, bytearray)):
+        return CodecError("wrong_type", f"{name} is bytes, not {value!r}")
+    if len(value) != size:
+        return CodecError("wrong_length", f"{name} has {size} bytes, not {len(value)}")
+    return None
+
+
+def refused_record(name: str, value: Any, record: type) -> CodecError | None:
+    """A record, whose own fields are all right."""
+    if not isinstance(value, record):
+        return CodecError("wrong_type", f"{name} is a {record.__name__}, not {value!r}")
+    try:
+        value.encode()  # type: ignore[attr-defined]
+    except CodecError as error:
+        return error
+    return None
+
+
+def refused_list(
+    name: str, values: Any, least: int, most: int, refused: Callable[..., CodecError | None], *limits: Any
+) -> CodecError | None:
+    """`least` to `most` elements, each of which is all right by a function and its `limits`."""
+    if not isinstance(values, (list, tuple)):
+        return CodecError("wrong_type", f"{name} is a list, not {values!r}")
+    if not least <= len(values) <= most:
+        allowed = f"{least}" if least == most else f"{least} to {most}"
+        return CodecError("wrong_length", f"{name} has {allowed} elements, not {len(values)}")
+    for number, value in enumerate(values):
+        error = refused(f"{name}[{number}]", value, *limits)
+        if error is not None:
+            return error
+    return None
+
+
+def unfit(name: str) -> CodecError:
+    """A record that holds something of a type that cannot be written."""
+    return CodecError("wrong_type", f"{name} holds a value of a type that it cannot have")

@@ -1,0 +1,212 @@
+"""Registers, arrays of them, and tables of records in their space. Addresses and widths are in 16-bit words."""
+
+from __future__ import annotations
+
+from struct import pack, unpack
+
+from ._conversions import counts
+from ._error import CodecError
+from ._typing import TYPE_CHECKING, Generic, T
+from ._values import RecordValue, Value
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+    from typing import Any
+
+    from ._typing import Data
+
+
+class Register(Generic[T]):
+    """`words` registers from `address` on that hold one value of type T.
+
+    `access` is ro, rw or wo, and empty where the manual does not say it. The words of an `atomic` register must be
+    accessed in one request. `trigger` says that writing starts something, and that reading gives nothing back.
+    """
+
+    __slots__ = ("access", "address", "atomic", "name", "order", "trigger", "value", "words")
+
+    def __init__(
+        self,
+        name: str,
+        address: int,
+        words: int,
+        value: Value[T],
+        access: str = "",
+        *,
+        atomic: bool = False,
+        trigger: bool = False,
+        order: str = ">",
+    ) -> None:
+        self.name, self.address, self.words = name, address, words
+        self.value, self.access = value, access
+        self.atomic, self.trigger, self.order = atomic, trigger, order
+
+    def __repr__(self) -> str:
+        last = f"..{self.address + self.words - 1:#06x}" if self.words > 1 else ""
+        return f"<register {self.name} at {self.address:#06x}{last}>"
+
+    @property
+    def ranges(self) -> tuple[tuple[int, int], ...]:
+        """The counts that it may hold, as intervals with both ends; none where there is no limit but the type's."""
+        return self.value.ranges
+
+    @property
+    def unit(self) -> str:
+        """The unit, empty where there is none."""
+        return self.value.unit
+
+    @property
+    def scale(self) -> float:
+        """What one count is worth in the unit."""
+        return self.value.ratio[0] / self.value.ratio[2]
+
+    @property
+    def offset(self) -> float:
+        """What a count of 0 is in the unit."""
+        return self.value.ratio[1] / self.value.ratio[2]
+
+    def decode(self, data: Data) -> T:
+        """The value of exactly all of its bytes. Raises CodecError."""
+        return self.value.decode(self.name, data)
+
+    def encode(self, value: T) -> bytes:
+        """The bytes of a value. Raises CodecError where it is out of range."""
+        return self.value.encode(self.name, value)
+
+    def from_words(self, words: Sequence[int]) -> T:
+        """The value of all of its words, as a response carries them. Raises CodecError."""
+        return self.decode(pack(f"{self.order}{len(words)}H", *words))
+
+    def to_words(self, value: T) -> list[int]:
+        """The words of a value, as a request carries them. Raises CodecError."""
+        return list(unpack(f"{self.order}{self.words}H", self.encode(value)))
+
+    def in_unit(self, count: int) -> float:
+        """A count in the unit."""
+        a, b, c = self.value.ratio
+        return (count * a + b) / c
+
+    def from_unit(self, value: float) -> int:
+        """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
+        return counts(self.name, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+
+
+class RegisterArray(Generic[T]):
+    """Equal registers, `stride` words apart, by the number that the manual gives them."""
+
+    __slots__ = ("_registers", "access", "address", "first", "name", "stride")
+
+    def __init__(
+        self,
+        name: str,
+        address: int,
+        words: int,
+        value: Value[T],
+        access: str = "",
+        *,
+        count: int,
+        first: int,
+        stride: int,
+        atomic: bool = False,
+        trigger: bool = False,
+        order: str = ">",
+    ) -> None:
+        self.name, self.address, self.access = name, address, access
+        self.first, self.stride = first, stride
+        more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order}
+        self._registers = tuple(
+            Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)
+            for number in range(count)
+        )
+
+    def __repr__(self) -> str:
+        return f"<registers {self.name}[{self.first}..{self.first + len(self) - 1}] at {self.address:#06x}>"
+
+    def __len__(self) -> int:
+        return len(self._registers)
+
+    def __iter__(self) -> Iterator[Register[T]]:
+        return iter(self._registers)
+
+    def __getitem__(self, number: int) -> Register[T]:
+        if not self.first <= number < self.first + len(self._registers):
+            raise IndexError(f"{self.name} has the numbers {self.first}..{self.first + len(self) - 1}, not {number}")
+        return self._registers[number - self.first]
+
+
+class Table(Generic[T]):
+    """Records in the register space, `stride` words apart, by the number that the manual gives them."""
+
+    __slots__ = ("_order", "_value", "access", "base", "count", "first", "name", "record", "stride", "words")
+
+    def __init__(
+        self,
+        name: str,
+        record: type[T],
+        *,
+        base: int,
+        words: int,
+        stride: int,
+        count: int,
+        first: int,
+        access: str = "",
+        order: str = ">",
+    ) -> None:
+        self.name, self.record, self.access = name, record, access
+        self.base, self.words, self.stride, self.count, self.first = base, words, stride, count, first
+        self._value, self._order = RecordValue(record, 2 * words), order
+
+    def __repr__(self) -> str:
+        return f"<table {self.name}[{self.first}..{self.first + self.count - 1}] at {self.base:#06x}>"
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __iter__(self) -> Iterator[Register[T]]:
+        return map(self.__getitem__, range(self.first, self.first + self.count))
+
+    def __getitem__(self, number: int) -> Register[T]:
+        if not self.first <= number < self.first + self.count:
+            raise IndexError(f"{self.name} has the numbers {self.first}..{self.first + self.count - 1}, not {number}")
+        address = self.base + (number - self.first) * self.stride
+        return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, order=self._order)
+
+    def at(self, address: int) -> Register[T] | None:
+        """The element that begins at an address."""
+        number, rest = divmod(address - self.base, self.stride)
+        return self[self.first + number] if rest == 0 and 0 <= number < self.count else None
+
+
+def spans(register: Register[Any], most: int) -> list[tuple[int, int]]:
+    """First address and number of words of each request that reads or writes a register, `most` words at once.
+
+    Raises CodecError where an atomic register does not fit one request.
+    """
+    end = register.address + register.words
+    if register.atomic and register.words > most:
+        raise CodecError("wrong_length", f"{register.name} has {register.words} words, and one request at most {most}")
+    return [(start, min(most, end - start)) for start in range(register.address, end, most)]
+
+
+def writable(register: Register[Any]) -> None:
+    """Raises CodecError for a register that can only be read."""
+    if register.access == "ro":
+        raise CodecError("read_only", f"{register.name} can only be read")
+
+
+def only(name: str, requests: list[T]) -> T:
+    """The one request of a list. Raises CodecError where it takes several."""
+    if len(requests) != 1:
+        raise CodecError("wrong_length", f"{name} takes {len(requests)} requests")
+    return requests[0]
+
+
+def found(
+    address: int, registers: Iterable[Register[Any] | RegisterArray[Any]], tables: Iterable[Table[Any]]
+) -> Register[Any] | None:
+    """The register, or the element of a table, that begins at an address."""
+    for one in registers:
+        for register in (one,) if isinstance(one, Register) else one:
+            if register.address == address:
+                return register
+    return next((element for table in tables if (element := table.at(address)) is not None), None)

@@ -1,0 +1,30 @@
+"""Generic classes without the module `typing`, whose import takes longer than that of a whole device.
+
+Type checkers take `TYPE_CHECKING` for true, whoever assigns it.
+"""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, Generic, TypeAlias, TypeVar, overload
+
+    T = TypeVar("T")
+    R = TypeVar("R")
+    M = TypeVar("M", covariant=True)
+    Data: TypeAlias = bytes | bytearray | memoryview
+else:
+    T = R = M = Any = Data = None
+
+    def overload(function):
+        """Stands in for `typing.overload`."""
+        return function
+
+    class Generic:
+        """Stands in for `typing.Generic`: `Generic[T]` is the class itself."""
+
+        __slots__ = ()
+
+        def __class_getitem__(cls, _item):
+            return cls
+
+
+__all__ = ["TYPE_CHECKING", "Any", "Data", "Generic", "M", "R", "T", "overload"]

@@ -1,0 +1,304 @@
+"""How single values lie in bytes: what registers and numbered parameters decode and encode with."""
+
+from __future__ import annotations
+
+from struct import Struct
+
+from ._conversions import text, turned
+from ._error import CodecError, no_boolean, unknown_member, wrong_const
+from ._flags import Flags
+from ._refusals import refused_bytes, refused_flags, refused_float, refused_number, refused_text
+from ._typing import TYPE_CHECKING, Generic, T
+
+if TYPE_CHECKING:
+    from enum import IntEnum
+    from typing import Any, TypeVar
+
+    from ._typing import Data
+
+    E = TypeVar("E", bound=IntEnum)
+    F = TypeVar("F", bound=Flags)
+else:
+    E = F = None
+
+_LIMITS = {
+    "B": (0, 0xFF),
+    "b": (-0x80, 0x7F),
+    "H": (0, 0xFFFF),
+    "h": (-0x8000, 0x7FFF),
+    "I": (0, 0xFFFFFFFF),
+    "i": (-0x80000000, 0x7FFFFFFF),
+    "Q": (0, 0xFFFFFFFFFFFFFFFF),
+    "q": (-0x8000000000000000, 0x7FFFFFFFFFFFFFFF),
+}
+
+
+class Value(Generic[T]):
+    """A value of type T in `size` bytes: a Struct of `letters`, with the words turned before it is read.
+
+    `limits` is the letter of a narrower type that lies in a word of its own. `ranges` are in counts. The scale, if
+    there is one, is (a, b, c) of unit = (count * a + b) / c.
+    """
+
+    __slots__ = ("high", "low", "ranges", "ratio", "size", "struct", "swapped", "unit")
+
+    def __init__(
+        self,
+        letters: str,
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+        unit: str = "",
+        ratio: tuple[int, int, int] = (1, 0, 1),
+        limits: str = "",
+    ) -> None:
+        self.struct, self.swapped = Struct(letters), swapped
+        self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
+        self.size = self.struct.size
+        self.ranges, self.unit, self.ratio = ranges, unit, ratio
+
+    def decode(self, name: str, data: Data) -> T:
+        """The value in exactly `size` bytes. Raises CodecError."""
+        if len(data) != self.size:
+            reason = "incomplete" if len(data) < self.size else "wrong_length"
+            raise CodecError(reason, f"{name} has {self.size} bytes, not {len(data)}", min(len(data), self.size))
+        return self._of(name, self.struct.unpack(turned(bytes(data)) if self.swapped else data)[0])
+
+    def encode(self, name: str, value: T) -> bytes:
+        """The bytes of a value. Raises CodecError."""
+        error = self._refused(name, value)
+        if error is not None:
+            raise error
+        data = self.struct.pack(self._raw(value))
+        return turned(data) if self.swapped else data
+
+    def _of(self, name: str, raw: Any) -> T:
+        raise NotImplementedError
+
+    def _raw(self, value: Any) -> Any:
+        return value
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        raise NotImplementedError
+
+
+class _Whole(Value[T]):
+    """A whole number; `others` are values outside of the ranges that have a meaning of their own."""
+
+    __slots__ = ("others",)
+
+    def __init__(
+        self,
+        letters: str,
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+        unit: str = "",
+        ratio: tuple[int, int, int] = (1, 0, 1),
+        others: tuple[int, ...] = (),
+        limits: str = "",
+    ) -> None:
+        super().__init__(letters, swapped=swapped, ranges=ranges, unit=unit, ratio=ratio, limits=limits)
+        self.others = others
+
+
+class Number(_Whole[int]):
+    """A count."""
+
+    __slots__ = ()
+
+    def _of(self, name: str, raw: int) -> int:
+        if not self.low <= raw <= self.high:
+            raise CodecError("unknown_value", f"{name} is {raw}, not in {self.low}..{self.high}", 0)
+        return raw
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_number(name, value, self.low, self.high, self.ranges, self.others)
+
+
+class Constant(Number):
+    """A count that is always the same."""
+
+    __slots__ = ("const",)
+
+    def __init__(self, letters: str, const: int, *, swapped: bool = False) -> None:
+        super().__init__(letters, swapped=swapped)
+        self.const = const
+
+    def _of(self, name: str, raw: int) -> int:
+        if raw != self.const:
+            raise wrong_const(name, raw, self.const, 0)
+        return raw
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        if value != self.const:
+            return CodecError("wrong_const", f"{name} is {value}, not {self.const}")
+        return None
+
+
+class Closed(_Whole[E]):
+    """A member of a closed enum."""
+
+    __slots__ = ("enum", "members")
+
+    def __init__(
+        self,
+        letters: str,
+        enum: str,
+        members: dict[int, E],
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+    ) -> None:
+        super().__init__(letters, swapped=swapped, ranges=ranges)
+        self.enum, self.members = enum, members
+
+    def _of(self, name: str, raw: int) -> E:
+        member = self.members.get(raw)
+        if member is None:
+            raise unknown_member(name, raw, self.enum, 0)
+        return member
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_number(name, value, self.low, self.high, self.ranges, (), self.members, self.enum)
+
+
+class Open(_Whole["E | int"], Generic[E]):
+    """A member of an enum, or a count: any one, or, where the enum is closed, one of `others`."""
+
+    __slots__ = ("closed", "enum", "members")
+
+    def __init__(
+        self,
+        letters: str,
+        enum: str,
+        members: dict[int, E],
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+        others: tuple[int, ...] = (),
+        closed: bool = False,
+    ) -> None:
+        super().__init__(letters, swapped=swapped, ranges=ranges, others=others)
+        self.enum, self.members, self.closed = enum, members, closed
+
+    def _of(self, name: str, raw: int) -> E | int:
+        member = self.members.get(raw)
+        if member is not None:
+            return member
+        if self.closed and raw not in self.others:
+            raise unknown_member(name, raw, self.enum, 0)
+        return raw
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        members = self.members if self.closed else None
+        return refused_number(name, value, self.low, self.high, self.ranges, self.others, members, self.enum)
+
+
+class Word(Value[F]):
+    """A word of flags."""
+
+    __slots__ = ("flags",)
+
+    def __init__(
+        self,
+        letters: str,
+        flags: type[F],
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+    ) -> None:
+        super().__init__(letters, swapped=swapped, ranges=ranges)
+        self.flags = flags
+
+    def _of(self, name: str, raw: int) -> F:
+        return self.flags(raw)
+
+    def _raw(self, value: F) -> int:
+        return value.raw
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_flags(name, value, self.high, self.ranges)
+
+
+class Boolean(Value[bool]):
+    """0 for false, 1 for true."""
+
+    __slots__ = ()
+
+    def _of(self, name: str, raw: int) -> bool:
+        if raw > 1:
+            raise no_boolean(name, raw, 0)
+        return raw == 1
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_number(name, value, 0, 1)
+
+
+class Float(Value[float]):
+    """A floating-point number of 32 bits."""
+
+    __slots__ = ()
+
+    def _of(self, name: str, raw: float) -> float:
+        return raw
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_float(name, value)
+
+
+class Text(Value[str]):
+    """ASCII characters, filled up with zeros. `length` is how many there may be."""
+
+    __slots__ = ("length",)
+
+    def __init__(self, letters: str, length: int) -> None:
+        super().__init__(letters)
+        self.length = length
+
+    def _of(self, name: str, raw: bytes) -> str:
+        return text(name, raw, 0)
+
+    def _raw(self, value: str) -> bytes:
+        return value.encode("ascii")
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_text(name, value, self.length)
+
+
+class Bytes(Value[bytes]):
+    """Bytes as they are; an odd last one is followed by a zero. `length` is how many there are."""
+
+    __slots__ = ("length",)
+
+    def __init__(self, letters: str, length: int) -> None:
+        super().__init__(letters)
+        self.length = length
+
+    def _of(self, name: str, raw: bytes) -> bytes:
+        return raw[: self.length]
+
+    def _refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_bytes(name, value, self.length)
+
+
+class RecordValue(Value[T]):
+    """A record that lies in registers."""
+
+    __slots__ = ("record",)
+
+    def __init__(self, record: type[T], size: int) -> None:
+        super().__init__(f"{size}s")
+        self.record = record
+
+    def decode(self, name: str, data: Data) -> T:
+        """The record in exactly `size` bytes. Raises CodecError."""
+        decoded: T = self.record.decode(data)  # type: ignore[attr-defined]
+        return decoded
+
+    def encode(self, name: str, value: T) -> bytes:
+        """The bytes of a record. Raises CodecError."""
+        if not isinstance(value, self.record):
+            raise CodecError("wrong_type", f"{name} is a {self.record.__name__}, not {value!r}")
+        encoded: bytes = value.encode()  # type: ignore[attr-defined]
+        return encoded

@@ -1,0 +1,184 @@
+"""How the value of one field lies in a Struct: its letters, and the code that reads, tests and writes it.
+
+A field takes one slot of its Struct for each element, and two or four for a number whose words are exchanged.
+A number in another byte order than its Struct is a slot of bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from fieldspec.backends.python.words import EnumView
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.primitive import Kind
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """The classes that fields refer to, by the names of the spec."""
+
+    enums: Mapping[str, EnumView]
+    flags: Mapping[str, str]
+    records: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Slots:
+    """A field in a Struct: the letters of one element, and how many there are, 0 where it is repeated to the end.
+
+    `name` is that of its attribute, `title` that of the spec. `big` says that the Struct's order is big.
+    """
+
+    field: FieldLayout
+    name: str
+    title: str
+    letters: str
+    count: int
+    words: Words
+    big: bool
+
+    @property
+    def value(self) -> Value:
+        """The value; for fields that are not records."""
+        assert self.field.value is not None
+        return self.field.value
+
+    @property
+    def kind(self) -> Kind | None:
+        """What it holds, None for a record."""
+        return self.field.value.type.kind if self.field.value else None
+
+    @property
+    def listed(self) -> bool:
+        """Whether it is a list."""
+        return self.field.listed
+
+    @property
+    def repeated(self) -> bool:
+        """Whether it goes on to the end of the data."""
+        return self.field.count is None
+
+    @property
+    def constant(self) -> int | None:
+        """The one value that it may have."""
+        return self.value.const if self.whole else None
+
+    @property
+    def stored(self) -> bool:
+        """Whether an attribute holds it: constants, measures and reserved fields have none."""
+        return not (self.field.field.reserved or self.field.field.measures or self.constant is not None)
+
+    @property
+    def whole(self) -> bool:
+        """Whether it is a whole number on the wire."""
+        return self.kind in (Kind.INTEGER, Kind.BOOLEAN)
+
+    @property
+    def parted(self) -> int:
+        """In how many slots of 16-bit words a number with exchanged words lies; 0 where it lies in one slot."""
+        return len(self.letters) if self.whole and len(self.letters) > 1 and not self.letters.endswith("s") else 0
+
+    @property
+    def foreign(self) -> bool:
+        """Whether it is a number that its Struct takes as bytes."""
+        return self.kind in (Kind.INTEGER, Kind.BOOLEAN, Kind.FLOAT) and self.letters.endswith("s")
+
+    @property
+    def order(self) -> Literal["big", "little"]:
+        """The byte order of its number."""
+        return "big" if self.field.order == "big" else "little"
+
+    def bytes_of(self, number: int) -> bytes:
+        """The bytes of a number."""
+        order: Literal["big", "little"] = "big" if (self.order == "big") != self.field.swapped else "little"
+        data = number.to_bytes(self.field.size, order, signed=self.value.type.signed)
+        if not self.field.swapped:
+            return data
+        return b"".join(data[at : at + 2][::-1] for at in range(0, len(data), 2))
+
+    @property
+    def skipped(self) -> bool:
+        """Whether it is reserved and zero: its bytes are passed over."""
+        return self.letters.endswith("x")
+
+    @property
+    def enum(self) -> EnumView | None:
+        """The enum of its values."""
+        return self.words.enums[self.value.enum] if self.field.value and self.value.enum else None
+
+    @property
+    def sentinels(self) -> tuple[int, ...]:
+        """Values beside the ranges."""
+        return tuple(sentinel.value for sentinel in self.value.sentinels)
+
+    @property
+    def plain(self) -> bool:
+        """Whether the raw value is the value."""
+        if self.field.value is None or self.parted or self.foreign or self.kind in (Kind.BOOLEAN, Kind.TEXT):
+            return False
+        return not (self.value.enum or self.value.flags)
+
+    @property
+    def element_type(self) -> str:
+        """The type of one element."""
+        if self.field.record is not None:
+            return self.words.records[self.field.record.name]
+        if self.value.flags:
+            return self.words.flags[self.value.flags]
+        if self.enum is not None:
+            return f"{self.enum.name} | int" if self.sentinels else self.enum.type
+        assert self.kind is not None
+        return _TYPES[self.kind]
+
+    @property
+    def type(self) -> str:
+        """The type of the attribute."""
+        return f"list[{self.element_type}]" if self.listed else self.element_type
+
+    @property
+    def ranges(self) -> Ranges | None:
+        """The ranges, where they are narrower than the type."""
+        if self.field.value is None or self.value.ranges is None or not self.whole:
+            return None
+        full = self.value.ranges.intervals == ((self.value.type.low, self.value.type.high),)
+        return None if full else self.value.ranges
+
+
+_TYPES = {Kind.INTEGER: "int", Kind.FLOAT: "float", Kind.BOOLEAN: "bool", Kind.TEXT: "str", Kind.BYTES: "bytes"}
+
+
+def native_order(fields: tuple[FieldLayout, ...]) -> str:
+    """The byte order of a Struct that holds some fields: that of the first number of several bytes."""
+    for field in fields:
+        if field.value is not None and field.value.type.letter != "s" and field.size > 1:
+            return field.order
+    return "big"
+
+
+def slots(field: FieldLayout, name: str, words: Words, order: str) -> Slots:
+    """The slots of a field in a Struct of a byte order; `name` is that of its attribute."""
+    count = field.count if field.count is not None else 0
+    return Slots(field, name, field.name, _letters(field, order), count, words, order == "big")
+
+
+def _letters(field: FieldLayout, order: str) -> str:
+    value = field.value
+    if value is None:
+        return f"{field.size}{'x' if field.field.reserved else 's'}"
+    reserved = field.field.reserved and not field.field.measures
+    if reserved and not value.const and not (isinstance(value.default, int) and value.default):
+        return f"{field.size}x"
+    if value.type.letter == "s":
+        return f"{field.size}s"
+    if field.size == 1 or (field.order == order and not field.swapped):
+        return value.type.letter
+    if field.order == order and not field.listed and value.type.kind is Kind.INTEGER:
+        parts = field.size // 2 - 1
+        last = "h" if value.type.signed else "H"
+        # The least significant word lies first where bytes lie the most significant first, and the other way round.
+        return "H" * parts + last if order == "big" else last + "H" * parts
+    return f"{field.size}s"

@@ -1,0 +1,98 @@
+"""Texts of a spec as Python literals and docstrings. Nothing else brings such a text into the output."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+
+from fieldspec.model.fact import Citation, Fact
+
+WIDTH = 110
+# Characters that are not shown, or that change how the rest of a line is shown.
+_HIDDEN = (
+    *((code, code) for code in (0xAD, 0x61C, 0xFEFF)),
+    (0x00, 0x1F),
+    (0x7F, 0x9F),
+    (0x200B, 0x200F),
+    (0x2028, 0x202E),
+    (0x2060, 0x206F),
+    (0xD800, 0xDFFF),
+    (0xFFF9, 0xFFFB),
+    (0xE0000, 0xE007F),
+)
+
+
+def _escaped(char: str) -> str:
+    code = ord(char)
+    if char == "\\":
+        return "\\\\"
+    if not any(low <= code <= high for low, high in _HIDDEN):
+        return char
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+def literal(text: str) -> str:
+    """A text in double quotes on one line."""
+    return '"' + "".join(map(_escaped, text)).replace('"', '\\"') + '"'
+
+
+def docstring(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
+    """The lines of a docstring of some paragraphs; those that begin with a blank are kept as one line each.
+
+    An empty list where there is nothing to say.
+    """
+    texts = [paragraph for paragraph in paragraphs if paragraph.strip()]
+    if not texts:
+        return []
+    lines: list[str] = []
+    for number, text in enumerate(texts):
+        if number and not (text.startswith(" ") and texts[number - 1].startswith(" ")):
+            lines.append("")
+        lines += _wrapped(text, WIDTH - indent)
+    escaped = ["".join(map(_escaped, line)).replace('"""', '\\"\\"\\"') for line in lines]
+    if escaped[-1].endswith('"'):
+        escaped[-1] = escaped[-1][:-1] + '\\"'
+    margin = " " * indent
+    if len(escaped) == 1:
+        return [f'{margin}"""{escaped[0]}"""']
+    body = [f"{margin}{line}" if line else "" for line in escaped[1:]]
+    return [f'{margin}"""{escaped[0]}', *body, f'{margin}"""']
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    """A text in lines; a leading blank stands for an indented line, whose continuation is indented more."""
+    listed = text.startswith(" ")
+    filled = textwrap.wrap(
+        " ".join(text.split()),
+        width - 8,
+        initial_indent="    " if listed else "",
+        subsequent_indent="        " if listed else "",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return filled or [""]
+
+
+def sentence(text: str) -> str:
+    """A text with a full stop, if it lacks one."""
+    return text if not text or text.rstrip()[-1:] in ".!?:。" else f"{text.rstrip()}."
+
+
+def cited(sources: Iterable[Citation]) -> str:
+    """`Source: 8.2 L1622; 5.1 L1160-1163.`, or nothing."""
+    places = "; ".join(citation.text() for citation in sources)
+    return f"Source: {places}." if places else ""
+
+
+def printed(fact: Fact) -> str:
+    """What the manual calls a fact, in parentheses: `(SrvCmd, 伺服ON/OFF)`, or nothing."""
+    shown = [text for text in (fact.printed_name, fact.label) if text]
+    return f"({', '.join(shown)})" if shown else ""
+
+
+def described(head: str, fact: Fact, *more: str) -> list[str]:
+    """The paragraphs of a fact's docstring: a head with the manual's words, the doc, more, notes, sources."""
+    first = f"{head} {printed(fact)}".strip()
+    notes = [f"Note: {sentence(note)}" for note in fact.notes]
+    inferred = [f"Inferred ({key}): {sentence(reason)}" for key, reason in fact.inferred.items()]
+    return [sentence(first), sentence(fact.doc), *more, *notes, *inferred, cited(fact.sources)]

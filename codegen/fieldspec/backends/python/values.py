@@ -1,0 +1,84 @@
+"""The expressions that make the `Value` of a register or a parameter."""
+
+from __future__ import annotations
+
+from fieldspec.backends.python.slots import Words
+from fieldspec.backends.python.text import literal
+from fieldspec.backends.python.units import quantity, ratio
+from fieldspec.backends.python.writing import pairs, tuple_of
+from fieldspec.model.primitive import Kind
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
+from fieldspec.names import Name
+
+_TYPES = {Kind.INTEGER: "int", Kind.FLOAT: "float", Kind.BOOLEAN: "bool", Kind.TEXT: "str", Kind.BYTES: "bytes"}
+
+
+def value_type(value: Value, words: Words) -> str:
+    """The type of the attribute that holds a value."""
+    if value.flags:
+        return words.flags[value.flags]
+    if value.enum and value.const is None:
+        enum = words.enums[value.enum]
+        return f"{enum.name} | int" if value.sentinels else enum.type
+    return _TYPES[value.type.kind]
+
+
+def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
+    """The `Value` of a value that lies in `size` bytes, which may be more than its own."""
+    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+        kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
+        return f'{kind}("{size}s", {value.size})'
+    letter, narrow = value.type.letter, value.size < size
+    if narrow:
+        letter = "h" if value.type.signed else "H"
+    letters = literal((">" if (order == "big") != swapped else "<") + letter)
+    more = ["swapped=True"] if swapped else []
+    if value.type.kind is Kind.BOOLEAN:
+        return _call("_Boolean", letters, more)
+    if value.type.kind is Kind.FLOAT:
+        return _call("_Float", letters, more)
+    if value.const is not None:
+        return _call("_Constant", letters, [str(value.const), *more])
+    ranges = _ranges(value)
+    if ranges is not None:
+        more.append(f"ranges={pairs(ranges)}")
+    if value.flags:
+        return _call("_Word", letters, [words.flags[value.flags], *more])
+    if value.sentinels and (ranges is not None or value.enum):
+        more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
+    if value.enum:
+        enum = words.enums[value.enum]
+        if not enum.open and value.sentinels:
+            more.append("closed=True")
+        return _call(
+            "_Open" if enum.open or value.sentinels else "_Closed", letters, [literal(enum.title), enum.table, *more]
+        )
+    if value.unit:
+        more.append(f"unit={literal(value.unit)}")
+    if value.scaled:
+        more.append(f"ratio={ratio(value)}")
+    if narrow:
+        more.append(f'limits="{value.type.letter}"')
+    return _call("_Number", letters, more)
+
+
+def _call(name: str, letters: str, more: list[str]) -> str:
+    return f"{name}({', '.join([letters, *more])})"
+
+
+def _ranges(value: Value) -> Ranges | None:
+    if value.ranges is None or value.ranges.intervals == ((value.type.low, value.type.high),):
+        return None
+    return value.ranges
+
+
+def value_facts(value: Value) -> list[str]:
+    """What a docstring says of a value: how it counts, its range, its sentinels, its initial value."""
+    facts = [quantity(value)] if quantity(value) else []
+    if value.ranges is not None:
+        facts.append(value.ranges.text())
+    facts += [f"{sentinel.value} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
+    if value.default is not None:
+        facts.append(f"initially {value.default}")
+    return facts

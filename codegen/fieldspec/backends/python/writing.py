@@ -1,0 +1,165 @@
+"""The code that tests a field and writes it into its slots, and that says why it cannot."""
+
+from __future__ import annotations
+
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import literal
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.primitive import Kind
+from fieldspec.model.ranges import Ranges
+
+
+def within(held: str, ranges: Ranges, others: tuple[int, ...] = ()) -> str:
+    """The condition that a number lies in one of several intervals, or is one of some others."""
+    parts = [f"{held} == {low}" if low == high else f"{low} <= {held} <= {high}" for low, high in ranges.intervals]
+    parts += [f"{held} == {value}" for value in others if value not in ranges]
+    return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
+
+
+def fixed(field: Slots) -> list[str]:
+    """What the slots of a constant hold, or of a reserved field that is not zero; of those alone."""
+    if field.skipped:
+        return []
+    number = field.constant if field.constant is not None else field.value.default
+    assert isinstance(number, int)
+    data = number.to_bytes(field.field.size, field.order, signed=field.value.type.signed)
+    if field.parted:
+        words = [data[at : at + 2] for at in range(0, len(data), 2)]
+        halves = words[::-1] if field.field.swapped else words
+        signed = field.value.type.signed
+        return [
+            str(int.from_bytes(half, field.order, signed=signed and letter == "h"))
+            for half, letter in zip(halves, field.letters, strict=True)
+        ]
+    if field.foreign:
+        return [_bytes_literal(field.bytes_of(number))] * max(field.count, 1)
+    return [str(number)] * max(field.count, 1)
+
+
+def _bytes_literal(data: bytes) -> str:
+    return 'b"' + "".join(f"\\x{byte:02x}" for byte in data) + '"'
+
+
+def conditions(field: Slots, held: str) -> list[str]:
+    """What must hold of the value `held` of a field beyond what `pack` itself refuses."""
+    found: list[str] = []
+    if field.repeated and field.field.field.repeat is not None:
+        lengths = field.field.field.repeat
+        found.append(within(f"len({held})", lengths))
+    elif field.listed:
+        found.append(f"len({held}) == {field.count}")
+    item = "item" if field.listed else held
+    each = _one(field, item)
+    if field.listed:
+        return found + [f"all({condition} for item in {held})" for condition in each]
+    return each
+
+
+def _one(field: Slots, held: str) -> list[str]:
+    if field.field.record is not None:
+        return []
+    size = field.field.size
+    if field.kind is Kind.TEXT:
+        return [f"len({held}) <= {size}"]
+    if field.kind is Kind.BYTES:
+        return [f"len({held}) == {size}"]
+    if field.kind is Kind.FLOAT:
+        return []
+    found: list[str] = []
+    raw = f"{held}.raw" if field.value.flags else held
+    enum = field.enum
+    if enum is not None and not enum.open:
+        others = ", ".join(map(str, field.sentinels)) + ","
+        known = f"{held} in {enum.table}"
+        found.append(f"({known} or {held} in ({others}))" if field.sentinels else known)
+    if field.kind is Kind.BOOLEAN:
+        found.append(f"0 <= {held} <= 1")
+    elif field.ranges is not None:
+        found.append(within(raw, field.ranges, field.sentinels))
+    elif field.parted:
+        found.append(f"{field.value.type.low} <= {raw} <= {field.value.type.high}")
+    return found
+
+
+def values(field: Slots, held: str) -> list[str]:
+    """The expressions that fill the slots of a field."""
+    if field.parted:
+        raw = f"{held}.raw" if field.value.flags else held
+        parts = [f"{raw} & 65535", *(f"{raw} >> {16 * part} & 65535" for part in range(1, field.parted - 1))]
+        parts.append(f"{raw} >> {16 * (field.parted - 1)}")
+        return parts if field.big else parts[::-1]
+    if not field.listed:
+        return [_item(field, held)]
+    item = _item(field, "item")
+    return [f"*{held}" if item == "item" else f"*[{item} for item in {held}]"]
+
+
+def _item(field: Slots, held: str) -> str:
+    if field.field.record is not None:
+        return f"{held}.encode()"
+    if field.kind is Kind.TEXT:
+        return f'{held}.encode("ascii")'
+    raw = f"{held}.raw" if field.value.flags else held
+    if not field.foreign:
+        return raw
+    turned = field.field.swapped
+    order = "big" if (field.field.order == "big") != turned else "little"
+    if field.kind is Kind.FLOAT:
+        return f'_f32_bytes({raw}, "{">" if order == "big" else "<"}f", {turned})'
+    signed = ", signed=True" if field.value.type.signed else ""
+    data = f'{raw}.to_bytes({field.field.size}, "{order}"{signed})'
+    return f"_turned({data})" if turned else data
+
+
+def measured(field: Slots, other: FieldLayout, held: str) -> str:
+    """What a field that measures another one holds."""
+    measure = field.field.field.measures
+    assert measure is not None
+    if not other.listed:
+        return str(other.size if measure.of == "bytes" else 1)
+    items = f"len({held})"
+    return f"{items} * {other.size}" if measure.of == "bytes" and other.size != 1 else items
+
+
+def refusal(field: Slots) -> str:
+    """The expression that says what is wrong with a field: a CodecError, or None."""
+    title, held = literal(field.title), f"self.{field.name}"
+    function, limits = _refusing(field)
+    if not field.listed:
+        return f"{function}({', '.join([title, held, *limits])})"
+    repeat = field.field.field.repeat
+    lengths = (repeat.low, repeat.high) if repeat else (field.count, field.count)
+    return f"_refused_list({', '.join([title, held, *map(str, lengths), function, *limits])})"
+
+
+def _refusing(field: Slots) -> tuple[str, list[str]]:
+    """The function that says what is wrong with one element, and its arguments behind name and value."""
+    if field.field.record is not None:
+        return "_refused_record", [field.element_type]
+    size, primitive = str(field.field.size), field.value.type
+    if field.kind is Kind.TEXT:
+        return "_refused_text", [size]
+    if field.kind is Kind.BYTES:
+        return "_refused_bytes", [size]
+    if field.kind is Kind.FLOAT:
+        return "_refused_float", []
+    ranges = pairs(field.ranges)
+    if field.value.flags:
+        return "_refused_flags", [str(primitive.high), *([ranges] if ranges else [])]
+    more = [ranges or "()", tuple_of(field.sentinels)]
+    if field.enum is not None and not field.enum.open:
+        more += [field.enum.table, literal(field.enum.title)]
+    while more and more[-1] == "()":
+        more.pop()
+    return "_refused_number", [str(primitive.low), str(primitive.high), *more]
+
+
+def pairs(ranges: Ranges | None) -> str:
+    """Ranges as a tuple of pairs; an empty text for none."""
+    return tuple_of(f"({low}, {high})" for low, high in ranges.intervals) if ranges else ""
+
+
+def tuple_of(items: object) -> str:
+    """A tuple of expressions."""
+    texts = [str(item) for item in items]  # type: ignore[attr-defined]
+    return f"({texts[0]},)" if len(texts) == 1 else f"({', '.join(texts)})"

@@ -1,0 +1,5859 @@
+/*
+ * ESC11-B (TAIYO), version before-1.17
+ * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
+ * Identity: 2a469840b5510396
+ *
+ * C99 and C++11. Generated; do not edit.
+ */
+#ifdef ESC11_INCLUDED
+#ifndef ESC11_VERSION_IS_BEFORE_1_17
+#error "another version of this device is included already"
+#endif
+#else
+#define ESC11_INCLUDED
+#define ESC11_VERSION_IS_BEFORE_1_17
+
+#ifndef __STDC_CONSTANT_MACROS
+#define __STDC_CONSTANT_MACROS
+#endif
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#define ESC11_VERSION "before-1.17"
+#define ESC11_IDENTITY "2a469840b5510396"
+
+/* ---- What functions return ---- */
+
+/** What a function has to say. */
+typedef enum esc11_codec_status {
+    ESC11_OK = 0, /**< It is done. */
+    ESC11_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
+    ESC11_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
+    ESC11_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
+    ESC11_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
+    ESC11_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    ESC11_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
+    ESC11_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
+    ESC11_ERR_WRONG_CONST = 8, /**< A constant has another value. */
+    ESC11_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
+    ESC11_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    ESC11_ERR_CAPACITY = 11 /**< The buffer is too small. */
+} esc11_codec_status;
+
+/* ---- Numbers and characters, independent of the machine ---- */
+
+static inline uint8_t esc11_load_u8(const uint8_t *in)
+{
+    return (uint8_t)((uint32_t)in[0]);
+}
+
+static inline void esc11_store_u8(uint8_t *out, uint8_t value)
+{
+    out[0] = (uint8_t)value;
+}
+
+static inline uint16_t esc11_load_u16_le(const uint8_t *in)
+{
+    return (uint16_t)(((uint32_t)in[0]) | ((uint32_t)in[1] << 8));
+}
+
+static inline void esc11_store_u16_le(uint8_t *out, uint16_t value)
+{
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+}
+
+static inline uint32_t esc11_load_u32_le(const uint8_t *in)
+{
+    return (uint32_t)(((uint32_t)in[0]) | ((uint32_t)in[1] << 8) | ((uint32_t)in[2] << 16) | ((uint32_t)in[3] << 24));
+}
+
+static inline void esc11_store_u32_le(uint8_t *out, uint32_t value)
+{
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+    out[2] = (uint8_t)(value >> 16);
+    out[3] = (uint8_t)(value >> 24);
+}
+
+static inline int8_t esc11_signed_8(uint8_t raw)
+{
+    return (int8_t)((raw & 0x80u) ? -(int32_t)(uint8_t)~raw - 1 : (int32_t)raw);
+}
+
+static inline int16_t esc11_signed_16(uint16_t raw)
+{
+    return (int16_t)((raw & 0x8000u) ? -(int32_t)(uint16_t)~raw - 1 : (int32_t)raw);
+}
+
+static inline int32_t esc11_signed_32(uint32_t raw)
+{
+    return (int32_t)((raw & 0x80000000u) ? -(int32_t)(uint32_t)~raw - 1 : (int32_t)raw);
+}
+
+static inline int64_t esc11_signed_64(uint64_t raw)
+{
+    return (int64_t)((raw & UINT64_C(0x8000000000000000)) ? -(int64_t)(uint64_t)~raw - 1 : (int64_t)raw);
+}
+
+static inline float esc11_float_of(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static inline uint32_t esc11_bits_of(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+static inline bool esc11_is_ascii(const uint8_t *in, size_t size)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        if (in[at] > 127u) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Writes a text of at most size characters, filled up with zeros; other characters than ASCII are refused. */
+static inline bool esc11_put_text(uint8_t *out, const char *text, size_t size)
+{
+    size_t at;
+    memset(out, 0, size);
+    for (at = 0; at < size && text[at] != '\0'; at++) {
+        out[at] = (uint8_t)text[at];
+    }
+    return esc11_is_ascii(out, size);
+}
+
+/** The value of a hexadecimal digit; more than 15 for any other character. */
+static inline uint8_t esc11_digit(uint8_t character)
+{
+    if (character >= 0x30u && character <= 0x39u) {
+        return (uint8_t)(character - 0x30u);
+    }
+    if (character >= 0x41u && character <= 0x46u) {
+        return (uint8_t)(character - 0x37u);
+    }
+    if (character >= 0x61u && character <= 0x66u) {
+        return (uint8_t)(character - 0x57u);
+    }
+    return 0xFFu;
+}
+
+static inline uint8_t esc11_hex_digit(uint8_t value)
+{
+    return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);
+}
+
+/* ---- Checks ---- */
+
+/** The low byte of the sum of all bytes. */
+static inline uint8_t esc11_sum8(const uint8_t *in, size_t size)
+{
+    uint32_t sum = 0;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        sum += in[at];
+    }
+    return (uint8_t)(sum & 0xFFu);
+}
+
+/* ---- Enums and codes ---- */
+
+/**
+ * The gripper that the controller drives, for parameter 0 and command 72h.
+ * Printed as 执行器类型.
+ * Other values may occur.
+ * Note: Open, as the range of parameter 0 is wider than this table. A type that the controller does not know
+ * brings up error 33h.
+ * Source: 9.6.3 L1122-1129
+ */
+typedef enum esc11_actuator_type {
+    ESC11_ACTUATOR_TYPE_SS_2010 = 110,
+    ESC11_ACTUATOR_TYPE_SS_2005_3N = 111,
+    ESC11_ACTUATOR_TYPE_SS_2005_5N = 112,
+    ESC11_ACTUATOR_TYPE_ST_2013 = 118,
+    ESC11_ACTUATOR_TYPE_ST_2004 = 119,
+    ESC11_ACTUATOR_TYPE_SS_2815 = 120,
+    ESC11_ACTUATOR_TYPE_ST_2820 = 129,
+    ESC11_ACTUATOR_TYPE_SS_4225 = 130,
+    ESC11_ACTUATOR_TYPE_ST_4230 = 139,
+    ESC11_ACTUATOR_TYPE_SD_2005 = 210,
+    ESC11_ACTUATOR_TYPE_SD_2810 = 220,
+    ESC11_ACTUATOR_TYPE_SD_4220 = 230,
+    ESC11_ACTUATOR_TYPE_FS_2020 = 310, /**< Also for FT-2020. */
+    ESC11_ACTUATOR_TYPE_FS_2840 = 320 /**< Also for FT-2840. */
+} esc11_actuator_type;
+
+/**
+ * Alarms (01h to 0Eh, table 10.3) and errors (20h to 33h, table 10.4).
+ * Printed as 警报一览表.
+ * Other values may occur.
+ * Note: 0 is within the printed range of the codes that are read (10.1 L1209), and no table gives it a name.
+ * Source: 10.3 L1292-1308; 10.4 L1310-1326
+ */
+typedef enum esc11_alarm_code {
+    ESC11_ALARM_CODE_OVERLOAD = 1, /**< 过负荷 */
+    ESC11_ALARM_CODE_OVERCURRENT = 2, /**< 过电流 */
+    ESC11_ALARM_CODE_MACHINE_REFERENCE_OVER = 3, /**< 超过基准值 */
+    ESC11_ALARM_CODE_SUPPLY_VOLTAGE_LOW = 4, /**< 电源电压下降 */
+    ESC11_ALARM_CODE_DATA_NOT_WRITTEN = 5, /**< 数据写入不良 */
+    ESC11_ALARM_CODE_POSITION_DEVIATION_OVER = 6, /**< 位置偏差过大 */
+    ESC11_ALARM_CODE_POINT_DATA_DESTROYED = 7, /**< 点数据不良 */
+    ESC11_ALARM_CODE_PARAMETER_DATA_DESTROYED = 8, /**< 参数不良 */
+    ESC11_ALARM_CODE_SYSTEM_FAULT_1 = 9, /**< 系统异常1 */
+    ESC11_ALARM_CODE_FEEDBACK_ERROR_1 = 10, /**< 反馈错误1 */
+    ESC11_ALARM_CODE_FEEDBACK_ERROR_2 = 11, /**< 反馈错误2 */
+    ESC11_ALARM_CODE_ABNORMAL_VOLTAGE = 12, /**< 电压异常 */
+    ESC11_ALARM_CODE_SYSTEM_FAULT_2 = 13, /**< 系统异常2 */
+    ESC11_ALARM_CODE_FEEDBACK_ERROR_3 = 14, /**< 反馈错误3 */
+    ESC11_ALARM_CODE_SOFT_LIMIT_EXCEEDED = 32, /**< 超过软限位 */
+    ESC11_ALARM_CODE_PULSE_OVERFLOW = 33, /**< 脉冲溢出 */
+    ESC11_ALARM_CODE_IO_LOGIC_ERROR = 34, /**< I/O逻辑错误 */
+    ESC11_ALARM_CODE_HOMING_INCOMPLETE = 35, /**< 原点未完成 */
+    ESC11_ALARM_CODE_SERVO_OFF = 36, /**< 伺服OFF */
+    ESC11_ALARM_CODE_INTERLOCK = 37, /**< 联锁 */
+    ESC11_ALARM_CODE_NO_POINT = 38, /**< 无点 */
+    ESC11_ALARM_CODE_OPERATING = 39, /**< 运行中 */
+    ESC11_ALARM_CODE_PROCESSING = 40, /**< 处理中 */
+    ESC11_ALARM_CODE_HOME_NOT_FOUND = 41, /**< 无原点 */
+    ESC11_ALARM_CODE_NETWORK_COMMUNICATION_ERROR = 48, /**< 网络通信错误 */
+    ESC11_ALARM_CODE_COMMUNICATION_COMMAND_ERROR = 49, /**< 通信指令错误 */
+    ESC11_ALARM_CODE_DATA_ERROR = 50, /**< 数据错误 */
+    ESC11_ALARM_CODE_UNKNOWN_ACTUATOR_TYPE = 51 /**< 无执行器代码 */
+} esc11_alarm_code;
+
+/**
+ * Printed as 原点复位方向.
+ * Source: 10.2 L1264
+ */
+typedef enum esc11_homing_direction {
+    ESC11_HOMING_DIRECTION_OPEN = 0, /**< OPEN */
+    ESC11_HOMING_DIRECTION_CLOSE = 1 /**< CLOSE */
+} esc11_homing_direction;
+
+/** Whether a value is one of esc11_homing_direction. */
+static inline bool esc11_homing_direction_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * Printed as 原点复位方式.
+ * Source: 10.2 L1275
+ */
+typedef enum esc11_homing_method {
+    ESC11_HOMING_METHOD_STROKE_END = 0, /**< 行程末端 */
+    ESC11_HOMING_METHOD_STROKE_END_AND_Z_PHASE = 1 /**< 行程末端+Z相检测方法 */
+} esc11_homing_method;
+
+/** Whether a value is one of esc11_homing_method. */
+static inline bool esc11_homing_method_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * What a point does. Each mode does the same as one of the movement commands.
+ * Printed as 表9-2 动作模式.
+ * Note: The codes are not those of the movement commands, nor in their order. 43h and 47h are commands of
+ * quite another kind.
+ * Source: 9.3.5 L819-831
+ */
+typedef enum esc11_point_mode {
+    ESC11_POINT_MODE_ABSOLUTE_MOVE = 65, /**< 绝对位置移动 Moves to a position counted from the home position; command 17h. */
+    ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_CLOSE = 67, /**< 匀速移动夹持（关） Closes at constant speed and grips; command 21h. */
+    ESC11_POINT_MODE_RELATIVE_GRIP = 71, /**< 加减速相对位置移动及夹持 Moves by a distance with acceleration and deceleration, and grips; command 22h. */
+    ESC11_POINT_MODE_ABSOLUTE_GRIP = 72, /**< 加减速绝对位置移动及夹持 Moves to a position with acceleration and deceleration, and grips; command 23h. */
+    ESC11_POINT_MODE_RELATIVE_MOVE = 73, /**< 相对位置移动 Moves by a distance from the current position; command 16h. */
+    ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_OPEN_WITH_ZONE = 74, /**< 带ZON匀速移动及夹持（开） Opens at constant speed and grips, with the ZON output; command 24h. */
+    ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_CLOSE_WITH_ZONE = 75, /**< 带ZON匀速移动及夹持（关） Closes at constant speed and grips, with the ZON output; command 25h. */
+    ESC11_POINT_MODE_CONSTANT_SPEED_GRIP_OPEN = 79 /**< 匀速移动夹持（开） Opens at constant speed and grips; command 20h. */
+} esc11_point_mode;
+
+/** Whether a value is one of esc11_point_mode. */
+static inline bool esc11_point_mode_known(int64_t value)
+{
+    if (value == INT64_C(65)) {
+        return true;
+    }
+    if (value == INT64_C(67)) {
+        return true;
+    }
+    if (value >= INT64_C(71) && value <= INT64_C(75)) {
+        return true;
+    }
+    if (value == INT64_C(79)) {
+        return true;
+    }
+    return false;
+}
+
+/* ---- Words of flags ---- */
+
+/**
+ * The status byte of every response.
+ * Printed as 通信状态.
+ * A word of 8 bits.
+ * Note: The labels of bits 0 to 2 name the state that holds at 0 (finished, in position, servo on). The names
+ * here say what is true at 1.
+ * Source: 8.2 L283-293
+ */
+typedef uint8_t esc11_communication_status;
+
+/**
+ * Printed as 工作结束.
+ * 0: finished. 1: executing.
+ * Source: 8.2 L286
+ */
+#define ESC11_COMMUNICATION_STATUS_EXECUTING_MASK 0x01u
+#define ESC11_COMMUNICATION_STATUS_EXECUTING_SHIFT 0u
+static inline bool esc11_communication_status_executing(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_EXECUTING_MASK) != 0;
+}
+
+/**
+ * Printed as 在位置状态.
+ * 0: within the position's width. 1: outside of it.
+ * Note: The reverse of the bit in_position that command 52h reads.
+ * Source: 8.2 L287
+ */
+#define ESC11_COMMUNICATION_STATUS_OUT_OF_POSITION_MASK 0x02u
+#define ESC11_COMMUNICATION_STATUS_OUT_OF_POSITION_SHIFT 1u
+static inline bool esc11_communication_status_out_of_position(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_OUT_OF_POSITION_MASK) != 0;
+}
+
+/**
+ * Printed as 伺服ON状态.
+ * 0: servo on. 1: servo off.
+ * Note: 1 is off, while in commands 31h and 46h 1 is the excited state.
+ * Source: 8.2 L288
+ */
+#define ESC11_COMMUNICATION_STATUS_SERVO_OFF_MASK 0x04u
+#define ESC11_COMMUNICATION_STATUS_SERVO_OFF_SHIFT 2u
+static inline bool esc11_communication_status_servo_off(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_SERVO_OFF_MASK) != 0;
+}
+
+/**
+ * Printed as 请求数据读取.
+ * 0: not requested. 1: requested.
+ * Source: 8.2 L289
+ */
+#define ESC11_COMMUNICATION_STATUS_DATA_READ_REQUEST_MASK 0x08u
+#define ESC11_COMMUNICATION_STATUS_DATA_READ_REQUEST_SHIFT 3u
+static inline bool esc11_communication_status_data_read_request(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_DATA_READ_REQUEST_MASK) != 0;
+}
+
+/**
+ * Printed as 请求重新发送指令.
+ * 0: not requested. 1: requested.
+ * Source: 8.2 L290
+ */
+#define ESC11_COMMUNICATION_STATUS_COMMAND_RESEND_REQUEST_MASK 0x10u
+#define ESC11_COMMUNICATION_STATUS_COMMAND_RESEND_REQUEST_SHIFT 4u
+static inline bool esc11_communication_status_command_resend_request(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_COMMAND_RESEND_REQUEST_MASK) != 0;
+}
+
+/**
+ * Set in the answer to an unknown command (7.3 L251).
+ * Printed as 指令错误.
+ * 0: normal. 1: error.
+ * Source: 8.2 L291
+ */
+#define ESC11_COMMUNICATION_STATUS_COMMAND_ERROR_MASK 0x20u
+#define ESC11_COMMUNICATION_STATUS_COMMAND_ERROR_SHIFT 5u
+static inline bool esc11_communication_status_command_error(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_COMMAND_ERROR_MASK) != 0;
+}
+
+/**
+ * Printed as 警报状态.
+ * 0: normal. 1: alarm.
+ * Source: 8.2 L292
+ */
+#define ESC11_COMMUNICATION_STATUS_ALARM_MASK 0x40u
+#define ESC11_COMMUNICATION_STATUS_ALARM_SHIFT 6u
+static inline bool esc11_communication_status_alarm(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_ALARM_MASK) != 0;
+}
+
+/**
+ * Printed as 通信错误.
+ * 0: normal. 1: error.
+ * Source: 8.2 L293
+ */
+#define ESC11_COMMUNICATION_STATUS_COMMUNICATION_ERROR_MASK 0x80u
+#define ESC11_COMMUNICATION_STATUS_COMMUNICATION_ERROR_SHIFT 7u
+static inline bool esc11_communication_status_communication_error(uint8_t word)
+{
+    return (word & ESC11_COMMUNICATION_STATUS_COMMUNICATION_ERROR_MASK) != 0;
+}
+
+/**
+ * The inputs, in the first byte of the response to command 52h.
+ * A word of 8 bits.
+ * Source: 9.4.3 L946
+ */
+typedef uint8_t esc11_io_inputs;
+
+/**
+ * IPOS0 to IPOS4 together select a point by its number, lowest bit first.
+ * Printed as IPOS0.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_POINT_INPUT_0_MASK 0x01u
+#define ESC11_IO_INPUTS_POINT_INPUT_0_SHIFT 0u
+static inline bool esc11_io_inputs_point_input_0(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_POINT_INPUT_0_MASK) != 0;
+}
+
+/**
+ * Printed as IPOS1.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_POINT_INPUT_1_MASK 0x02u
+#define ESC11_IO_INPUTS_POINT_INPUT_1_SHIFT 1u
+static inline bool esc11_io_inputs_point_input_1(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_POINT_INPUT_1_MASK) != 0;
+}
+
+/**
+ * Printed as IPOS2.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_POINT_INPUT_2_MASK 0x04u
+#define ESC11_IO_INPUTS_POINT_INPUT_2_SHIFT 2u
+static inline bool esc11_io_inputs_point_input_2(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_POINT_INPUT_2_MASK) != 0;
+}
+
+/**
+ * Printed as IPOS3.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_POINT_INPUT_3_MASK 0x08u
+#define ESC11_IO_INPUTS_POINT_INPUT_3_SHIFT 3u
+static inline bool esc11_io_inputs_point_input_3(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_POINT_INPUT_3_MASK) != 0;
+}
+
+/**
+ * Printed as IPOS4.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_POINT_INPUT_4_MASK 0x10u
+#define ESC11_IO_INPUTS_POINT_INPUT_4_SHIFT 4u
+static inline bool esc11_io_inputs_point_input_4(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_POINT_INPUT_4_MASK) != 0;
+}
+
+/**
+ * Starts the move; with IPOS0 to IPOS4 off the temporary point of command 63h, or homing where there is none
+ * (9.5.4).
+ * Printed as START.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_START_MASK 0x20u
+#define ESC11_IO_INPUTS_START_SHIFT 5u
+static inline bool esc11_io_inputs_start(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_START_MASK) != 0;
+}
+
+/**
+ * Printed as SEL.
+ * Note: The manual does not say what it selects.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_SELECTION_MASK 0x40u
+#define ESC11_IO_INPUTS_SELECTION_SHIFT 6u
+static inline bool esc11_io_inputs_selection(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_SELECTION_MASK) != 0;
+}
+
+/**
+ * Printed as INLOK.
+ * Note: The remedy of error 25h (10.4 L1318) says that the interlock is released while this input is on, so 1
+ * allows moves.
+ * Source: 9.4.3 L946
+ */
+#define ESC11_IO_INPUTS_INTERLOCK_MASK 0x80u
+#define ESC11_IO_INPUTS_INTERLOCK_SHIFT 7u
+static inline bool esc11_io_inputs_interlock(uint8_t word)
+{
+    return (word & ESC11_IO_INPUTS_INTERLOCK_MASK) != 0;
+}
+
+/**
+ * The outputs, in the second byte of the response to command 52h.
+ * A word of 8 bits.
+ * Source: 9.4.3 L947
+ */
+typedef uint8_t esc11_io_outputs;
+
+/**
+ * OPOS0 to OPOS4 together give the number of a point, lowest bit first.
+ * Printed as OPOS0.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_0_MASK 0x01u
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_0_SHIFT 0u
+static inline bool esc11_io_outputs_point_output_0(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_POINT_OUTPUT_0_MASK) != 0;
+}
+
+/**
+ * Printed as OPOS1.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_1_MASK 0x02u
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_1_SHIFT 1u
+static inline bool esc11_io_outputs_point_output_1(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_POINT_OUTPUT_1_MASK) != 0;
+}
+
+/**
+ * Printed as OPOS2.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_2_MASK 0x04u
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_2_SHIFT 2u
+static inline bool esc11_io_outputs_point_output_2(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_POINT_OUTPUT_2_MASK) != 0;
+}
+
+/**
+ * Printed as OPOS3.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_3_MASK 0x08u
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_3_SHIFT 3u
+static inline bool esc11_io_outputs_point_output_3(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_POINT_OUTPUT_3_MASK) != 0;
+}
+
+/**
+ * Printed as OPOS4.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_4_MASK 0x10u
+#define ESC11_IO_OUTPUTS_POINT_OUTPUT_4_SHIFT 4u
+static inline bool esc11_io_outputs_point_output_4(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_POINT_OUTPUT_4_MASK) != 0;
+}
+
+/**
+ * Printed as RORG.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_HOMING_COMPLETE_MASK 0x20u
+#define ESC11_IO_OUTPUTS_HOMING_COMPLETE_SHIFT 5u
+static inline bool esc11_io_outputs_homing_complete(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_HOMING_COMPLETE_MASK) != 0;
+}
+
+/**
+ * On when a move with a zone stopped between the two limits (9.1.14 L662).
+ * Printed as ZON.
+ * Source: 9.4.3 L947
+ */
+#define ESC11_IO_OUTPUTS_IN_ZONE_MASK 0x40u
+#define ESC11_IO_OUTPUTS_IN_ZONE_SHIFT 6u
+static inline bool esc11_io_outputs_in_zone(uint8_t word)
+{
+    return (word & ESC11_IO_OUTPUTS_IN_ZONE_MASK) != 0;
+}
+
+/**
+ * The state outputs and the lamps, in the third byte of the response to command 52h.
+ * A word of 8 bits.
+ * Source: 9.4.3 L948
+ */
+typedef uint8_t esc11_io_state_outputs;
+
+/**
+ * Printed as READY.
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_READY_MASK 0x01u
+#define ESC11_IO_STATE_OUTPUTS_READY_SHIFT 0u
+static inline bool esc11_io_state_outputs_ready(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_READY_MASK) != 0;
+}
+
+/**
+ * Commands are to be sent when it is off (remedy of error 28h).
+ * Printed as BUSY.
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_BUSY_MASK 0x02u
+#define ESC11_IO_STATE_OUTPUTS_BUSY_SHIFT 1u
+static inline bool esc11_io_state_outputs_busy(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_BUSY_MASK) != 0;
+}
+
+/**
+ * Printed as ALRM.
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_ALARM_MASK 0x04u
+#define ESC11_IO_STATE_OUTPUTS_ALARM_SHIFT 2u
+static inline bool esc11_io_state_outputs_alarm(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_ALARM_MASK) != 0;
+}
+
+/**
+ * Printed as INPOS.
+ * Note: The reverse of the bit out_of_position in the status byte.
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_IN_POSITION_MASK 0x08u
+#define ESC11_IO_STATE_OUTPUTS_IN_POSITION_SHIFT 3u
+static inline bool esc11_io_state_outputs_in_position(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_IN_POSITION_MASK) != 0;
+}
+
+/**
+ * Printed as HOLD.
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_HOLD_MASK 0x10u
+#define ESC11_IO_STATE_OUTPUTS_HOLD_SHIFT 4u
+static inline bool esc11_io_state_outputs_hold(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_HOLD_MASK) != 0;
+}
+
+/**
+ * Printed as RUN (LED).
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_RUN_LAMP_MASK 0x20u
+#define ESC11_IO_STATE_OUTPUTS_RUN_LAMP_SHIFT 5u
+static inline bool esc11_io_state_outputs_run_lamp(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_RUN_LAMP_MASK) != 0;
+}
+
+/**
+ * Printed as READY(LED).
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_READY_LAMP_MASK 0x40u
+#define ESC11_IO_STATE_OUTPUTS_READY_LAMP_SHIFT 6u
+static inline bool esc11_io_state_outputs_ready_lamp(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_READY_LAMP_MASK) != 0;
+}
+
+/**
+ * Printed as ALM (LED).
+ * Source: 9.4.3 L948
+ */
+#define ESC11_IO_STATE_OUTPUTS_ALARM_LAMP_MASK 0x80u
+#define ESC11_IO_STATE_OUTPUTS_ALARM_LAMP_SHIFT 7u
+static inline bool esc11_io_state_outputs_alarm_lamp(uint8_t word)
+{
+    return (word & ESC11_IO_STATE_OUTPUTS_ALARM_LAMP_MASK) != 0;
+}
+
+/* ---- Records ---- */
+
+#define ESC11_ALARM_HISTORY_ENTRY_SIZE 4u
+/**
+ * One alarm with the accumulated time at which it came up.
+ * Source: 9.4.4 L956; 10.1 L1229-1232
+ */
+typedef struct esc11_alarm_history_entry {
+    /**
+     * Printed as 累计时间的小时数.
+     * One count is 1 h. Range: 0..65535.
+     * Source: 9.4.4 L956, 961
+     */
+    uint16_t hours;
+    /**
+     * Printed as 累计时间的分钟数.
+     * One count is 1 min. Range: 0..60.
+     * Note: The upper end of 60 is as printed; see command 48h.
+     * Source: 9.4.4 L956, 962
+     */
+    uint8_t minutes;
+    /**
+     * Printed as 警报编号.
+     * Range: 0..255. See alarm_code.
+     * Source: 10.1 L1231
+     */
+    uint8_t alarm_code;
+} esc11_alarm_history_entry;
+
+/**
+ * Writes esc11_alarm_history_entry: 4 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_alarm_history_entry_encode(const esc11_alarm_history_entry *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 4u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u16_le(out + 0, in->hours);
+    if (!(in->minutes <= 60u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 2, in->minutes);
+    esc11_store_u8(out + 3, in->alarm_code);
+    *length = 4u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_alarm_history_entry from exactly 4 bytes. */
+static inline esc11_codec_status esc11_alarm_history_entry_decode(const uint8_t *in, size_t length, esc11_alarm_history_entry *out)
+{
+    if (length < 4u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 4u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->hours = esc11_load_u16_le(in + 0);
+    out->minutes = esc11_load_u8(in + 2);
+    out->alarm_code = esc11_load_u8(in + 3);
+    return ESC11_OK;
+}
+
+#define ESC11_POINT_SIZE 16u
+/**
+ * One point as commands 44h, 50h and 60h carry it.
+ * Printed as 表9-1 数据内容.
+ * Source: 9.3.5 L806-817, 790
+ */
+typedef struct esc11_point {
+    /**
+     * Printed as 点编号.
+     * Range: 1..31.
+     * Source: 9.3.5 L811
+     */
+    uint8_t number;
+    /**
+     * Printed as 动作模式.
+     * See point_mode.
+     * Source: 9.3.5 L812
+     */
+    uint8_t mode;
+    /**
+     * Where to move, or how far, as the mode says. The constant speed modes do not need it.
+     * Printed as 带符号移动量.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 9.3.5 L813
+     */
+    int32_t distance;
+    /**
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 9.3.5 L814
+     */
+    uint8_t speed;
+    /**
+     * Gripping force. The samples of plain moves have 0.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 9.3.5 L815
+     */
+    uint8_t force;
+    /**
+     * One limit of the zone, for the modes with a zone.
+     * Printed as ZON范围1.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 9.3.5 L816
+     */
+    int32_t zone_limit_1;
+    /**
+     * The other limit of the zone, for the modes with a zone.
+     * Printed as ZON范围2.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 9.3.5 L817
+     */
+    int32_t zone_limit_2;
+} esc11_point;
+
+/**
+ * Writes esc11_point: 16 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_point_encode(const esc11_point *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 16u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->number >= 1u && in->number <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->number);
+    if (!esc11_point_mode_known((int64_t)in->mode)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    esc11_store_u8(out + 1, in->mode);
+    if (!(in->distance >= (-134217727) && in->distance <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 2, (uint32_t)in->distance);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 6, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 7, in->force);
+    if (!(in->zone_limit_1 >= (-134217727) && in->zone_limit_1 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 8, (uint32_t)in->zone_limit_1);
+    if (!(in->zone_limit_2 >= (-134217727) && in->zone_limit_2 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 12, (uint32_t)in->zone_limit_2);
+    *length = 16u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_point from exactly 16 bytes. */
+static inline esc11_codec_status esc11_point_decode(const uint8_t *in, size_t length, esc11_point *out)
+{
+    if (length < 16u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 16u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->number = esc11_load_u8(in + 0);
+    out->mode = esc11_load_u8(in + 1);
+    if (!esc11_point_mode_known((int64_t)out->mode)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    out->distance = esc11_signed_32(esc11_load_u32_le(in + 2));
+    out->speed = esc11_load_u8(in + 6);
+    out->force = esc11_load_u8(in + 7);
+    out->zone_limit_1 = esc11_signed_32(esc11_load_u32_le(in + 8));
+    out->zone_limit_2 = esc11_signed_32(esc11_load_u32_le(in + 12));
+    return ESC11_OK;
+}
+
+#define ESC11_TEMPORARY_POINT_SIZE 16u
+/**
+ * The point of command 63h. It is laid out like a stored point, and its number is always 0.
+ * Printed as 表1 数据内容.
+ * Source: 9.5.4 L1044-1053, 1042
+ */
+typedef struct esc11_temporary_point {
+    /**
+     * Printed as 动作模式.
+     * See point_mode.
+     * Source: 9.5.4 L1048
+     */
+    uint8_t mode;
+    /**
+     * Printed as 带符号移动量.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 9.5.4 L1049
+     */
+    int32_t distance;
+    /**
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 9.5.4 L1050
+     */
+    uint8_t speed;
+    /**
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 9.5.4 L1051
+     */
+    uint8_t force;
+    /**
+     * Printed as ZON范围1.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 9.5.4 L1052
+     */
+    int32_t zone_limit_1;
+    /**
+     * Printed as ZON范围2.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 9.5.4 L1053
+     */
+    int32_t zone_limit_2;
+} esc11_temporary_point;
+
+/**
+ * Writes esc11_temporary_point: 16 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_temporary_point_encode(const esc11_temporary_point *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 16u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u8(out + 0, 0u);
+    if (!esc11_point_mode_known((int64_t)in->mode)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    esc11_store_u8(out + 1, in->mode);
+    if (!(in->distance >= (-134217727) && in->distance <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 2, (uint32_t)in->distance);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 6, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 7, in->force);
+    if (!(in->zone_limit_1 >= (-134217727) && in->zone_limit_1 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 8, (uint32_t)in->zone_limit_1);
+    if (!(in->zone_limit_2 >= (-134217727) && in->zone_limit_2 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 12, (uint32_t)in->zone_limit_2);
+    *length = 16u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_temporary_point from exactly 16 bytes. */
+static inline esc11_codec_status esc11_temporary_point_decode(const uint8_t *in, size_t length, esc11_temporary_point *out)
+{
+    if (length < 16u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 16u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (esc11_load_u8(in + 0) != 0u) {
+        return ESC11_ERR_WRONG_CONST;
+    }
+    out->mode = esc11_load_u8(in + 1);
+    if (!esc11_point_mode_known((int64_t)out->mode)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    out->distance = esc11_signed_32(esc11_load_u32_le(in + 2));
+    out->speed = esc11_load_u8(in + 6);
+    out->force = esc11_load_u8(in + 7);
+    out->zone_limit_1 = esc11_signed_32(esc11_load_u32_le(in + 8));
+    out->zone_limit_2 = esc11_signed_32(esc11_load_u32_le(in + 12));
+    return ESC11_OK;
+}
+
+/* ---- Data of requests and responses ---- */
+
+/**
+ * Gives the points from a number on, at most 15 of them. Deleted points are left out, so each one brings its
+ * number along.
+ * Printed as 连续读取点数据.
+ * Source: 9.4.1 L889-898, 887
+ */
+#define ESC11_READ_POINTS_CODE 80u
+
+#define ESC11_READ_POINTS_REQUEST_SIZE 1u
+typedef struct esc11_read_points_request {
+    /**
+     * The point from which to read on.
+     * Printed as 始点.
+     * Range: 1..31.
+     * Source: 10.1 L1215
+     */
+    uint8_t first_point;
+} esc11_read_points_request;
+
+/**
+ * Writes esc11_read_points_request: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_points_request_encode(const esc11_read_points_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->first_point >= 1u && in->first_point <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->first_point);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_points_request from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_points_request_decode(const uint8_t *in, size_t length, esc11_read_points_request *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->first_point = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+#define ESC11_READ_POINTS_RESPONSE_SIZE 240u
+typedef struct esc11_read_points_response {
+    /**
+     * Printed as 数据.
+     * Note: What is answered where no point is left to send is not printed.
+     * Source: 9.4.1 L895-898, 914-916
+     */
+    esc11_point points[15];
+    size_t points_count;
+} esc11_read_points_response;
+
+/**
+ * Writes esc11_read_points_response: 16 to 240 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_points_response_encode(const esc11_read_points_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    size_t inner_length;
+    int status;
+    if (in->points_count < 1u || in->points_count > 15u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (capacity < (0u + in->points_count * 16u)) {
+        return ESC11_ERR_CAPACITY;
+    }
+    for (at = 0; at < in->points_count; at++) {
+        status = (int)esc11_point_encode(&in->points[at], out + 0u + at * 16u, 16u, &inner_length);
+        if (status != ESC11_OK) {
+            return (esc11_codec_status)status;
+        }
+    }
+    *length = (0u + in->points_count * 16u);
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_points_response from exactly 16 to 240 bytes. */
+static inline esc11_codec_status esc11_read_points_response_decode(const uint8_t *in, size_t length, esc11_read_points_response *out)
+{
+    size_t at;
+    int status;
+    if (length < 16u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 240u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if ((length - 0u) % 16u != 0) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->points_count = (length - 0u) / 16u;
+    for (at = 0; at < out->points_count; at++) {
+        status = (int)esc11_point_decode(in + 0u + at * 16u, 16u, &out->points[at]);
+        if (status != ESC11_OK) {
+            return (esc11_codec_status)status;
+        }
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Gives all 32 parameters in the order of their numbers.
+ * Printed as 读取全部参数.
+ * Source: 9.4.2 L920-926, 918
+ */
+#define ESC11_READ_PARAMETERS_CODE 81u
+
+#define ESC11_READ_PARAMETERS_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_parameters_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_parameters_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_parameters_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_parameters_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_PARAMETERS_RESPONSE_SIZE 64u
+typedef struct esc11_read_parameters_response {
+    /**
+     * Printed as 参数PRM.
+     * Range: 0..65535.
+     * Source: 10.1 L1224-1225
+     */
+    uint16_t parameters[32];
+} esc11_read_parameters_response;
+
+/**
+ * Writes esc11_read_parameters_response: 64 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_parameters_response_encode(const esc11_read_parameters_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    if (capacity < 64u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    for (at = 0; at < 32u; at++) {
+        esc11_store_u16_le(out + 0u + at * 2u, in->parameters[at]);
+    }
+    *length = 64u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_parameters_response from exactly 64 bytes. */
+static inline esc11_codec_status esc11_read_parameters_response_decode(const uint8_t *in, size_t length, esc11_read_parameters_response *out)
+{
+    size_t at;
+    if (length < 64u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 64u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    for (at = 0; at < 32u; at++) {
+        out->parameters[at] = esc11_load_u16_le(in + 0u + at * 2u);
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Gives the states of the inputs, of the outputs and of the lamps.
+ * Printed as 读取I/O状态.
+ * Source: 9.4.3 L936-940, 934
+ */
+#define ESC11_READ_IO_STATUS_CODE 82u
+
+#define ESC11_READ_IO_STATUS_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_io_status_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_io_status_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_io_status_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_io_status_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_IO_STATUS_RESPONSE_SIZE 3u
+typedef struct esc11_read_io_status_response {
+    /**
+     * Printed as 数据1.
+     * See io_inputs.
+     * Source: 9.4.3 L939-940, 946
+     */
+    uint8_t inputs;
+    /**
+     * Printed as 数据2.
+     * See io_outputs.
+     * Source: 9.4.3 L939-940, 947
+     */
+    uint8_t outputs;
+    /**
+     * Printed as 数据3.
+     * See io_state_outputs.
+     * Source: 9.4.3 L939-940, 948
+     */
+    uint8_t state_outputs;
+} esc11_read_io_status_response;
+
+/**
+ * Writes esc11_read_io_status_response: 3 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_io_status_response_encode(const esc11_read_io_status_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u8(out + 0, in->inputs);
+    esc11_store_u8(out + 1, in->outputs);
+    esc11_store_u8(out + 2, in->state_outputs);
+    *length = 3u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_io_status_response from exactly 3 bytes. */
+static inline esc11_codec_status esc11_read_io_status_response_decode(const uint8_t *in, size_t length, esc11_read_io_status_response *out)
+{
+    if (length < 3u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 3u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->inputs = esc11_load_u8(in + 0);
+    out->outputs = esc11_load_u8(in + 1);
+    out->state_outputs = esc11_load_u8(in + 2);
+    return ESC11_OK;
+}
+
+/**
+ * Gives the last alarms with the accumulated time at which each came up, the latest first, at most 16.
+ * Printed as 读出警报记录.
+ * Source: 9.4.4 L952-956, 950
+ */
+#define ESC11_READ_ALARM_HISTORY_CODE 83u
+
+#define ESC11_READ_ALARM_HISTORY_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_alarm_history_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_alarm_history_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_alarm_history_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_alarm_history_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_ALARM_HISTORY_RESPONSE_SIZE 64u
+typedef struct esc11_read_alarm_history_response {
+    /** Source: 9.4.4 L953-956 */
+    esc11_alarm_history_entry entries[16];
+    size_t entries_count;
+} esc11_read_alarm_history_response;
+
+/**
+ * Writes esc11_read_alarm_history_response: 0 to 64 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_alarm_history_response_encode(const esc11_read_alarm_history_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    size_t inner_length;
+    int status;
+    if (in->entries_count > 16u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (capacity < (0u + in->entries_count * 4u)) {
+        return ESC11_ERR_CAPACITY;
+    }
+    for (at = 0; at < in->entries_count; at++) {
+        status = (int)esc11_alarm_history_entry_encode(&in->entries[at], out + 0u + at * 4u, 4u, &inner_length);
+        if (status != ESC11_OK) {
+            return (esc11_codec_status)status;
+        }
+    }
+    *length = (0u + in->entries_count * 4u);
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_alarm_history_response from exactly 0 to 64 bytes. */
+static inline esc11_codec_status esc11_read_alarm_history_response_decode(const uint8_t *in, size_t length, esc11_read_alarm_history_response *out)
+{
+    size_t at;
+    int status;
+    if (length > 64u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if ((length - 0u) % 4u != 0) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->entries_count = (length - 0u) / 4u;
+    for (at = 0; at < out->entries_count; at++) {
+        status = (int)esc11_alarm_history_entry_decode(in + 0u + at * 4u, 4u, &out->entries[at]);
+        if (status != ESC11_OK) {
+            return (esc11_codec_status)status;
+        }
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Stores up to 15 points under the numbers that they bring along.
+ * Printed as 写入点数据.
+ * Note: Another command of the same printed name, 63h, writes one point that is lost with the power.
+ * Source: 9.5.1 L969-979, 967
+ */
+#define ESC11_WRITE_POINTS_CODE 96u
+
+#define ESC11_WRITE_POINTS_REQUEST_SIZE 240u
+typedef struct esc11_write_points_request {
+    /**
+     * Printed as 数据.
+     * Source: 9.5.1 L973-977, 996
+     */
+    esc11_point points[15];
+    size_t points_count;
+} esc11_write_points_request;
+
+/**
+ * Writes esc11_write_points_request: 16 to 240 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_points_request_encode(const esc11_write_points_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    size_t inner_length;
+    int status;
+    if (in->points_count < 1u || in->points_count > 15u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (capacity < (0u + in->points_count * 16u)) {
+        return ESC11_ERR_CAPACITY;
+    }
+    for (at = 0; at < in->points_count; at++) {
+        status = (int)esc11_point_encode(&in->points[at], out + 0u + at * 16u, 16u, &inner_length);
+        if (status != ESC11_OK) {
+            return (esc11_codec_status)status;
+        }
+    }
+    *length = (0u + in->points_count * 16u);
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_points_request from exactly 16 to 240 bytes. */
+static inline esc11_codec_status esc11_write_points_request_decode(const uint8_t *in, size_t length, esc11_write_points_request *out)
+{
+    size_t at;
+    int status;
+    if (length < 16u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 240u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if ((length - 0u) % 16u != 0) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->points_count = (length - 0u) / 16u;
+    for (at = 0; at < out->points_count; at++) {
+        status = (int)esc11_point_decode(in + 0u + at * 16u, 16u, &out->points[at]);
+        if (status != ESC11_OK) {
+            return (esc11_codec_status)status;
+        }
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_WRITE_POINTS_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_write_points_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_points_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_points_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_write_points_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Stores all 32 parameters in the order of their numbers.
+ * Printed as 写入全部参数.
+ * Source: 9.5.2 L1000-1006, 998
+ */
+#define ESC11_WRITE_PARAMETERS_CODE 97u
+
+#define ESC11_WRITE_PARAMETERS_REQUEST_SIZE 64u
+typedef struct esc11_write_parameters_request {
+    /**
+     * Printed as 参数PRM.
+     * Range: 0..65535.
+     * Source: 10.1 L1241-1242
+     */
+    uint16_t parameters[32];
+} esc11_write_parameters_request;
+
+/**
+ * Writes esc11_write_parameters_request: 64 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_parameters_request_encode(const esc11_write_parameters_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    if (capacity < 64u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    for (at = 0; at < 32u; at++) {
+        esc11_store_u16_le(out + 0u + at * 2u, in->parameters[at]);
+    }
+    *length = 64u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_parameters_request from exactly 64 bytes. */
+static inline esc11_codec_status esc11_write_parameters_request_decode(const uint8_t *in, size_t length, esc11_write_parameters_request *out)
+{
+    size_t at;
+    if (length < 64u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 64u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    for (at = 0; at < 32u; at++) {
+        out->parameters[at] = esc11_load_u16_le(in + 0u + at * 2u);
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_WRITE_PARAMETERS_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_write_parameters_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_parameters_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_parameters_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_write_parameters_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Stores one parameter.
+ * Printed as 写入一个参数.
+ * Source: 9.5.3 L1016-1022, 1014
+ */
+#define ESC11_WRITE_PARAMETER_CODE 98u
+
+#define ESC11_WRITE_PARAMETER_REQUEST_SIZE 3u
+typedef struct esc11_write_parameter_request {
+    /**
+     * Printed as 参数编号.
+     * Range: 0..31.
+     * Note: In table 10.1 the row stands above the row with the command's code, as if it belonged to 61h.
+     * Source: 10.1 L1243
+     */
+    uint8_t parameter_number;
+    /**
+     * What it means depends on the parameter.
+     * Printed as 参数数据.
+     * Range: 0..65535.
+     * Source: 10.1 L1244
+     */
+    uint16_t value;
+} esc11_write_parameter_request;
+
+/**
+ * Writes esc11_write_parameter_request: 3 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_parameter_request_encode(const esc11_write_parameter_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->parameter_number <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->parameter_number);
+    esc11_store_u16_le(out + 1, in->value);
+    *length = 3u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_parameter_request from exactly 3 bytes. */
+static inline esc11_codec_status esc11_write_parameter_request_decode(const uint8_t *in, size_t length, esc11_write_parameter_request *out)
+{
+    if (length < 3u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 3u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->parameter_number = esc11_load_u8(in + 0);
+    out->value = esc11_load_u16_le(in + 1);
+    return ESC11_OK;
+}
+
+#define ESC11_WRITE_PARAMETER_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_write_parameter_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_parameter_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_parameter_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_write_parameter_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Writes one point that is kept until the power is switched off. It is carried out by the input START while
+ * the inputs IPOS0 to IPOS4 are off, so that several controllers can be started together with few wires.
+ * Printed as 写入点数据.
+ * Note: The point is not written to the EEPROM, so it may be written as often as one likes.
+ * Note: After this command homing can no longer be started by the inputs.
+ * Note: The point is lost when the power is switched off. After that, START with IPOS0 to IPOS4 off starts
+ * homing again.
+ * Note: The manual prints the same name for command 60h, which stores points for good.
+ * Source: 9.5.4 L1032-1055, 1030
+ */
+#define ESC11_WRITE_TEMPORARY_POINT_CODE 99u
+
+#define ESC11_WRITE_TEMPORARY_POINT_REQUEST_SIZE 16u
+typedef struct esc11_write_temporary_point_request {
+    /**
+     * Printed as 数据.
+     * Source: 9.5.4 L1042
+     */
+    esc11_temporary_point point;
+} esc11_write_temporary_point_request;
+
+/**
+ * Writes esc11_write_temporary_point_request: 16 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_temporary_point_request_encode(const esc11_write_temporary_point_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t inner_length;
+    int status;
+    if (capacity < 16u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = (int)esc11_temporary_point_encode(&in->point, out + 0, 16u, &inner_length);
+    if (status != ESC11_OK) {
+        return (esc11_codec_status)status;
+    }
+    *length = 16u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_temporary_point_request from exactly 16 bytes. */
+static inline esc11_codec_status esc11_write_temporary_point_request_decode(const uint8_t *in, size_t length, esc11_write_temporary_point_request *out)
+{
+    int status;
+    if (length < 16u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 16u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    status = (int)esc11_temporary_point_decode(in + 0, 16u, &out->point);
+    if (status != ESC11_OK) {
+        return (esc11_codec_status)status;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_WRITE_TEMPORARY_POINT_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_write_temporary_point_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_write_temporary_point_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_write_temporary_point_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_write_temporary_point_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Deletes a number of consecutive points.
+ * Printed as 清除点数据.
+ * Source: 9.6.1 L1078-1084, 1076
+ */
+#define ESC11_CLEAR_POINTS_CODE 112u
+
+#define ESC11_CLEAR_POINTS_REQUEST_SIZE 2u
+typedef struct esc11_clear_points_request {
+    /**
+     * The first point to delete.
+     * Printed as 删除始点编号.
+     * Range: 1..31.
+     * Source: 10.1 L1245
+     */
+    uint8_t first_point;
+    /**
+     * How many points to delete, the first one included.
+     * Printed as 删除的点数.
+     * Range: 1..31.
+     * Source: 10.1 L1246
+     */
+    uint8_t point_count;
+} esc11_clear_points_request;
+
+/**
+ * Writes esc11_clear_points_request: 2 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_clear_points_request_encode(const esc11_clear_points_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 2u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->first_point >= 1u && in->first_point <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->first_point);
+    if (!(in->point_count >= 1u && in->point_count <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, in->point_count);
+    *length = 2u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_clear_points_request from exactly 2 bytes. */
+static inline esc11_codec_status esc11_clear_points_request_decode(const uint8_t *in, size_t length, esc11_clear_points_request *out)
+{
+    if (length < 2u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 2u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->first_point = esc11_load_u8(in + 0);
+    out->point_count = esc11_load_u8(in + 1);
+    return ESC11_OK;
+}
+
+#define ESC11_CLEAR_POINTS_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_clear_points_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_clear_points_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_clear_points_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_clear_points_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Deletes all points.
+ * Printed as 初始化全部点数据.
+ * Source: 9.6.2 L1094-1100, 1092
+ */
+#define ESC11_INITIALIZE_POINTS_CODE 113u
+
+#define ESC11_INITIALIZE_POINTS_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_initialize_points_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_initialize_points_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_initialize_points_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_initialize_points_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_INITIALIZE_POINTS_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_initialize_points_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_initialize_points_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_initialize_points_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_initialize_points_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Sets all parameters to the initial values of an actuator type.
+ * Printed as 初始化全部参数.
+ * Note: A type that does not exist brings up error 33h.
+ * Source: 9.6.3 L1108-1114, 1106
+ */
+#define ESC11_INITIALIZE_PARAMETERS_CODE 114u
+
+#define ESC11_INITIALIZE_PARAMETERS_REQUEST_SIZE 2u
+typedef struct esc11_initialize_parameters_request {
+    /**
+     * Printed as 执行器类型.
+     * Range: 0..65535. See actuator_type.
+     * Source: 9.6.3 L1112, 1120-1129
+     */
+    uint16_t actuator_type;
+} esc11_initialize_parameters_request;
+
+/**
+ * Writes esc11_initialize_parameters_request: 2 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_initialize_parameters_request_encode(const esc11_initialize_parameters_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 2u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u16_le(out + 0, in->actuator_type);
+    *length = 2u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_initialize_parameters_request from exactly 2 bytes. */
+static inline esc11_codec_status esc11_initialize_parameters_request_decode(const uint8_t *in, size_t length, esc11_initialize_parameters_request *out)
+{
+    if (length < 2u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 2u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->actuator_type = esc11_load_u16_le(in + 0);
+    return ESC11_OK;
+}
+
+#define ESC11_INITIALIZE_PARAMETERS_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_initialize_parameters_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_initialize_parameters_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_initialize_parameters_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_initialize_parameters_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Deletes all entries of the alarm history.
+ * Printed as 清除警报记录.
+ * Source: 9.6.4 L1133-1136, 1131
+ */
+#define ESC11_CLEAR_ALARM_HISTORY_CODE 115u
+
+#define ESC11_CLEAR_ALARM_HISTORY_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_clear_alarm_history_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_clear_alarm_history_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_clear_alarm_history_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_clear_alarm_history_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_CLEAR_ALARM_HISTORY_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_clear_alarm_history_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_clear_alarm_history_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_clear_alarm_history_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_clear_alarm_history_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Sets the accumulated time to zero.
+ * Printed as 清除累计时间.
+ * Source: 9.6.5 L1142-1145, 1140
+ */
+#define ESC11_CLEAR_ACCUMULATED_TIME_CODE 116u
+
+#define ESC11_CLEAR_ACCUMULATED_TIME_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_clear_accumulated_time_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_clear_accumulated_time_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_clear_accumulated_time_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_clear_accumulated_time_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_CLEAR_ACCUMULATED_TIME_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_clear_accumulated_time_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_clear_accumulated_time_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_clear_accumulated_time_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_clear_accumulated_time_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Stops a move that is going on.
+ * Printed as 停止.
+ * Source: 9.1.1 L305-308, 303
+ */
+#define ESC11_STOP_CODE 16u
+
+#define ESC11_STOP_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_stop_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_stop_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_stop_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_stop_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_STOP_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_stop_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_stop_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_stop_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_stop_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Starts the homing run.
+ * Printed as 原点复位.
+ * Source: 9.1.2 L313-316, 311
+ */
+#define ESC11_START_HOMING_CODE 17u
+
+#define ESC11_START_HOMING_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_start_homing_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_start_homing_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_start_homing_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_start_homing_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_START_HOMING_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_start_homing_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_start_homing_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_start_homing_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_start_homing_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves a short distance from the current position in the positive direction.
+ * Printed as +指定量移动.
+ * Source: 9.1.3 L321-324, 319
+ */
+#define ESC11_MOVE_POSITIVE_DISTANCE_CODE 18u
+
+#define ESC11_MOVE_POSITIVE_DISTANCE_REQUEST_SIZE 3u
+typedef struct esc11_move_positive_distance_request {
+    /**
+     * Counted from the current position. For the other direction there is command 13h.
+     * Printed as 相对移动量.
+     * One count is 0.01 mm. Range: 1..255.
+     * Source: 10.1 L1156
+     */
+    uint8_t distance;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 1..100.
+     * Source: 10.1 L1157
+     */
+    uint8_t speed;
+    /**
+     * Gripping force, and also the thrust during the move.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1158
+     */
+    uint8_t force;
+} esc11_move_positive_distance_request;
+
+/**
+ * Writes esc11_move_positive_distance_request: 3 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_positive_distance_request_encode(const esc11_move_positive_distance_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->distance >= 1u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->distance);
+    if (!(in->speed >= 1u && in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 2, in->force);
+    *length = 3u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_positive_distance_request from exactly 3 bytes. */
+static inline esc11_codec_status esc11_move_positive_distance_request_decode(const uint8_t *in, size_t length, esc11_move_positive_distance_request *out)
+{
+    if (length < 3u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 3u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->distance = esc11_load_u8(in + 0);
+    out->speed = esc11_load_u8(in + 1);
+    out->force = esc11_load_u8(in + 2);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_POSITIVE_DISTANCE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_positive_distance_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_positive_distance_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_positive_distance_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_positive_distance_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves a short distance from the current position in the negative direction.
+ * Printed as -指定量移动.
+ * Source: 9.1.4 L349-355, 347
+ */
+#define ESC11_MOVE_NEGATIVE_DISTANCE_CODE 19u
+
+#define ESC11_MOVE_NEGATIVE_DISTANCE_REQUEST_SIZE 3u
+typedef struct esc11_move_negative_distance_request {
+    /**
+     * Counted from the current position, and positive. For the other direction there is command 12h.
+     * Printed as 相对移动量.
+     * One count is 0.01 mm. Range: 1..255.
+     * Source: 10.1 L1159
+     */
+    uint8_t distance;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 1..100.
+     * Source: 10.1 L1160
+     */
+    uint8_t speed;
+    /**
+     * Gripping force, and also the thrust during the move.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1161
+     */
+    uint8_t force;
+} esc11_move_negative_distance_request;
+
+/**
+ * Writes esc11_move_negative_distance_request: 3 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_negative_distance_request_encode(const esc11_move_negative_distance_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->distance >= 1u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->distance);
+    if (!(in->speed >= 1u && in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 2, in->force);
+    *length = 3u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_negative_distance_request from exactly 3 bytes. */
+static inline esc11_codec_status esc11_move_negative_distance_request_decode(const uint8_t *in, size_t length, esc11_move_negative_distance_request *out)
+{
+    if (length < 3u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 3u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->distance = esc11_load_u8(in + 0);
+    out->speed = esc11_load_u8(in + 1);
+    out->force = esc11_load_u8(in + 2);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_NEGATIVE_DISTANCE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_negative_distance_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_negative_distance_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_negative_distance_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_negative_distance_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves in the opening direction at constant speed; the figure shows the run up to the end of the stroke.
+ * Printed as 匀速移动 (开).
+ * Source: 9.1.5 L383-393, 381
+ */
+#define ESC11_MOVE_OPEN_CODE 20u
+
+#define ESC11_MOVE_OPEN_REQUEST_SIZE 1u
+typedef struct esc11_move_open_request {
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 1..100.
+     * Source: 10.1 L1162
+     */
+    uint8_t speed;
+} esc11_move_open_request;
+
+/**
+ * Writes esc11_move_open_request: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_open_request_encode(const esc11_move_open_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->speed >= 1u && in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->speed);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_open_request from exactly 1 bytes. */
+static inline esc11_codec_status esc11_move_open_request_decode(const uint8_t *in, size_t length, esc11_move_open_request *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->speed = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_OPEN_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_open_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_open_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_open_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_open_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves in the closing direction at constant speed.
+ * Printed as 匀速移动（关）.
+ * Source: 9.1.6 L407-410, 405
+ */
+#define ESC11_MOVE_CLOSE_CODE 21u
+
+#define ESC11_MOVE_CLOSE_REQUEST_SIZE 1u
+typedef struct esc11_move_close_request {
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 1..100.
+     * Source: 10.1 L1163
+     */
+    uint8_t speed;
+} esc11_move_close_request;
+
+/**
+ * Writes esc11_move_close_request: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_close_request_encode(const esc11_move_close_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->speed >= 1u && in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->speed);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_close_request from exactly 1 bytes. */
+static inline esc11_codec_status esc11_move_close_request_decode(const uint8_t *in, size_t length, esc11_move_close_request *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->speed = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_CLOSE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_close_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_close_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_close_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_close_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves by a signed distance from the current position.
+ * Printed as 相对位置移动.
+ * Source: 9.1.7 L421-427, 419
+ */
+#define ESC11_MOVE_RELATIVE_CODE 22u
+
+#define ESC11_MOVE_RELATIVE_REQUEST_SIZE 5u
+typedef struct esc11_move_relative_request {
+    /**
+     * Counted from the current position. The low byte comes first.
+     * Printed as 带符号相对移动量.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1164
+     */
+    int32_t distance;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1165
+     */
+    uint8_t speed;
+} esc11_move_relative_request;
+
+/**
+ * Writes esc11_move_relative_request: 5 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_relative_request_encode(const esc11_move_relative_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 5u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->distance >= (-134217727) && in->distance <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->distance);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 4, in->speed);
+    *length = 5u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_relative_request from exactly 5 bytes. */
+static inline esc11_codec_status esc11_move_relative_request_decode(const uint8_t *in, size_t length, esc11_move_relative_request *out)
+{
+    if (length < 5u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 5u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->distance = esc11_signed_32(esc11_load_u32_le(in + 0));
+    out->speed = esc11_load_u8(in + 4);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_RELATIVE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_relative_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_relative_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_relative_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_relative_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves to a position that is counted from the home position.
+ * Printed as 绝对位置移动.
+ * Source: 9.1.8 L450-458, 448
+ */
+#define ESC11_MOVE_ABSOLUTE_CODE 23u
+
+#define ESC11_MOVE_ABSOLUTE_REQUEST_SIZE 5u
+typedef struct esc11_move_absolute_request {
+    /**
+     * Counted from the home position. The low byte comes first.
+     * Printed as 带符号绝对移动量.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1166
+     */
+    int32_t position;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1167
+     */
+    uint8_t speed;
+} esc11_move_absolute_request;
+
+/**
+ * Writes esc11_move_absolute_request: 5 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_absolute_request_encode(const esc11_move_absolute_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 5u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->position >= (-134217727) && in->position <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->position);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 4, in->speed);
+    *length = 5u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_absolute_request from exactly 5 bytes. */
+static inline esc11_codec_status esc11_move_absolute_request_decode(const uint8_t *in, size_t length, esc11_move_absolute_request *out)
+{
+    if (length < 5u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 5u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->position = esc11_signed_32(esc11_load_u32_le(in + 0));
+    out->speed = esc11_load_u8(in + 4);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_ABSOLUTE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_absolute_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_absolute_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_absolute_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_absolute_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Carries out the move or the grip that is stored under a point number.
+ * Printed as 点移动.
+ * Note: The general speed formula of table 10.1 (L1254), which it also refers to for this command, does not
+ * mention the point's own speed; 9.1.9 L506 multiplies by it.
+ * Source: 9.1.9 L484-490, 482
+ */
+#define ESC11_MOVE_TO_POINT_CODE 26u
+
+#define ESC11_MOVE_TO_POINT_REQUEST_SIZE 2u
+typedef struct esc11_move_to_point_request {
+    /**
+     * The point to carry out.
+     * Printed as 点编号.
+     * Range: 1..31.
+     * Source: 10.1 L1168
+     */
+    uint8_t point_number;
+    /**
+     * The speed of the move is the point's own speed times this one. The lowest and the highest speed depend on
+     * the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1169
+     */
+    uint8_t speed;
+} esc11_move_to_point_request;
+
+/**
+ * Writes esc11_move_to_point_request: 2 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_to_point_request_encode(const esc11_move_to_point_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 2u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->point_number >= 1u && in->point_number <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->point_number);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, in->speed);
+    *length = 2u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_to_point_request from exactly 2 bytes. */
+static inline esc11_codec_status esc11_move_to_point_request_decode(const uint8_t *in, size_t length, esc11_move_to_point_request *out)
+{
+    if (length < 2u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 2u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->point_number = esc11_load_u8(in + 0);
+    out->speed = esc11_load_u8(in + 1);
+    return ESC11_OK;
+}
+
+#define ESC11_MOVE_TO_POINT_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_move_to_point_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_move_to_point_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_move_to_point_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_move_to_point_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves in the opening direction at constant speed and grips with the given force.
+ * Printed as 匀速移动夹持（开）.
+ * Source: 9.1.10 L512-520, 510
+ */
+#define ESC11_GRIP_OPEN_CODE 32u
+
+#define ESC11_GRIP_OPEN_REQUEST_SIZE 2u
+typedef struct esc11_grip_open_request {
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1170
+     */
+    uint8_t speed;
+    /**
+     * Gripping force.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1171
+     */
+    uint8_t force;
+} esc11_grip_open_request;
+
+/**
+ * Writes esc11_grip_open_request: 2 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_open_request_encode(const esc11_grip_open_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 2u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, in->force);
+    *length = 2u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_open_request from exactly 2 bytes. */
+static inline esc11_codec_status esc11_grip_open_request_decode(const uint8_t *in, size_t length, esc11_grip_open_request *out)
+{
+    if (length < 2u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 2u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->speed = esc11_load_u8(in + 0);
+    out->force = esc11_load_u8(in + 1);
+    return ESC11_OK;
+}
+
+#define ESC11_GRIP_OPEN_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_grip_open_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_open_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_open_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_grip_open_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves in the closing direction at constant speed and grips with the given force.
+ * Printed as 匀速移动夹持（关）.
+ * Source: 9.1.11 L540-546, 538
+ */
+#define ESC11_GRIP_CLOSE_CODE 33u
+
+#define ESC11_GRIP_CLOSE_REQUEST_SIZE 2u
+typedef struct esc11_grip_close_request {
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1172
+     */
+    uint8_t speed;
+    /**
+     * Gripping force.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1173
+     */
+    uint8_t force;
+} esc11_grip_close_request;
+
+/**
+ * Writes esc11_grip_close_request: 2 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_close_request_encode(const esc11_grip_close_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 2u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, in->force);
+    *length = 2u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_close_request from exactly 2 bytes. */
+static inline esc11_codec_status esc11_grip_close_request_decode(const uint8_t *in, size_t length, esc11_grip_close_request *out)
+{
+    if (length < 2u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 2u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->speed = esc11_load_u8(in + 0);
+    out->force = esc11_load_u8(in + 1);
+    return ESC11_OK;
+}
+
+#define ESC11_GRIP_CLOSE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_grip_close_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_close_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_close_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_grip_close_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves by a signed distance from the current position, with acceleration and deceleration, and grips with the
+ * given force.
+ * Printed as 加减速相对位置移动及夹持.
+ * Source: 9.1.12 L566-574, 564
+ */
+#define ESC11_GRIP_RELATIVE_CODE 34u
+
+#define ESC11_GRIP_RELATIVE_REQUEST_SIZE 6u
+typedef struct esc11_grip_relative_request {
+    /**
+     * Counted from the current position. The low byte comes first.
+     * Printed as 带符号相对移动量.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1174
+     */
+    int32_t distance;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1175
+     */
+    uint8_t speed;
+    /**
+     * Gripping force.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1176
+     */
+    uint8_t force;
+} esc11_grip_relative_request;
+
+/**
+ * Writes esc11_grip_relative_request: 6 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_relative_request_encode(const esc11_grip_relative_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 6u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->distance >= (-134217727) && in->distance <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->distance);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 4, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 5, in->force);
+    *length = 6u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_relative_request from exactly 6 bytes. */
+static inline esc11_codec_status esc11_grip_relative_request_decode(const uint8_t *in, size_t length, esc11_grip_relative_request *out)
+{
+    if (length < 6u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 6u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->distance = esc11_signed_32(esc11_load_u32_le(in + 0));
+    out->speed = esc11_load_u8(in + 4);
+    out->force = esc11_load_u8(in + 5);
+    return ESC11_OK;
+}
+
+#define ESC11_GRIP_RELATIVE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_grip_relative_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_relative_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_relative_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_grip_relative_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves to a position that is counted from the home position, with acceleration and deceleration, and grips
+ * with the given force.
+ * Printed as 加减速绝对位置移动及夹持.
+ * Source: 9.1.13 L602-610, 600
+ */
+#define ESC11_GRIP_ABSOLUTE_CODE 35u
+
+#define ESC11_GRIP_ABSOLUTE_REQUEST_SIZE 6u
+typedef struct esc11_grip_absolute_request {
+    /**
+     * Counted from the home position. The low byte comes first.
+     * Printed as 带符号绝对移动量.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1177
+     */
+    int32_t position;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1178
+     */
+    uint8_t speed;
+    /**
+     * Gripping force.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1179
+     */
+    uint8_t force;
+} esc11_grip_absolute_request;
+
+/**
+ * Writes esc11_grip_absolute_request: 6 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_absolute_request_encode(const esc11_grip_absolute_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 6u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->position >= (-134217727) && in->position <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->position);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 4, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 5, in->force);
+    *length = 6u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_absolute_request from exactly 6 bytes. */
+static inline esc11_codec_status esc11_grip_absolute_request_decode(const uint8_t *in, size_t length, esc11_grip_absolute_request *out)
+{
+    if (length < 6u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 6u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->position = esc11_signed_32(esc11_load_u32_le(in + 0));
+    out->speed = esc11_load_u8(in + 4);
+    out->force = esc11_load_u8(in + 5);
+    return ESC11_OK;
+}
+
+#define ESC11_GRIP_ABSOLUTE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_grip_absolute_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_absolute_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_absolute_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_grip_absolute_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves in the opening direction at constant speed and grips. The ZON signal is on when it stops between the
+ * two limits of the zone.
+ * Printed as 带ZON匀速移动及夹持（开）.
+ * Source: 9.1.14 L638-648, 636
+ */
+#define ESC11_GRIP_OPEN_WITH_ZONE_CODE 36u
+
+#define ESC11_GRIP_OPEN_WITH_ZONE_REQUEST_SIZE 10u
+typedef struct esc11_grip_open_with_zone_request {
+    /**
+     * One limit of the zone, an absolute position.
+     * Printed as ZON信号ON的位置.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1180
+     */
+    int32_t zone_limit_1;
+    /**
+     * The other limit of the zone, an absolute position.
+     * Printed as ZON信号OFF的位置.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1181
+     */
+    int32_t zone_limit_2;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1182
+     */
+    uint8_t speed;
+    /**
+     * Gripping force.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1183
+     */
+    uint8_t force;
+} esc11_grip_open_with_zone_request;
+
+/**
+ * Writes esc11_grip_open_with_zone_request: 10 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_open_with_zone_request_encode(const esc11_grip_open_with_zone_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 10u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->zone_limit_1 >= (-134217727) && in->zone_limit_1 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->zone_limit_1);
+    if (!(in->zone_limit_2 >= (-134217727) && in->zone_limit_2 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 4, (uint32_t)in->zone_limit_2);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 8, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 9, in->force);
+    *length = 10u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_open_with_zone_request from exactly 10 bytes. */
+static inline esc11_codec_status esc11_grip_open_with_zone_request_decode(const uint8_t *in, size_t length, esc11_grip_open_with_zone_request *out)
+{
+    if (length < 10u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 10u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->zone_limit_1 = esc11_signed_32(esc11_load_u32_le(in + 0));
+    out->zone_limit_2 = esc11_signed_32(esc11_load_u32_le(in + 4));
+    out->speed = esc11_load_u8(in + 8);
+    out->force = esc11_load_u8(in + 9);
+    return ESC11_OK;
+}
+
+#define ESC11_GRIP_OPEN_WITH_ZONE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_grip_open_with_zone_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_open_with_zone_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_open_with_zone_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_grip_open_with_zone_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Moves in the closing direction at constant speed and grips. The ZON signal is on when it stops between the
+ * two limits of the zone.
+ * Printed as 带ZON匀速移动及夹持（关）.
+ * Source: 9.1.15 L676-686, 674
+ */
+#define ESC11_GRIP_CLOSE_WITH_ZONE_CODE 37u
+
+#define ESC11_GRIP_CLOSE_WITH_ZONE_REQUEST_SIZE 10u
+typedef struct esc11_grip_close_with_zone_request {
+    /**
+     * One limit of the zone, an absolute position.
+     * Printed as ZON信号ON的位置.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1184
+     */
+    int32_t zone_limit_1;
+    /**
+     * The other limit of the zone, an absolute position.
+     * Printed as ZON信号OFF的位置.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1185
+     */
+    int32_t zone_limit_2;
+    /**
+     * The lowest and the highest speed depend on the gripper's model.
+     * Printed as 速度.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1186
+     */
+    uint8_t speed;
+    /**
+     * Gripping force.
+     * Printed as 力.
+     * One count is 1 %. Range: 0..100.
+     * Source: 10.1 L1187
+     */
+    uint8_t force;
+} esc11_grip_close_with_zone_request;
+
+/**
+ * Writes esc11_grip_close_with_zone_request: 10 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_close_with_zone_request_encode(const esc11_grip_close_with_zone_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 10u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->zone_limit_1 >= (-134217727) && in->zone_limit_1 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->zone_limit_1);
+    if (!(in->zone_limit_2 >= (-134217727) && in->zone_limit_2 <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 4, (uint32_t)in->zone_limit_2);
+    if (!(in->speed <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 8, in->speed);
+    if (!(in->force <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 9, in->force);
+    *length = 10u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_close_with_zone_request from exactly 10 bytes. */
+static inline esc11_codec_status esc11_grip_close_with_zone_request_decode(const uint8_t *in, size_t length, esc11_grip_close_with_zone_request *out)
+{
+    if (length < 10u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 10u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->zone_limit_1 = esc11_signed_32(esc11_load_u32_le(in + 0));
+    out->zone_limit_2 = esc11_signed_32(esc11_load_u32_le(in + 4));
+    out->speed = esc11_load_u8(in + 8);
+    out->force = esc11_load_u8(in + 9);
+    return ESC11_OK;
+}
+
+#define ESC11_GRIP_CLOSE_WITH_ZONE_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_grip_close_with_zone_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_grip_close_with_zone_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_grip_close_with_zone_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_grip_close_with_zone_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Does nothing, and is answered with the status.
+ * Printed as NOP.
+ * Source: 9.2.1 L716-719, 714
+ */
+#define ESC11_NO_OPERATION_CODE 48u
+
+#define ESC11_NO_OPERATION_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_no_operation_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_no_operation_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_no_operation_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_no_operation_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_NO_OPERATION_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_no_operation_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_no_operation_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_no_operation_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_no_operation_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Excites the motor, or releases it.
+ * Printed as 电机励磁.
+ * Note: The status of the response shows the result with the opposite sense, its bit servo_off is 1 while the
+ * motor is not excited.
+ * Source: 9.2.2 L724-727, 722
+ */
+#define ESC11_SET_MOTOR_EXCITATION_CODE 49u
+
+#define ESC11_SET_MOTOR_EXCITATION_REQUEST_SIZE 1u
+typedef struct esc11_set_motor_excitation_request {
+    /**
+     * 1 excites the motor, for moves and grips. 0 releases it; the fingers of an SS gripper can then be moved by
+     * hand.
+     * Printed as 励磁状态.
+     * Source: 9.2.2 L726, 732-734
+     */
+    bool excited;
+} esc11_set_motor_excitation_request;
+
+/**
+ * Writes esc11_set_motor_excitation_request: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_set_motor_excitation_request_encode(const esc11_set_motor_excitation_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u8(out + 0, (uint8_t)(in->excited ? 1 : 0));
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_set_motor_excitation_request from exactly 1 bytes. */
+static inline esc11_codec_status esc11_set_motor_excitation_request_decode(const uint8_t *in, size_t length, esc11_set_motor_excitation_request *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (esc11_load_u8(in + 0) > 1u) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    out->excited = esc11_load_u8(in + 0) == 1u;
+    return ESC11_OK;
+}
+
+#define ESC11_SET_MOTOR_EXCITATION_RESPONSE_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_set_motor_excitation_response: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_set_motor_excitation_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_set_motor_excitation_response from exactly 0 bytes. */
+static inline esc11_codec_status esc11_set_motor_excitation_response_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Gives the version of the controller's firmware.
+ * Printed as 读取版本.
+ * Source: 9.3.1 L740-743, 738
+ */
+#define ESC11_READ_VERSION_CODE 64u
+
+#define ESC11_READ_VERSION_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_version_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_version_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_version_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_version_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_VERSION_RESPONSE_SIZE 6u
+typedef struct esc11_read_version_response {
+    /**
+     * ASCII. Both samples begin and end with a blank and have a point between the digits.
+     * Printed as 版本号.
+     * Source: 9.3.1 L743, 748
+     */
+    char version[7];
+} esc11_read_version_response;
+
+/**
+ * Writes esc11_read_version_response: 6 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_version_response_encode(const esc11_read_version_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 6u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!esc11_put_text(out + 0, in->version, 6u)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    *length = 6u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_version_response from exactly 6 bytes. */
+static inline esc11_codec_status esc11_read_version_response_decode(const uint8_t *in, size_t length, esc11_read_version_response *out)
+{
+    if (length < 6u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 6u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (!esc11_is_ascii(in + 0, 6u)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    memcpy(out->version, in + 0, 6u);
+    out->version[6] = '\0';
+    return ESC11_OK;
+}
+
+/**
+ * Gives the position.
+ * Printed as 读取当前位置.
+ * Source: 9.3.2 L752-755, 750
+ */
+#define ESC11_READ_CURRENT_POSITION_CODE 65u
+
+#define ESC11_READ_CURRENT_POSITION_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_current_position_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_current_position_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_current_position_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_current_position_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_CURRENT_POSITION_RESPONSE_SIZE 4u
+typedef struct esc11_read_current_position_response {
+    /**
+     * The absolute position at which it stands now.
+     * Printed as 带符号当前位置.
+     * One count is 0.01 mm. Range: -134217727..134217727.
+     * Source: 10.1 L1193
+     */
+    int32_t position;
+} esc11_read_current_position_response;
+
+/**
+ * Writes esc11_read_current_position_response: 4 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_current_position_response_encode(const esc11_read_current_position_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 4u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->position >= (-134217727) && in->position <= 134217727)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u32_le(out + 0, (uint32_t)in->position);
+    *length = 4u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_current_position_response from exactly 4 bytes. */
+static inline esc11_codec_status esc11_read_current_position_response_decode(const uint8_t *in, size_t length, esc11_read_current_position_response *out)
+{
+    if (length < 4u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 4u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->position = esc11_signed_32(esc11_load_u32_le(in + 0));
+    return ESC11_OK;
+}
+
+/**
+ * Gives the number of the point that was carried out last.
+ * Printed as 读取当前点编号.
+ * Source: 9.3.3 L763-766, 761
+ */
+#define ESC11_READ_CURRENT_POINT_NUMBER_CODE 66u
+
+#define ESC11_READ_CURRENT_POINT_NUMBER_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_current_point_number_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_current_point_number_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_current_point_number_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_current_point_number_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_CURRENT_POINT_NUMBER_RESPONSE_SIZE 1u
+typedef struct esc11_read_current_point_number_response {
+    /**
+     * Printed as 点编号.
+     * Range: 1..31.
+     * Note: What is answered before any point has been carried out is not printed.
+     * Source: 10.1 L1195
+     */
+    uint8_t point_number;
+} esc11_read_current_point_number_response;
+
+/**
+ * Writes esc11_read_current_point_number_response: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_current_point_number_response_encode(const esc11_read_current_point_number_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->point_number >= 1u && in->point_number <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->point_number);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_current_point_number_response from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_current_point_number_response_decode(const uint8_t *in, size_t length, esc11_read_current_point_number_response *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->point_number = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+/**
+ * Gives the value of one parameter.
+ * Printed as 读取指定参数.
+ * Source: 9.3.4 L773-776, 771
+ */
+#define ESC11_READ_PARAMETER_CODE 67u
+
+#define ESC11_READ_PARAMETER_REQUEST_SIZE 1u
+typedef struct esc11_read_parameter_request {
+    /**
+     * Printed as 参数编号.
+     * Range: 0..31.
+     * Source: 10.1 L1196
+     */
+    uint8_t parameter_number;
+} esc11_read_parameter_request;
+
+/**
+ * Writes esc11_read_parameter_request: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_parameter_request_encode(const esc11_read_parameter_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->parameter_number <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->parameter_number);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_parameter_request from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_parameter_request_decode(const uint8_t *in, size_t length, esc11_read_parameter_request *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->parameter_number = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+#define ESC11_READ_PARAMETER_RESPONSE_SIZE 2u
+typedef struct esc11_read_parameter_response {
+    /**
+     * What it means depends on the parameter that the request names.
+     * Printed as 参数数据.
+     * Range: 0..65535.
+     * Source: 10.1 L1197
+     */
+    uint16_t value;
+} esc11_read_parameter_response;
+
+/**
+ * Writes esc11_read_parameter_response: 2 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_parameter_response_encode(const esc11_read_parameter_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 2u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u16_le(out + 0, in->value);
+    *length = 2u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_parameter_response from exactly 2 bytes. */
+static inline esc11_codec_status esc11_read_parameter_response_decode(const uint8_t *in, size_t length, esc11_read_parameter_response *out)
+{
+    if (length < 2u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 2u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->value = esc11_load_u16_le(in + 0);
+    return ESC11_OK;
+}
+
+/**
+ * Gives the data of one point.
+ * Printed as 读取指定点.
+ * Note: What is answered for a point without data is not printed; error 26h stands for such a point.
+ * Source: 9.3.5 L784-790, 782
+ */
+#define ESC11_READ_POINT_CODE 68u
+
+#define ESC11_READ_POINT_REQUEST_SIZE 1u
+typedef struct esc11_read_point_request {
+    /**
+     * Printed as 点编号.
+     * Range: 1..31.
+     * Source: 10.1 L1198
+     */
+    uint8_t point_number;
+} esc11_read_point_request;
+
+/**
+ * Writes esc11_read_point_request: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_point_request_encode(const esc11_read_point_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (!(in->point_number >= 1u && in->point_number <= 31u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 0, in->point_number);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_point_request from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_point_request_decode(const uint8_t *in, size_t length, esc11_read_point_request *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->point_number = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+#define ESC11_READ_POINT_RESPONSE_SIZE 16u
+typedef struct esc11_read_point_response {
+    /**
+     * Printed as 数据.
+     * Source: 9.3.5 L790
+     */
+    esc11_point point;
+} esc11_read_point_response;
+
+/**
+ * Writes esc11_read_point_response: 16 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_point_response_encode(const esc11_read_point_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t inner_length;
+    int status;
+    if (capacity < 16u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = (int)esc11_point_encode(&in->point, out + 0, 16u, &inner_length);
+    if (status != ESC11_OK) {
+        return (esc11_codec_status)status;
+    }
+    *length = 16u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_point_response from exactly 16 bytes. */
+static inline esc11_codec_status esc11_read_point_response_decode(const uint8_t *in, size_t length, esc11_read_point_response *out)
+{
+    int status;
+    if (length < 16u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 16u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    status = (int)esc11_point_decode(in + 0, 16u, &out->point);
+    if (status != ESC11_OK) {
+        return (esc11_codec_status)status;
+    }
+    return ESC11_OK;
+}
+
+/**
+ * Tells whether homing has been completed.
+ * Printed as 查看原点复位状态.
+ * Source: 9.3.6 L835-838, 833
+ */
+#define ESC11_READ_HOMING_STATE_CODE 69u
+
+#define ESC11_READ_HOMING_STATE_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_homing_state_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_homing_state_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_homing_state_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_homing_state_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_HOMING_STATE_RESPONSE_SIZE 1u
+typedef struct esc11_read_homing_state_response {
+    /**
+     * 1 when homing is complete.
+     * Printed as 原点复位状态.
+     * Source: 9.3.6 L838, 840
+     */
+    bool homing_complete;
+} esc11_read_homing_state_response;
+
+/**
+ * Writes esc11_read_homing_state_response: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_homing_state_response_encode(const esc11_read_homing_state_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u8(out + 0, (uint8_t)(in->homing_complete ? 1 : 0));
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_homing_state_response from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_homing_state_response_decode(const uint8_t *in, size_t length, esc11_read_homing_state_response *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (esc11_load_u8(in + 0) > 1u) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    out->homing_complete = esc11_load_u8(in + 0) == 1u;
+    return ESC11_OK;
+}
+
+/**
+ * Tells whether the motor is excited.
+ * Printed as 查看电机励磁状态.
+ * Source: 9.3.7 L844-847, 842
+ */
+#define ESC11_READ_MOTOR_EXCITATION_CODE 70u
+
+#define ESC11_READ_MOTOR_EXCITATION_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_motor_excitation_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_motor_excitation_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_motor_excitation_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_motor_excitation_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_MOTOR_EXCITATION_RESPONSE_SIZE 1u
+typedef struct esc11_read_motor_excitation_response {
+    /**
+     * 1 when the motor is excited and ready for moves and grips. At 0 the fingers of an SS gripper can be moved by
+     * hand.
+     * Printed as 励磁状态.
+     * Note: The bit servo_off in the status of the same response has the opposite sense.
+     * Source: 9.3.7 L847, 849
+     */
+    bool excited;
+} esc11_read_motor_excitation_response;
+
+/**
+ * Writes esc11_read_motor_excitation_response: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_motor_excitation_response_encode(const esc11_read_motor_excitation_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u8(out + 0, (uint8_t)(in->excited ? 1 : 0));
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_motor_excitation_response from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_motor_excitation_response_decode(const uint8_t *in, size_t length, esc11_read_motor_excitation_response *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (esc11_load_u8(in + 0) > 1u) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    out->excited = esc11_load_u8(in + 0) == 1u;
+    return ESC11_OK;
+}
+
+/**
+ * Gives the number of the alarm or error that stands.
+ * Printed as 读取警报错误编号.
+ * Source: 9.3.8 L853-856, 851
+ */
+#define ESC11_READ_ALARM_CODE_CODE 71u
+
+#define ESC11_READ_ALARM_CODE_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_alarm_code_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_alarm_code_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_alarm_code_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_alarm_code_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_ALARM_CODE_RESPONSE_SIZE 1u
+typedef struct esc11_read_alarm_code_response {
+    /**
+     * Printed as 警报及错误编号.
+     * Range: 0..255. See alarm_code.
+     * Note: The range begins at 0, and no table names 0; presumably nothing stands then.
+     * Source: 10.1 L1209
+     */
+    uint8_t alarm_code;
+} esc11_read_alarm_code_response;
+
+/**
+ * Writes esc11_read_alarm_code_response: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_alarm_code_response_encode(const esc11_read_alarm_code_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u8(out + 0, in->alarm_code);
+    *length = 1u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_alarm_code_response from exactly 1 bytes. */
+static inline esc11_codec_status esc11_read_alarm_code_response_decode(const uint8_t *in, size_t length, esc11_read_alarm_code_response *out)
+{
+    if (length < 1u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->alarm_code = esc11_load_u8(in + 0);
+    return ESC11_OK;
+}
+
+/**
+ * Gives how long the controller has been powered, all times together.
+ * Printed as 读取累计时间.
+ * Note: The minutes are lost when the power is switched off.
+ * Note: After an alarm the count goes on from the hours and minutes at which the alarm came up (L869).
+ * Source: 9.3.9 L862-865, 860
+ */
+#define ESC11_READ_ACCUMULATED_TIME_CODE 72u
+
+#define ESC11_READ_ACCUMULATED_TIME_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes esc11_read_accumulated_time_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_accumulated_time_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_accumulated_time_request from exactly 0 bytes. */
+static inline esc11_codec_status esc11_read_accumulated_time_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    return ESC11_OK;
+}
+
+#define ESC11_READ_ACCUMULATED_TIME_RESPONSE_SIZE 3u
+typedef struct esc11_read_accumulated_time_response {
+    /**
+     * Printed as 累计时间的小时数.
+     * One count is 1 h. Range: 0..65535.
+     * Source: 9.3.9 L865, 867
+     */
+    uint16_t hours;
+    /**
+     * Printed as 分钟数.
+     * One count is 1 min. Range: 0..60.
+     * Note: All three places print 3Ch, so 60 minutes, as the upper end. A count that carries into the hours ends
+     * at 59.
+     * Source: 9.3.9 L865, 867
+     */
+    uint8_t minutes;
+} esc11_read_accumulated_time_response;
+
+/**
+ * Writes esc11_read_accumulated_time_response: 3 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline esc11_codec_status esc11_read_accumulated_time_response_encode(const esc11_read_accumulated_time_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    esc11_store_u16_le(out + 0, in->hours);
+    if (!(in->minutes <= 60u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 2, in->minutes);
+    *length = 3u;
+    return ESC11_OK;
+}
+
+/** Reads esc11_read_accumulated_time_response from exactly 3 bytes. */
+static inline esc11_codec_status esc11_read_accumulated_time_response_decode(const uint8_t *in, size_t length, esc11_read_accumulated_time_response *out)
+{
+    if (length < 3u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (length > 3u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    out->hours = esc11_load_u16_le(in + 0);
+    out->minutes = esc11_load_u8(in + 2);
+    return ESC11_OK;
+}
+
+/* ---- Parameters ---- */
+
+/**
+ * The gripper that is connected.
+ * Printed as 执行器类型.
+ * Source: 10.2 L1259
+ */
+#define ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_NUMBER 0u
+#define ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_MIN 0u
+#define ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_MAX 65535u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_actuator_type_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_actuator_type_encode(uint16_t value, uint8_t *out)
+{
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as (+) 软限位.
+ * Note: 9.3.4 L779 shows the value 64h as 10.00 mm, with one decimal more than the parameter has.
+ * Source: 10.2 L1260
+ */
+#define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_NUMBER 1u
+#define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_MIN 0u
+#define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_MAX 9999u
+#define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_SCALE_NUMERATOR INT64_C(1)
+#define ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_SCALE_DENOMINATOR INT64_C(10)
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_positive_soft_limit_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_positive_soft_limit_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value <= 9999u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as (-) 软限位.
+ * Source: 10.2 L1261
+ */
+#define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_NUMBER 2u
+#define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_MIN (-9999)
+#define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_MAX 0
+#define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_SCALE_NUMERATOR INT64_C(1)
+#define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_SCALE_DENOMINATOR INT64_C(10)
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_negative_soft_limit_decode(const uint8_t *in, int16_t *out)
+{
+    *out = esc11_signed_16(esc11_load_u16_le(in));
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_negative_soft_limit_encode(int16_t value, uint8_t *out)
+{
+    if (!(value >= (-9999) && value <= 0)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, (uint16_t)value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 行程.
+ * Source: 10.2 L1262
+ */
+#define ESC11_PAR_PARAMETERS_STROKE_NUMBER 3u
+#define ESC11_PAR_PARAMETERS_STROKE_MIN 0u
+#define ESC11_PAR_PARAMETERS_STROKE_MAX 9999u
+#define ESC11_PAR_PARAMETERS_STROKE_SCALE_NUMERATOR INT64_C(1)
+#define ESC11_PAR_PARAMETERS_STROKE_SCALE_DENOMINATOR INT64_C(10)
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_stroke_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_stroke_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value <= 9999u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 原点复位方向.
+ * Source: 10.2 L1264
+ */
+#define ESC11_PAR_PARAMETERS_HOMING_DIRECTION_NUMBER 5u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_homing_direction_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    if (!esc11_homing_direction_known((int64_t)*out)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(uint16_t value, uint8_t *out)
+{
+    if (!esc11_homing_direction_known((int64_t)value)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 原点复位速度.
+ * Source: 10.2 L1265
+ */
+#define ESC11_PAR_PARAMETERS_HOMING_SPEED_NUMBER 6u
+#define ESC11_PAR_PARAMETERS_HOMING_SPEED_MIN 1u
+#define ESC11_PAR_PARAMETERS_HOMING_SPEED_MAX 50u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_homing_speed_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_homing_speed_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 50u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 原点偏置.
+ * Source: 10.2 L1266
+ */
+#define ESC11_PAR_PARAMETERS_HOME_OFFSET_NUMBER 7u
+#define ESC11_PAR_PARAMETERS_HOME_OFFSET_MIN (-9999)
+#define ESC11_PAR_PARAMETERS_HOME_OFFSET_MAX 9999
+#define ESC11_PAR_PARAMETERS_HOME_OFFSET_SCALE_NUMERATOR INT64_C(1)
+#define ESC11_PAR_PARAMETERS_HOME_OFFSET_SCALE_DENOMINATOR INT64_C(10)
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_home_offset_decode(const uint8_t *in, int16_t *out)
+{
+    *out = esc11_signed_16(esc11_load_u16_le(in));
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_home_offset_encode(int16_t value, uint8_t *out)
+{
+    if (!(value >= (-9999) && value <= 9999)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, (uint16_t)value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 加速度.
+ * Source: 10.2 L1267
+ */
+#define ESC11_PAR_PARAMETERS_ACCELERATION_NUMBER 8u
+#define ESC11_PAR_PARAMETERS_ACCELERATION_MIN 1u
+#define ESC11_PAR_PARAMETERS_ACCELERATION_MAX 100u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_acceleration_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_acceleration_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 程序最高速度.
+ * Source: 10.2 L1268
+ */
+#define ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_NUMBER 9u
+#define ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_MIN 1u
+#define ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_MAX 100u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_maximum_program_speed_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_maximum_program_speed_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 夹持速度.
+ * Source: 10.2 L1269
+ */
+#define ESC11_PAR_PARAMETERS_GRIPPING_SPEED_NUMBER 10u
+#define ESC11_PAR_PARAMETERS_GRIPPING_SPEED_MIN 1u
+#define ESC11_PAR_PARAMETERS_GRIPPING_SPEED_MAX 100u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_gripping_speed_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_gripping_speed_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 100u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 匀速移动距离.
+ * Source: 10.2 L1270
+ */
+#define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_NUMBER 11u
+#define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_MIN 1u
+#define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_MAX 9999u
+#define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_SCALE_NUMERATOR INT64_C(1)
+#define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_SCALE_DENOMINATOR INT64_C(100)
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_constant_speed_distance_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_constant_speed_distance_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 限位宽度.
+ * Source: 10.2 L1271
+ */
+#define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_NUMBER 12u
+#define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_MIN 1u
+#define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_MAX 9999u
+#define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_SCALE_NUMERATOR INT64_C(1)
+#define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_SCALE_DENOMINATOR INT64_C(100)
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_limit_width_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_limit_width_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 定位完成脉冲.
+ * Source: 10.2 L1272
+ */
+#define ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_NUMBER 13u
+#define ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_MIN 1u
+#define ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_MAX 4000u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulses_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulses_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 4000u)) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/**
+ * Printed as 原点复位方式.
+ * Source: 10.2 L1275
+ */
+#define ESC11_PAR_PARAMETERS_HOMING_METHOD_NUMBER 16u
+
+/** Reads its value. */
+static inline esc11_codec_status esc11_par_parameters_homing_method_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = esc11_load_u16_le(in);
+    if (!esc11_homing_method_known((int64_t)*out)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    return ESC11_OK;
+}
+
+/** Writes its value. */
+static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint16_t value, uint8_t *out)
+{
+    if (!esc11_homing_method_known((int64_t)value)) {
+        return ESC11_ERR_UNKNOWN_VALUE;
+    }
+    esc11_store_u16_le(out, value);
+    return ESC11_OK;
+}
+
+/* ---- Frames ---- */
+
+/**
+ * Two wires, half duplex: the master polls one controller at a time, and a controller answers every packet
+ * with its own address. Each packet begins with its length, which is the number of data bytes plus 4.
+ * A frame is bytes.
+ * Note: A response carries a status byte where the request carries the command: which command it answers shows
+ * only in the order of the packets.
+ * Note: A controller that gets a packet with a communication error drops it and stays silent (7.3 L250).
+ * Note: An unknown command is answered with the bit command_error set in the status (7.3 L251). Whether data
+ * follow is not printed.
+ * Source: 6 L188-194; 8.1 L255-268; 8.2 L270-297
+ */
+/** An opened request: what stands before the body, and where the body is. */
+typedef struct esc11_serial_request_frame {
+    /**
+     * The controller that is meant.
+     * Printed as 地址.
+     * Source: 8.1 L264-265
+     */
+    uint8_t address;
+    /** The code, without the flag of an error reply. */
+    uint32_t code;
+    const uint8_t *body;
+    size_t body_length;
+} esc11_serial_request_frame;
+
+/** Checks a frame and finds its body. */
+static inline esc11_codec_status esc11_serial_request_open(const uint8_t *frame, size_t size, esc11_serial_request_frame *out)
+{
+    const uint8_t *in = frame;
+    size_t length = size;
+    if (length < 4u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (esc11_load_u8(in + 0) != length) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (esc11_sum8(in, length - 1u) != esc11_load_u8(in + length - 1u)) {
+        return ESC11_ERR_WRONG_CHECK;
+    }
+    out->address = esc11_load_u8(in + 1);
+    out->code = esc11_load_u8(in + 2);
+    if (out->code != 16u && out->code != 17u && out->code != 18u && out->code != 19u && out->code != 20u && out->code != 21u && out->code != 22u && out->code != 23u && out->code != 26u && out->code != 32u && out->code != 33u && out->code != 34u && out->code != 35u && out->code != 36u && out->code != 37u && out->code != 48u && out->code != 49u && out->code != 64u && out->code != 65u && out->code != 66u && out->code != 67u && out->code != 68u && out->code != 69u && out->code != 70u && out->code != 71u && out->code != 72u && out->code != 80u && out->code != 81u && out->code != 82u && out->code != 83u && out->code != 96u && out->code != 97u && out->code != 98u && out->code != 99u && out->code != 112u && out->code != 113u && out->code != 114u && out->code != 115u && out->code != 116u) {
+        return ESC11_ERR_UNKNOWN_CODE;
+    }
+    out->body = in + 3;
+    out->body_length = length - 4u;
+    return ESC11_OK;
+}
+
+/** Completes a frame whose body lies at out + 3. Length receives the frame's size. */
+static inline esc11_codec_status esc11_serial_request_close(uint8_t address, uint32_t code, size_t body_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    const size_t total = 4u + body_length;
+    if (capacity < total * 1u + 0u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (total > 255u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    esc11_store_u8(out + 0, (uint8_t)total);
+    if (!((address <= 15))) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, (uint8_t)address);
+    if (code > 255u) {
+        return ESC11_ERR_UNKNOWN_CODE;
+    }
+    esc11_store_u8(out + 2, (uint8_t)code);
+    esc11_store_u8(out + total - 1u, esc11_sum8(out, total - 1u));
+    *length = total * 1u + 0u;
+    return ESC11_OK;
+}
+
+/** An opened response: what stands before the body, and where the body is. */
+typedef struct esc11_serial_response_frame {
+    /**
+     * The controller that answers.
+     * Printed as 地址.
+     * Source: 8.2 L279-280
+     */
+    uint8_t address;
+    /**
+     * How the last command went and the state of the controller.
+     * Printed as 通信状态.
+     * Source: 8.2 L281
+     */
+    uint8_t status;
+    const uint8_t *body;
+    size_t body_length;
+} esc11_serial_response_frame;
+
+/** Checks a frame and finds its body. */
+static inline esc11_codec_status esc11_serial_response_open(const uint8_t *frame, size_t size, esc11_serial_response_frame *out)
+{
+    const uint8_t *in = frame;
+    size_t length = size;
+    if (length < 4u) {
+        return ESC11_ERR_INCOMPLETE;
+    }
+    if (esc11_load_u8(in + 0) != length) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    if (esc11_sum8(in, length - 1u) != esc11_load_u8(in + length - 1u)) {
+        return ESC11_ERR_WRONG_CHECK;
+    }
+    out->address = esc11_load_u8(in + 1);
+    out->status = esc11_load_u8(in + 2);
+    out->body = in + 3;
+    out->body_length = length - 4u;
+    return ESC11_OK;
+}
+
+/** Completes a frame whose body lies at out + 3. Length receives the frame's size. */
+static inline esc11_codec_status esc11_serial_response_close(uint8_t address, uint8_t status_, size_t body_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    const size_t total = 4u + body_length;
+    if (capacity < total * 1u + 0u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    if (total > 255u) {
+        return ESC11_ERR_WRONG_LENGTH;
+    }
+    esc11_store_u8(out + 0, (uint8_t)total);
+    if (!((address <= 15))) {
+        return ESC11_ERR_OUT_OF_RANGE;
+    }
+    esc11_store_u8(out + 1, (uint8_t)address);
+    esc11_store_u8(out + 2, (uint8_t)status_);
+    esc11_store_u8(out + total - 1u, esc11_sum8(out, total - 1u));
+    *length = total * 1u + 0u;
+    return ESC11_OK;
+}
+
+/** Writes the whole frame of the request read_points_request. */
+static inline esc11_codec_status esc11_serial_encode_read_points_request(uint8_t address, const esc11_read_points_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_points_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 80u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_points_response. */
+static inline esc11_codec_status esc11_serial_encode_read_points_response(uint8_t address, uint8_t status_, const esc11_read_points_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_points_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_parameters_request. */
+static inline esc11_codec_status esc11_serial_encode_read_parameters_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_parameters_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 81u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_parameters_response. */
+static inline esc11_codec_status esc11_serial_encode_read_parameters_response(uint8_t address, uint8_t status_, const esc11_read_parameters_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_parameters_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_io_status_request. */
+static inline esc11_codec_status esc11_serial_encode_read_io_status_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_io_status_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 82u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_io_status_response. */
+static inline esc11_codec_status esc11_serial_encode_read_io_status_response(uint8_t address, uint8_t status_, const esc11_read_io_status_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_io_status_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_alarm_history_request. */
+static inline esc11_codec_status esc11_serial_encode_read_alarm_history_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_alarm_history_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 83u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_alarm_history_response. */
+static inline esc11_codec_status esc11_serial_encode_read_alarm_history_response(uint8_t address, uint8_t status_, const esc11_read_alarm_history_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_alarm_history_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_points_request. */
+static inline esc11_codec_status esc11_serial_encode_write_points_request(uint8_t address, const esc11_write_points_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_points_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 96u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_points_response. */
+static inline esc11_codec_status esc11_serial_encode_write_points_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_points_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_parameters_request. */
+static inline esc11_codec_status esc11_serial_encode_write_parameters_request(uint8_t address, const esc11_write_parameters_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_parameters_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 97u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_parameters_response. */
+static inline esc11_codec_status esc11_serial_encode_write_parameters_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_parameters_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_parameter_request. */
+static inline esc11_codec_status esc11_serial_encode_write_parameter_request(uint8_t address, const esc11_write_parameter_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_parameter_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 98u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_parameter_response. */
+static inline esc11_codec_status esc11_serial_encode_write_parameter_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_parameter_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_temporary_point_request. */
+static inline esc11_codec_status esc11_serial_encode_write_temporary_point_request(uint8_t address, const esc11_write_temporary_point_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_temporary_point_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 99u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_temporary_point_response. */
+static inline esc11_codec_status esc11_serial_encode_write_temporary_point_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_write_temporary_point_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request clear_points_request. */
+static inline esc11_codec_status esc11_serial_encode_clear_points_request(uint8_t address, const esc11_clear_points_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_clear_points_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 112u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response clear_points_response. */
+static inline esc11_codec_status esc11_serial_encode_clear_points_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_clear_points_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request initialize_points_request. */
+static inline esc11_codec_status esc11_serial_encode_initialize_points_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_initialize_points_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 113u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response initialize_points_response. */
+static inline esc11_codec_status esc11_serial_encode_initialize_points_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_initialize_points_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request initialize_parameters_request. */
+static inline esc11_codec_status esc11_serial_encode_initialize_parameters_request(uint8_t address, const esc11_initialize_parameters_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_initialize_parameters_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 114u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response initialize_parameters_response. */
+static inline esc11_codec_status esc11_serial_encode_initialize_parameters_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_initialize_parameters_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request clear_alarm_history_request. */
+static inline esc11_codec_status esc11_serial_encode_clear_alarm_history_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_clear_alarm_history_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 115u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response clear_alarm_history_response. */
+static inline esc11_codec_status esc11_serial_encode_clear_alarm_history_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_clear_alarm_history_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request clear_accumulated_time_request. */
+static inline esc11_codec_status esc11_serial_encode_clear_accumulated_time_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_clear_accumulated_time_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 116u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response clear_accumulated_time_response. */
+static inline esc11_codec_status esc11_serial_encode_clear_accumulated_time_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_clear_accumulated_time_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request stop_request. */
+static inline esc11_codec_status esc11_serial_encode_stop_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_stop_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 16u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response stop_response. */
+static inline esc11_codec_status esc11_serial_encode_stop_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_stop_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request start_homing_request. */
+static inline esc11_codec_status esc11_serial_encode_start_homing_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_start_homing_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 17u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response start_homing_response. */
+static inline esc11_codec_status esc11_serial_encode_start_homing_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_start_homing_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_positive_distance_request. */
+static inline esc11_codec_status esc11_serial_encode_move_positive_distance_request(uint8_t address, const esc11_move_positive_distance_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_positive_distance_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 18u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_positive_distance_response. */
+static inline esc11_codec_status esc11_serial_encode_move_positive_distance_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_positive_distance_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_negative_distance_request. */
+static inline esc11_codec_status esc11_serial_encode_move_negative_distance_request(uint8_t address, const esc11_move_negative_distance_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_negative_distance_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 19u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_negative_distance_response. */
+static inline esc11_codec_status esc11_serial_encode_move_negative_distance_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_negative_distance_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_open_request. */
+static inline esc11_codec_status esc11_serial_encode_move_open_request(uint8_t address, const esc11_move_open_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_open_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 20u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_open_response. */
+static inline esc11_codec_status esc11_serial_encode_move_open_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_open_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_close_request. */
+static inline esc11_codec_status esc11_serial_encode_move_close_request(uint8_t address, const esc11_move_close_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_close_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 21u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_close_response. */
+static inline esc11_codec_status esc11_serial_encode_move_close_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_close_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_relative_request. */
+static inline esc11_codec_status esc11_serial_encode_move_relative_request(uint8_t address, const esc11_move_relative_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_relative_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 22u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_relative_response. */
+static inline esc11_codec_status esc11_serial_encode_move_relative_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_relative_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_absolute_request. */
+static inline esc11_codec_status esc11_serial_encode_move_absolute_request(uint8_t address, const esc11_move_absolute_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_absolute_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 23u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_absolute_response. */
+static inline esc11_codec_status esc11_serial_encode_move_absolute_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_absolute_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request move_to_point_request. */
+static inline esc11_codec_status esc11_serial_encode_move_to_point_request(uint8_t address, const esc11_move_to_point_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_to_point_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 26u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response move_to_point_response. */
+static inline esc11_codec_status esc11_serial_encode_move_to_point_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_move_to_point_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request grip_open_request. */
+static inline esc11_codec_status esc11_serial_encode_grip_open_request(uint8_t address, const esc11_grip_open_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_open_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 32u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response grip_open_response. */
+static inline esc11_codec_status esc11_serial_encode_grip_open_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_open_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request grip_close_request. */
+static inline esc11_codec_status esc11_serial_encode_grip_close_request(uint8_t address, const esc11_grip_close_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_close_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 33u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response grip_close_response. */
+static inline esc11_codec_status esc11_serial_encode_grip_close_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_close_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request grip_relative_request. */
+static inline esc11_codec_status esc11_serial_encode_grip_relative_request(uint8_t address, const esc11_grip_relative_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_relative_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 34u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response grip_relative_response. */
+static inline esc11_codec_status esc11_serial_encode_grip_relative_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_relative_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request grip_absolute_request. */
+static inline esc11_codec_status esc11_serial_encode_grip_absolute_request(uint8_t address, const esc11_grip_absolute_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_absolute_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 35u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response grip_absolute_response. */
+static inline esc11_codec_status esc11_serial_encode_grip_absolute_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_absolute_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request grip_open_with_zone_request. */
+static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_request(uint8_t address, const esc11_grip_open_with_zone_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_open_with_zone_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 36u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response grip_open_with_zone_response. */
+static inline esc11_codec_status esc11_serial_encode_grip_open_with_zone_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_open_with_zone_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request grip_close_with_zone_request. */
+static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_request(uint8_t address, const esc11_grip_close_with_zone_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_close_with_zone_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 37u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response grip_close_with_zone_response. */
+static inline esc11_codec_status esc11_serial_encode_grip_close_with_zone_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_grip_close_with_zone_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request no_operation_request. */
+static inline esc11_codec_status esc11_serial_encode_no_operation_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_no_operation_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 48u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response no_operation_response. */
+static inline esc11_codec_status esc11_serial_encode_no_operation_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_no_operation_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request set_motor_excitation_request. */
+static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_request(uint8_t address, const esc11_set_motor_excitation_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_set_motor_excitation_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 49u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response set_motor_excitation_response. */
+static inline esc11_codec_status esc11_serial_encode_set_motor_excitation_response(uint8_t address, uint8_t status_, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_set_motor_excitation_response_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_version_request. */
+static inline esc11_codec_status esc11_serial_encode_read_version_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_version_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 64u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_version_response. */
+static inline esc11_codec_status esc11_serial_encode_read_version_response(uint8_t address, uint8_t status_, const esc11_read_version_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_version_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_current_position_request. */
+static inline esc11_codec_status esc11_serial_encode_read_current_position_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_current_position_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 65u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_current_position_response. */
+static inline esc11_codec_status esc11_serial_encode_read_current_position_response(uint8_t address, uint8_t status_, const esc11_read_current_position_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_current_position_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_current_point_number_request. */
+static inline esc11_codec_status esc11_serial_encode_read_current_point_number_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_current_point_number_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 66u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_current_point_number_response. */
+static inline esc11_codec_status esc11_serial_encode_read_current_point_number_response(uint8_t address, uint8_t status_, const esc11_read_current_point_number_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_current_point_number_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_parameter_request. */
+static inline esc11_codec_status esc11_serial_encode_read_parameter_request(uint8_t address, const esc11_read_parameter_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_parameter_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 67u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_parameter_response. */
+static inline esc11_codec_status esc11_serial_encode_read_parameter_response(uint8_t address, uint8_t status_, const esc11_read_parameter_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_parameter_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_point_request. */
+static inline esc11_codec_status esc11_serial_encode_read_point_request(uint8_t address, const esc11_read_point_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_point_request_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 68u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_point_response. */
+static inline esc11_codec_status esc11_serial_encode_read_point_response(uint8_t address, uint8_t status_, const esc11_read_point_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_point_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_homing_state_request. */
+static inline esc11_codec_status esc11_serial_encode_read_homing_state_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_homing_state_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 69u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_homing_state_response. */
+static inline esc11_codec_status esc11_serial_encode_read_homing_state_response(uint8_t address, uint8_t status_, const esc11_read_homing_state_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_homing_state_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_motor_excitation_request. */
+static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_motor_excitation_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 70u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_motor_excitation_response. */
+static inline esc11_codec_status esc11_serial_encode_read_motor_excitation_response(uint8_t address, uint8_t status_, const esc11_read_motor_excitation_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_motor_excitation_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_alarm_code_request. */
+static inline esc11_codec_status esc11_serial_encode_read_alarm_code_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_alarm_code_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 71u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_alarm_code_response. */
+static inline esc11_codec_status esc11_serial_encode_read_alarm_code_response(uint8_t address, uint8_t status_, const esc11_read_alarm_code_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_alarm_code_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request read_accumulated_time_request. */
+static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_request(uint8_t address, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_accumulated_time_request_encode(out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_request_close(address, 72u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_accumulated_time_response. */
+static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_response(uint8_t address, uint8_t status_, const esc11_read_accumulated_time_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    esc11_codec_status status;
+    if (capacity < 3u) {
+        return ESC11_ERR_CAPACITY;
+    }
+    status = esc11_read_accumulated_time_response_encode(in, out + 3, capacity - 3u, &body_length);
+    if (status != ESC11_OK) {
+        return status;
+    }
+    return esc11_serial_response_close(address, status_, body_length, out, capacity, length);
+}
+
+/* ---- Texts of codes, in UTF-8 ---- */
+
+#ifdef ESC11_WITH_TEXTS
+/** The texts of a code. Several causes, or remedies, are parted by line ends. */
+typedef struct esc11_code_text {
+    int64_t code;
+    const char *name;
+    const char *label;
+    const char *problem;
+    const char *causes;
+    const char *remedies;
+} esc11_code_text;
+
+/** The texts of a code of esc11_alarm_code, or NULL where it is not listed. */
+static inline const esc11_code_text *esc11_alarm_code_text(int64_t code)
+{
+    static const esc11_code_text texts[] = {
+        {INT64_C(1), "overload", "\350\277\207\350\264\237\350\215\267", "The motor is overloaded.", "The gripper is used beyond what it can do\nThe motor is faulty\nWrong parameters\nThe power supply or its cable is too weak\nToo much friction in the mechanism", "Lower the load of the mechanism.\nLower the acceleration parameter.\nSet the parameter of the carried weight to a fitting value.\nIf its winding resistance is too low, or it is unusually heavy to turn by hand, replace the motor unit.\nInitialize the parameters, for the right type of the mechanism.\nCheck the capacity of the power supply and increase it where it is too low.\nCheck whether the moving parts are heavy and adjust them."},
+        {INT64_C(2), "overcurrent", "\350\277\207\347\224\265\346\265\201", "The motor takes too much current.", "The motor cable has a short circuit\nThe motor is faulty\nThe controller is faulty\nWrong parameters", "Check the motor cable's conductors; if something is wrong, replace the motor unit.\nReplace the motor if it is shorted inside.\nMeasure the resistance between the motor terminals of phase A, and of phase B. If it is below the limit, an output transistor is broken: replace the controller.\nInitialize the parameters, for the right type of the mechanism."},
+        {INT64_C(3), "machine_reference_over", "\350\266\205\350\277\207\345\237\272\345\207\206\345\200\274", "The position of the encoder's Z phase differs from the initial one.", "The gripper body was replaced\nThe home position is on the closing side and the fingers were replaced\nThe encoder's Z phase is broken or faulty", "Initialize the parameters.\nInitialize the parameters.\nSet the home position to the opening side.\nReplace the gripper body."},
+        {INT64_C(4), "supply_voltage_low", "\347\224\265\346\272\220\347\224\265\345\216\213\344\270\213\351\231\215", "The supply voltage has fallen to 80 % of the rated one.", "The power supply or its cable is too weak", "Check the capacity of the power supply and increase it where it is too low. Homing, starting and accelerating take the most power."},
+        {INT64_C(5), "data_not_written", "\346\225\260\346\215\256\345\206\231\345\205\245\344\270\215\350\211\257", "Data cannot be written to the ROM.", "The ROM is worn out or faulty", "Replace the controller."},
+        {INT64_C(6), "position_deviation_over", "\344\275\215\347\275\256\345\201\217\345\267\256\350\277\207\345\244\247", "The position deviates too far from the commanded one.", "The mechanism is blocked\nThe motor cable is broken or wrongly wired\nWrong parameters", "Check whether the moving parts are blocked.\nCheck the wiring of the motor and of the encoder signals.\nInitialize the parameters, for the right type of the mechanism."},
+        {INT64_C(7), "point_data_destroyed", "\347\202\271\346\225\260\346\215\256\344\270\215\350\211\257", "The points are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and check the points.\nIf some are wrong, correct them.\nIf all are wrong, delete all points and load them again.\nIf none is wrong, write any one of them again."},
+        {INT64_C(8), "parameter_data_destroyed", "\345\217\202\346\225\260\344\270\215\350\211\257", "The parameters are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and initialize the parameters."},
+        {INT64_C(9), "system_fault_1", "\347\263\273\347\273\237\345\274\202\345\270\2701", "The program of the M16C processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
+        {INT64_C(10), "feedback_error_1", "\345\217\215\351\246\210\351\224\231\350\257\2571", "The motor runs away or has too much force.", "The start-up at power on went wrong, so that excitation and encoder do not match\nA force from outside pushed the fingers beyond a soft limit\nNoise or the like made the encoder count wrongly", "Check the surroundings for sources of noise.\nSwitch the power on again, check that no force acts on the fingers, and home."},
+        {INT64_C(11), "feedback_error_2", "\345\217\215\351\246\210\351\224\231\350\257\2572", "The encoder's signal line is broken.", "The encoder's signal line is broken", "Check the connection of the encoder's signal line."},
+        {INT64_C(12), "abnormal_voltage", "\347\224\265\345\216\213\345\274\202\345\270\270", "The voltage is too high.", "Regeneration raises the supply voltage\nThe power supply is set wrongly", "Lower the load of the mechanism.\nCheck the supply voltage."},
+        {INT64_C(13), "system_fault_2", "\347\263\273\347\273\237\345\274\202\345\270\2702", "The program of the H8S processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
+        {INT64_C(14), "feedback_error_3", "\345\217\215\351\246\210\351\224\231\350\257\2573", "The motor cable is broken or wrongly connected, or the motor is overloaded.", "The motor cable is broken or wrongly connected", "Check the connection of the motor cable."},
+        {INT64_C(32), "soft_limit_exceeded", "\350\266\205\350\277\207\350\275\257\351\231\220\344\275\215", "A soft limit is exceeded.", "A position beyond the soft limits was given when jogging, teaching directly or playing back", "Set the soft limits anew."},
+        {INT64_C(33), "pulse_overflow", "\350\204\211\345\206\262\346\272\242\345\207\272", "Too many pulses have piled up.", "It moved otherwise than the set mode of operation allows", "Set the acceleration anew.\nSet the highest speed anew.\nSet the load anew.\nSet the load of the regeneration anew."},
+        {INT64_C(34), "io_logic_error", "I/O\351\200\273\350\276\221\351\224\231\350\257\257", "The parallel inputs got a wrong combination.", "An input other than the interlock came on during operation", "Check the input signals."},
+        {INT64_C(35), "homing_incomplete", "\345\216\237\347\202\271\346\234\252\345\256\214\346\210\220", "A move was commanded before homing was complete.", "Homing has not been carried out", "Home."},
+        {INT64_C(36), "servo_off", "\344\274\272\346\234\215OFF", "A move was commanded while the servo was off.", "The servo had not been switched on", "Switch the servo on."},
+        {INT64_C(37), "interlock", "\350\201\224\351\224\201", "A move was commanded while the interlock held.", "The interlock was not released", "Release the interlock: its input on releases it."},
+        {INT64_C(38), "no_point", "\346\227\240\347\202\271", "The point that was named has no data, so nothing could be carried out.", "A point without data was named", "Check which point is named."},
+        {INT64_C(39), "operating", "\350\277\220\350\241\214\344\270\255", "A command to start came during operation.", "A command to start was given during operation", "Check the input signals."},
+        {INT64_C(40), "processing", "\345\244\204\347\220\206\344\270\255", "A command came while data were being written.", "A command was given while data were being written", "Send the command when the signal BUSY is off."},
+        {INT64_C(41), "home_not_found", "\346\227\240\345\216\237\347\202\271", "The Z phase cannot be found.", "The actuator type is wrong\nThe signal line of the Z phase is broken", "Initialize the parameters.\nCheck the conductors of the signal line."},
+        {INT64_C(48), "network_communication_error", "\347\275\221\347\273\234\351\200\232\344\277\241\351\224\231\350\257\257", "Wrong checksum, wrong parity, timeout or overflow.", "The checksum is computed wrongly or the parity is set wrongly\nNoise or a cable that is too long\nMore data than the rules allow were sent\nCommands were sent one upon the other", "Correct the program.\nCheck the parity setting.\nCheck the surroundings for noise and choose the length of the cable anew.\nCheck the command.\nCheck that the controller has responded."},
+        {INT64_C(49), "communication_command_error", "\351\200\232\344\277\241\346\214\207\344\273\244\351\224\231\350\257\257", "A command outside the rules was received, or the length of its data is wrong.", "A command outside the rules was received\nThe length of the data is wrong", "Check the command.\nCheck the length of the data."},
+        {INT64_C(50), "data_error", "\346\225\260\346\215\256\351\224\231\350\257\257", "Data are beyond the range of their input.", "Wrong data", "Check the data."},
+        {INT64_C(51), "unknown_actuator_type", "\346\227\240\346\211\247\350\241\214\345\231\250\344\273\243\347\240\201", "The actuator type that was given for the initialization is wrong.", "A type that does not exist was given", "Check the actuator type."},
+    };
+    size_t at;
+    for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {
+        if (texts[at].code == code) {
+            return &texts[at];
+        }
+    }
+    return NULL;
+}
+#endif
+
+#endif

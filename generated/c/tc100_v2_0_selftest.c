@@ -1,0 +1,2610 @@
+/*
+ * Tests tc100_v2_0.h: TC100, version 2.0
+ * Identity: c324085c6f7abdf6
+ *
+ * Generated; do not edit. Compile and run: it exits with 0 where all is well.
+ */
+#define TC100_WITH_TEXTS
+#include "tc100_v2_0.h"
+
+#include <stdio.h>
+
+static unsigned passed, failed;
+
+static void expect(bool holds, const char *what)
+{
+    if (holds) {
+        passed++;
+    } else {
+        failed++;
+        printf("failed: %s\n", what);
+    }
+}
+
+static void test_0(void)
+{
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_1_MASK == 0x0001u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_1_MASK");
+    expect(tc100_simulated_input_word_simulated_input_1(0x0001u) == 1u, "tc100_simulated_input_word_simulated_input_1");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_2_MASK == 0x0002u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_2_MASK");
+    expect(tc100_simulated_input_word_simulated_input_2(0x0002u) == 1u, "tc100_simulated_input_word_simulated_input_2");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_3_MASK == 0x0004u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_3_MASK");
+    expect(tc100_simulated_input_word_simulated_input_3(0x0004u) == 1u, "tc100_simulated_input_word_simulated_input_3");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_4_MASK == 0x0008u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_4_MASK");
+    expect(tc100_simulated_input_word_simulated_input_4(0x0008u) == 1u, "tc100_simulated_input_word_simulated_input_4");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_5_MASK == 0x0010u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_5_MASK");
+    expect(tc100_simulated_input_word_simulated_input_5(0x0010u) == 1u, "tc100_simulated_input_word_simulated_input_5");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_6_MASK == 0x0020u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_6_MASK");
+    expect(tc100_simulated_input_word_simulated_input_6(0x0020u) == 1u, "tc100_simulated_input_word_simulated_input_6");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_7_MASK == 0x0040u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_7_MASK");
+    expect(tc100_simulated_input_word_simulated_input_7(0x0040u) == 1u, "tc100_simulated_input_word_simulated_input_7");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_8_MASK == 0x0080u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_8_MASK");
+    expect(tc100_simulated_input_word_simulated_input_8(0x0080u) == 1u, "tc100_simulated_input_word_simulated_input_8");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_9_MASK == 0x0100u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_9_MASK");
+    expect(tc100_simulated_input_word_simulated_input_9(0x0100u) == 1u, "tc100_simulated_input_word_simulated_input_9");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_10_MASK == 0x0200u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_10_MASK");
+    expect(tc100_simulated_input_word_simulated_input_10(0x0200u) == 1u, "tc100_simulated_input_word_simulated_input_10");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_11_MASK == 0x0400u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_11_MASK");
+    expect(tc100_simulated_input_word_simulated_input_11(0x0400u) == 1u, "tc100_simulated_input_word_simulated_input_11");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_12_MASK == 0x0800u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_12_MASK");
+    expect(tc100_simulated_input_word_simulated_input_12(0x0800u) == 1u, "tc100_simulated_input_word_simulated_input_12");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_13_MASK == 0x1000u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_13_MASK");
+    expect(tc100_simulated_input_word_simulated_input_13(0x1000u) == 1u, "tc100_simulated_input_word_simulated_input_13");
+    expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_14_MASK == 0x2000u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_14_MASK");
+    expect(tc100_simulated_input_word_simulated_input_14(0x2000u) == 1u, "tc100_simulated_input_word_simulated_input_14");
+    expect(TC100_OUTPUT_WORD_OUTPUT_1_MASK == 0x0001u, "TC100_OUTPUT_WORD_OUTPUT_1_MASK");
+    expect(tc100_output_word_output_1(0x0001u) == 1u, "tc100_output_word_output_1");
+    expect(TC100_OUTPUT_WORD_OUTPUT_2_MASK == 0x0002u, "TC100_OUTPUT_WORD_OUTPUT_2_MASK");
+    expect(tc100_output_word_output_2(0x0002u) == 1u, "tc100_output_word_output_2");
+    expect(TC100_OUTPUT_WORD_OUTPUT_3_MASK == 0x0004u, "TC100_OUTPUT_WORD_OUTPUT_3_MASK");
+    expect(tc100_output_word_output_3(0x0004u) == 1u, "tc100_output_word_output_3");
+    expect(TC100_OUTPUT_WORD_OUTPUT_4_MASK == 0x0008u, "TC100_OUTPUT_WORD_OUTPUT_4_MASK");
+    expect(tc100_output_word_output_4(0x0008u) == 1u, "tc100_output_word_output_4");
+    expect(TC100_OUTPUT_WORD_OUTPUT_5_MASK == 0x0010u, "TC100_OUTPUT_WORD_OUTPUT_5_MASK");
+    expect(tc100_output_word_output_5(0x0010u) == 1u, "tc100_output_word_output_5");
+    expect(TC100_OUTPUT_WORD_OUTPUT_6_MASK == 0x0020u, "TC100_OUTPUT_WORD_OUTPUT_6_MASK");
+    expect(tc100_output_word_output_6(0x0020u) == 1u, "tc100_output_word_output_6");
+    expect(TC100_OUTPUT_WORD_OUTPUT_7_MASK == 0x0040u, "TC100_OUTPUT_WORD_OUTPUT_7_MASK");
+    expect(tc100_output_word_output_7(0x0040u) == 1u, "tc100_output_word_output_7");
+    expect(TC100_OUTPUT_WORD_OUTPUT_8_MASK == 0x0080u, "TC100_OUTPUT_WORD_OUTPUT_8_MASK");
+    expect(tc100_output_word_output_8(0x0080u) == 1u, "tc100_output_word_output_8");
+    expect(TC100_OUTPUT_WORD_OUTPUT_9_MASK == 0x0100u, "TC100_OUTPUT_WORD_OUTPUT_9_MASK");
+    expect(tc100_output_word_output_9(0x0100u) == 1u, "tc100_output_word_output_9");
+    expect(TC100_OUTPUT_WORD_OUTPUT_10_MASK == 0x0200u, "TC100_OUTPUT_WORD_OUTPUT_10_MASK");
+    expect(tc100_output_word_output_10(0x0200u) == 1u, "tc100_output_word_output_10");
+    expect(TC100_INPUT_WORD_INPUT_1_MASK == 0x0001u, "TC100_INPUT_WORD_INPUT_1_MASK");
+    expect(tc100_input_word_input_1(0x0001u) == 1u, "tc100_input_word_input_1");
+    expect(TC100_INPUT_WORD_INPUT_2_MASK == 0x0002u, "TC100_INPUT_WORD_INPUT_2_MASK");
+    expect(tc100_input_word_input_2(0x0002u) == 1u, "tc100_input_word_input_2");
+    expect(TC100_INPUT_WORD_INPUT_3_MASK == 0x0004u, "TC100_INPUT_WORD_INPUT_3_MASK");
+    expect(tc100_input_word_input_3(0x0004u) == 1u, "tc100_input_word_input_3");
+    expect(TC100_INPUT_WORD_INPUT_4_MASK == 0x0008u, "TC100_INPUT_WORD_INPUT_4_MASK");
+    expect(tc100_input_word_input_4(0x0008u) == 1u, "tc100_input_word_input_4");
+    expect(TC100_INPUT_WORD_INPUT_5_MASK == 0x0010u, "TC100_INPUT_WORD_INPUT_5_MASK");
+    expect(tc100_input_word_input_5(0x0010u) == 1u, "tc100_input_word_input_5");
+    expect(TC100_INPUT_WORD_INPUT_6_MASK == 0x0020u, "TC100_INPUT_WORD_INPUT_6_MASK");
+    expect(tc100_input_word_input_6(0x0020u) == 1u, "tc100_input_word_input_6");
+    expect(TC100_INPUT_WORD_INPUT_7_MASK == 0x0040u, "TC100_INPUT_WORD_INPUT_7_MASK");
+    expect(tc100_input_word_input_7(0x0040u) == 1u, "tc100_input_word_input_7");
+    expect(TC100_INPUT_WORD_INPUT_8_MASK == 0x0080u, "TC100_INPUT_WORD_INPUT_8_MASK");
+    expect(tc100_input_word_input_8(0x0080u) == 1u, "tc100_input_word_input_8");
+    expect(TC100_INPUT_WORD_INPUT_9_MASK == 0x0100u, "TC100_INPUT_WORD_INPUT_9_MASK");
+    expect(tc100_input_word_input_9(0x0100u) == 1u, "tc100_input_word_input_9");
+    expect(TC100_INPUT_WORD_INPUT_10_MASK == 0x0200u, "TC100_INPUT_WORD_INPUT_10_MASK");
+    expect(tc100_input_word_input_10(0x0200u) == 1u, "tc100_input_word_input_10");
+    expect(TC100_INPUT_WORD_INPUT_11_MASK == 0x0400u, "TC100_INPUT_WORD_INPUT_11_MASK");
+    expect(tc100_input_word_input_11(0x0400u) == 1u, "tc100_input_word_input_11");
+    expect(TC100_INPUT_WORD_INPUT_12_MASK == 0x0800u, "TC100_INPUT_WORD_INPUT_12_MASK");
+    expect(tc100_input_word_input_12(0x0800u) == 1u, "tc100_input_word_input_12");
+    expect(TC100_INPUT_WORD_INPUT_13_MASK == 0x1000u, "TC100_INPUT_WORD_INPUT_13_MASK");
+    expect(tc100_input_word_input_13(0x1000u) == 1u, "tc100_input_word_input_13");
+    expect(TC100_INPUT_WORD_INPUT_14_MASK == 0x2000u, "TC100_INPUT_WORD_INPUT_14_MASK");
+    expect(tc100_input_word_input_14(0x2000u) == 1u, "tc100_input_word_input_14");
+    expect(TC100_INPUT_WORD_Z_PHASE_MASK == 0x4000u, "TC100_INPUT_WORD_Z_PHASE_MASK");
+    expect(tc100_input_word_z_phase(0x4000u) == 1u, "tc100_input_word_z_phase");
+    expect(TC100_REG_JOG_POSITIVE_INPUT_ADDRESS == 1537u, "TC100_REG_JOG_POSITIVE_INPUT_ADDRESS");
+    expect(TC100_REG_JOG_NEGATIVE_INPUT_ADDRESS == 1538u, "TC100_REG_JOG_NEGATIVE_INPUT_ADDRESS");
+    expect(TC100_REG_MANUAL_MODE_INPUT_ADDRESS == 1539u, "TC100_REG_MANUAL_MODE_INPUT_ADDRESS");
+    expect(TC100_REG_TEACH_INPUT_ADDRESS == 1540u, "TC100_REG_TEACH_INPUT_ADDRESS");
+    expect(TC100_REG_LOCK_INPUT_ADDRESS == 1543u, "TC100_REG_LOCK_INPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_4_INPUT_ADDRESS == 1550u, "TC100_REG_POINT_SELECT_BIT_4_INPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_5_INPUT_ADDRESS == 1551u, "TC100_REG_POINT_SELECT_BIT_5_INPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_6_INPUT_ADDRESS == 1552u, "TC100_REG_POINT_SELECT_BIT_6_INPUT_ADDRESS");
+    expect(TC100_REG_HOMING_SENSOR_INPUT_ADDRESS == 1553u, "TC100_REG_HOMING_SENSOR_INPUT_ADDRESS");
+    expect(TC100_REG_BRAKE_INPUT_ADDRESS == 1554u, "TC100_REG_BRAKE_INPUT_ADDRESS");
+    expect(TC100_REG_FULL_COUNT_INPUT_ADDRESS == 1555u, "TC100_REG_FULL_COUNT_INPUT_ADDRESS");
+    expect(TC100_REG_IN_POSITION_OUTPUT_ADDRESS == 1792u, "TC100_REG_IN_POSITION_OUTPUT_ADDRESS");
+    expect(TC100_REG_ALARM_OUTPUT_ADDRESS == 1793u, "TC100_REG_ALARM_OUTPUT_ADDRESS");
+    expect(TC100_REG_READY_OUTPUT_ADDRESS == 1794u, "TC100_REG_READY_OUTPUT_ADDRESS");
+    expect(TC100_REG_MOVING_OUTPUT_ADDRESS == 1795u, "TC100_REG_MOVING_OUTPUT_ADDRESS");
+    expect(TC100_REG_SERVO_ON_OUTPUT_ADDRESS == 1797u, "TC100_REG_SERVO_ON_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ADDRESS == 1798u, "TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ADDRESS == 1799u, "TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ADDRESS == 1800u, "TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ADDRESS == 1801u, "TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ADDRESS == 1802u, "TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ADDRESS == 1803u, "TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ADDRESS");
+    expect(TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ADDRESS == 1804u, "TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ADDRESS");
+    expect(TC100_REG_TORQUE_LIMIT_OUTPUT_ADDRESS == 1805u, "TC100_REG_TORQUE_LIMIT_OUTPUT_ADDRESS");
+    expect(TC100_REG_ERROR_BIT_0_OUTPUT_ADDRESS == 1806u, "TC100_REG_ERROR_BIT_0_OUTPUT_ADDRESS");
+    expect(TC100_REG_ERROR_BIT_1_OUTPUT_ADDRESS == 1807u, "TC100_REG_ERROR_BIT_1_OUTPUT_ADDRESS");
+    expect(TC100_REG_ERROR_BIT_2_OUTPUT_ADDRESS == 1808u, "TC100_REG_ERROR_BIT_2_OUTPUT_ADDRESS");
+    expect(TC100_REG_ERROR_BIT_3_OUTPUT_ADDRESS == 1809u, "TC100_REG_ERROR_BIT_3_OUTPUT_ADDRESS");
+    expect(TC100_REG_ZONE_OUTPUT_ADDRESS == 1810u, "TC100_REG_ZONE_OUTPUT_ADDRESS");
+    expect(TC100_REG_NEAR_OUTPUT_ADDRESS == 1811u, "TC100_REG_NEAR_OUTPUT_ADDRESS");
+    expect(TC100_REG_SOFT_LIMIT_OUTPUT_ADDRESS == 1812u, "TC100_REG_SOFT_LIMIT_OUTPUT_ADDRESS");
+    expect(TC100_REG_RELATIVE_DISTANCE_ADDRESS == 8192u, "TC100_REG_RELATIVE_DISTANCE_ADDRESS");
+    expect(TC100_REG_ABSOLUTE_POSITION_ADDRESS == 8194u, "TC100_REG_ABSOLUTE_POSITION_ADDRESS");
+    expect(TC100_REG_TORQUE_SEARCH_DIRECTION_ADDRESS == 8197u, "TC100_REG_TORQUE_SEARCH_DIRECTION_ADDRESS");
+    expect(TC100_REG_PRESET_POSITION_ADDRESS == 8198u, "TC100_REG_PRESET_POSITION_ADDRESS");
+    expect(TC100_REG_SERVO_ADDRESS == 8209u, "TC100_REG_SERVO_ADDRESS");
+    expect(TC100_REG_MOTION_SPEED_ADDRESS == 8212u, "TC100_REG_MOTION_SPEED_ADDRESS");
+    expect(TC100_REG_MOTION_COMMAND_ADDRESS == 8222u, "TC100_REG_MOTION_COMMAND_ADDRESS");
+    expect(TC100_REG_SIMULATED_INPUTS_ADDRESS == 8256u, "TC100_REG_SIMULATED_INPUTS_ADDRESS");
+    expect(TC100_REG_SIMULATED_INPUT_ADDRESS == 8257u, "TC100_REG_SIMULATED_INPUT_ADDRESS");
+    expect(TC100_REG_PARAMETER_STORAGE_ADDRESS == 39321u, "TC100_REG_PARAMETER_STORAGE_ADDRESS");
+    expect(TC100_REG_WRITE_ENABLE_KEY_ADDRESS == 39323u, "TC100_REG_WRITE_ENABLE_KEY_ADDRESS");
+    expect(TC100_REG_FULL_COUNT_LIMIT_ADDRESS == 264u, "TC100_REG_FULL_COUNT_LIMIT_ADDRESS");
+    expect(TC100_REG_IN_POSITION_ZONE_ADDRESS == 266u, "TC100_REG_IN_POSITION_ZONE_ADDRESS");
+    expect(TC100_REG_ELECTRONIC_GEAR_NUMERATOR_ADDRESS == 267u, "TC100_REG_ELECTRONIC_GEAR_NUMERATOR_ADDRESS");
+    expect(TC100_REG_ELECTRONIC_GEAR_DENOMINATOR_ADDRESS == 268u, "TC100_REG_ELECTRONIC_GEAR_DENOMINATOR_ADDRESS");
+    expect(TC100_REG_PULSE_ROTATION_DIRECTION_ADDRESS == 276u, "TC100_REG_PULSE_ROTATION_DIRECTION_ADDRESS");
+    expect(TC100_REG_PULSE_INPUT_FORM_ADDRESS == 277u, "TC100_REG_PULSE_INPUT_FORM_ADDRESS");
+    expect(TC100_REG_NEAR_ZONE_ADDRESS == 285u, "TC100_REG_NEAR_ZONE_ADDRESS");
+    expect(TC100_REG_PUSH_TORQUE_POSITIVE_ADDRESS == 1024u, "TC100_REG_PUSH_TORQUE_POSITIVE_ADDRESS");
+    expect(TC100_REG_PUSH_TORQUE_NEGATIVE_ADDRESS == 1025u, "TC100_REG_PUSH_TORQUE_NEGATIVE_ADDRESS");
+    expect(TC100_REG_TORQUE_LIMIT_TIME_ADDRESS == 1026u, "TC100_REG_TORQUE_LIMIT_TIME_ADDRESS");
+    expect(TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ENABLED_ADDRESS == 1030u, "TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ENABLED_ADDRESS");
+    expect(TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ADDRESS == 1031u, "TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ADDRESS");
+    expect(TC100_REG_MAXIMUM_TORQUE_ADDRESS == 1280u, "TC100_REG_MAXIMUM_TORQUE_ADDRESS");
+    expect(TC100_REG_FULL_TORQUE_TIME_ADDRESS == 1281u, "TC100_REG_FULL_TORQUE_TIME_ADDRESS");
+    expect(TC100_REG_CONTROL_MODE_ADDRESS == 1283u, "TC100_REG_CONTROL_MODE_ADDRESS");
+    expect(TC100_REG_SERVO_AT_POWER_ON_ADDRESS == 1301u, "TC100_REG_SERVO_AT_POWER_ON_ADDRESS");
+    expect(TC100_REG_HOMING_REQUIRED_ADDRESS == 1307u, "TC100_REG_HOMING_REQUIRED_ADDRESS");
+    expect(TC100_REG_TOTAL_REVOLUTIONS_ENABLED_ADDRESS == 1310u, "TC100_REG_TOTAL_REVOLUTIONS_ENABLED_ADDRESS");
+    expect(TC100_REG_START_SPEED_ADDRESS == 2048u, "TC100_REG_START_SPEED_ADDRESS");
+    expect(TC100_REG_MAXIMUM_SPEED_ADDRESS == 2050u, "TC100_REG_MAXIMUM_SPEED_ADDRESS");
+    expect(TC100_REG_ACCELERATION_TIME_ADDRESS == 2052u, "TC100_REG_ACCELERATION_TIME_ADDRESS");
+    expect(TC100_REG_DECELERATION_TIME_ADDRESS == 2053u, "TC100_REG_DECELERATION_TIME_ADDRESS");
+    expect(TC100_REG_TORQUE_LIMIT_PRESS_DISTANCE_ADDRESS == 2055u, "TC100_REG_TORQUE_LIMIT_PRESS_DISTANCE_ADDRESS");
+    expect(TC100_REG_MOVING_STATE_RULE_ADDRESS == 2058u, "TC100_REG_MOVING_STATE_RULE_ADDRESS");
+    expect(TC100_REG_JOG_SPEED_ADDRESS == 2063u, "TC100_REG_JOG_SPEED_ADDRESS");
+    expect(TC100_REG_JOG_DISTANCE_ADDRESS == 2064u, "TC100_REG_JOG_DISTANCE_ADDRESS");
+    expect(TC100_REG_JOG_WAIT_TIME_ADDRESS == 2066u, "TC100_REG_JOG_WAIT_TIME_ADDRESS");
+    expect(TC100_REG_SOFT_LIMIT_POSITIVE_ADDRESS == 2067u, "TC100_REG_SOFT_LIMIT_POSITIVE_ADDRESS");
+    expect(TC100_REG_SOFT_LIMIT_NEGATIVE_ADDRESS == 2069u, "TC100_REG_SOFT_LIMIT_NEGATIVE_ADDRESS");
+    expect(TC100_REG_HOMING_MODE_ADDRESS == 2304u, "TC100_REG_HOMING_MODE_ADDRESS");
+    expect(TC100_REG_HOMING_SPEED_ADDRESS == 2305u, "TC100_REG_HOMING_SPEED_ADDRESS");
+    expect(TC100_REG_HOMING_OFFSET_ADDRESS == 2306u, "TC100_REG_HOMING_OFFSET_ADDRESS");
+    expect(TC100_REG_HOMING_OFFSET_SPEED_ADDRESS == 2308u, "TC100_REG_HOMING_OFFSET_SPEED_ADDRESS");
+    expect(TC100_REG_HOMING_POSITION_ADDRESS == 2309u, "TC100_REG_HOMING_POSITION_ADDRESS");
+    expect(TC100_REG_HOMING_TORQUE_LIMIT_ADDRESS == 2311u, "TC100_REG_HOMING_TORQUE_LIMIT_ADDRESS");
+    expect(TC100_REG_HOMING_Z_PHASE_OFFSET_ADDRESS == 2312u, "TC100_REG_HOMING_Z_PHASE_OFFSET_ADDRESS");
+    expect(TC100_REG_HOMING_TORQUE_LIMIT_TIME_ADDRESS == 2314u, "TC100_REG_HOMING_TORQUE_LIMIT_TIME_ADDRESS");
+    expect(TC100_REG_HOMING_Z_PHASE_SPEED_1_ADDRESS == 2315u, "TC100_REG_HOMING_Z_PHASE_SPEED_1_ADDRESS");
+    expect(TC100_REG_HOMING_Z_PHASE_SPEED_2_ADDRESS == 2316u, "TC100_REG_HOMING_Z_PHASE_SPEED_2_ADDRESS");
+    expect(TC100_REG_BAUD_RATE_ADDRESS == 2560u, "TC100_REG_BAUD_RATE_ADDRESS");
+    expect(TC100_REG_DATA_BITS_ADDRESS == 2561u, "TC100_REG_DATA_BITS_ADDRESS");
+    expect(TC100_REG_PARITY_ADDRESS == 2562u, "TC100_REG_PARITY_ADDRESS");
+    expect(TC100_REG_BROADCAST_ENABLED_ADDRESS == 2563u, "TC100_REG_BROADCAST_ENABLED_ADDRESS");
+    expect(TC100_REG_PROTOCOL_ADDRESS == 2564u, "TC100_REG_PROTOCOL_ADDRESS");
+    expect(TC100_REG_ACTION_STATUS_ADDRESS == 4096u, "TC100_REG_ACTION_STATUS_ADDRESS");
+    expect(TC100_REG_IN_POSITION_ADDRESS == 4097u, "TC100_REG_IN_POSITION_ADDRESS");
+    expect(TC100_REG_TORQUE_LIMIT_REACHED_ADDRESS == 4100u, "TC100_REG_TORQUE_LIMIT_REACHED_ADDRESS");
+    expect(TC100_REG_ALARM_ADDRESS == 4101u, "TC100_REG_ALARM_ADDRESS");
+    expect(TC100_REG_MOTOR_SPEED_ADDRESS == 4102u, "TC100_REG_MOTOR_SPEED_ADDRESS");
+    expect(TC100_REG_MOTOR_CURRENT_ADDRESS == 4103u, "TC100_REG_MOTOR_CURRENT_ADDRESS");
+    expect(TC100_REG_COMMAND_POSITION_ADDRESS == 4104u, "TC100_REG_COMMAND_POSITION_ADDRESS");
+    expect(TC100_REG_ENCODER_POSITION_ADDRESS == 4106u, "TC100_REG_ENCODER_POSITION_ADDRESS");
+    expect(TC100_REG_SERVO_ON_ADDRESS == 4108u, "TC100_REG_SERVO_ON_ADDRESS");
+    expect(TC100_REG_FAULT_ADDRESS == 4109u, "TC100_REG_FAULT_ADDRESS");
+    expect(TC100_REG_EXECUTED_POINT_ADDRESS == 4110u, "TC100_REG_EXECUTED_POINT_ADDRESS");
+    expect(TC100_REG_OUTPUT_STATES_ADDRESS == 4128u, "TC100_REG_OUTPUT_STATES_ADDRESS");
+    expect(TC100_REG_OUTPUT_STATE_ADDRESS == 4129u, "TC100_REG_OUTPUT_STATE_ADDRESS");
+    expect(TC100_REG_INPUT_STATES_ADDRESS == 4160u, "TC100_REG_INPUT_STATES_ADDRESS");
+    expect(TC100_REG_INPUT_STATE_ADDRESS == 4161u, "TC100_REG_INPUT_STATE_ADDRESS");
+    expect(TC100_REG_Z_PHASE_STATE_ADDRESS == 4175u, "TC100_REG_Z_PHASE_STATE_ADDRESS");
+    expect(TC100_REG_ALARM_HISTORY_ADDRESS == 4192u, "TC100_REG_ALARM_HISTORY_ADDRESS");
+    expect(TC100_REG_MOTOR_TYPE_ADDRESS == 4304u, "TC100_REG_MOTOR_TYPE_ADDRESS");
+    expect(TC100_REG_CONTROLLER_TYPE_ADDRESS == 4320u, "TC100_REG_CONTROLLER_TYPE_ADDRESS");
+    expect(TC100_REG_FIRMWARE_VERSION_ADDRESS == 4336u, "TC100_REG_FIRMWARE_VERSION_ADDRESS");
+    {
+        uint16_t address = 0;
+        expect(tc100_table_points_at(127u, &address) == TC100_OK, "tc100_table_points_at last");
+        expect(address == 38896u, "tc100_table_points_at last address");
+        expect(tc100_table_points_at(128u, &address) == TC100_ERR_OUT_OF_RANGE, "tc100_table_points_at beyond");
+        (void)address;
+    }
+}
+
+static void test_1(void)
+{
+    static const uint8_t wanted[] = {0x03};
+    uint8_t bytes[TC100_EXCEPTION_SIZE];
+    tc100_exception in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.exception_code = 3u;
+    expect(tc100_exception_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "exception.exception_code encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "exception.exception_code bytes");
+    expect(tc100_exception_decode(wanted, sizeof wanted, &out) == TC100_OK, "exception.exception_code decodes");
+    expect(out.exception_code == 3u, "exception.exception_code: exception_code");
+    expect(tc100_exception_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "exception.exception_code short");
+}
+
+static void test_2(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x10, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 16u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.mode encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.mode bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.mode decodes");
+    expect(out.mode == 16u, "point.mode: mode");
+    expect(out.position == (-2147483647 - 1), "point.mode: position");
+    expect(out.speed == 0u, "point.mode: speed");
+    expect(out.torque_limit == 0u, "point.mode: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.mode: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.mode: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.mode: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.mode: deceleration_time");
+    expect(out.wait_time == 0u, "point.mode: wait_time");
+    expect(out.next_point == (-1), "point.mode: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.mode short");
+}
+
+static void test_3(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x7F, 0xFF, 0xFF, 0xFF, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = 2147483647;
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.position encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.position bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.position decodes");
+    expect(out.mode == 0u, "point.position: mode");
+    expect(out.position == 2147483647, "point.position: position");
+    expect(out.speed == 0u, "point.position: speed");
+    expect(out.torque_limit == 0u, "point.position: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.position: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.position: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.position: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.position: deceleration_time");
+    expect(out.wait_time == 0u, "point.position: wait_time");
+    expect(out.next_point == (-1), "point.position: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.position short");
+}
+
+static void test_4(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 100u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.speed encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.speed bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.speed decodes");
+    expect(out.mode == 0u, "point.speed: mode");
+    expect(out.position == (-2147483647 - 1), "point.speed: position");
+    expect(out.speed == 100u, "point.speed: speed");
+    expect(out.torque_limit == 0u, "point.speed: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.speed: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.speed: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.speed: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.speed: deceleration_time");
+    expect(out.wait_time == 0u, "point.speed: wait_time");
+    expect(out.next_point == (-1), "point.speed: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.speed short");
+}
+
+static void test_5(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x03, 0xE8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 1000u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.torque_limit encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.torque_limit bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.torque_limit decodes");
+    expect(out.mode == 0u, "point.torque_limit: mode");
+    expect(out.position == (-2147483647 - 1), "point.torque_limit: position");
+    expect(out.speed == 0u, "point.torque_limit: speed");
+    expect(out.torque_limit == 1000u, "point.torque_limit: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.torque_limit: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.torque_limit: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.torque_limit: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.torque_limit: deceleration_time");
+    expect(out.wait_time == 0u, "point.torque_limit: wait_time");
+    expect(out.next_point == (-1), "point.torque_limit: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.torque_limit short");
+}
+
+static void test_6(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x7F, 0xFF, 0xFF, 0xFF, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 2147483647;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.zone_lower_limit encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.zone_lower_limit bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.zone_lower_limit decodes");
+    expect(out.mode == 0u, "point.zone_lower_limit: mode");
+    expect(out.position == (-2147483647 - 1), "point.zone_lower_limit: position");
+    expect(out.speed == 0u, "point.zone_lower_limit: speed");
+    expect(out.torque_limit == 0u, "point.zone_lower_limit: torque_limit");
+    expect(out.zone_lower_limit == 2147483647, "point.zone_lower_limit: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.zone_lower_limit: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.zone_lower_limit: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.zone_lower_limit: deceleration_time");
+    expect(out.wait_time == 0u, "point.zone_lower_limit: wait_time");
+    expect(out.next_point == (-1), "point.zone_lower_limit: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.zone_lower_limit short");
+}
+
+static void test_7(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x7F, 0xFF, 0xFF, 0xFF, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 2147483647;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.zone_upper_limit encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.zone_upper_limit bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.zone_upper_limit decodes");
+    expect(out.mode == 0u, "point.zone_upper_limit: mode");
+    expect(out.position == (-2147483647 - 1), "point.zone_upper_limit: position");
+    expect(out.speed == 0u, "point.zone_upper_limit: speed");
+    expect(out.torque_limit == 0u, "point.zone_upper_limit: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.zone_upper_limit: zone_lower_limit");
+    expect(out.zone_upper_limit == 2147483647, "point.zone_upper_limit: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.zone_upper_limit: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.zone_upper_limit: deceleration_time");
+    expect(out.wait_time == 0u, "point.zone_upper_limit: wait_time");
+    expect(out.next_point == (-1), "point.zone_upper_limit: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.zone_upper_limit short");
+}
+
+static void test_8(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x75, 0x30, 0x00, 0x01, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 30000u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.acceleration_time encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.acceleration_time bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.acceleration_time decodes");
+    expect(out.mode == 0u, "point.acceleration_time: mode");
+    expect(out.position == (-2147483647 - 1), "point.acceleration_time: position");
+    expect(out.speed == 0u, "point.acceleration_time: speed");
+    expect(out.torque_limit == 0u, "point.acceleration_time: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.acceleration_time: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.acceleration_time: zone_upper_limit");
+    expect(out.acceleration_time == 30000u, "point.acceleration_time: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.acceleration_time: deceleration_time");
+    expect(out.wait_time == 0u, "point.acceleration_time: wait_time");
+    expect(out.next_point == (-1), "point.acceleration_time: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.acceleration_time short");
+}
+
+static void test_9(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x75, 0x30, 0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 30000u;
+    in.wait_time = 0u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.deceleration_time encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.deceleration_time bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.deceleration_time decodes");
+    expect(out.mode == 0u, "point.deceleration_time: mode");
+    expect(out.position == (-2147483647 - 1), "point.deceleration_time: position");
+    expect(out.speed == 0u, "point.deceleration_time: speed");
+    expect(out.torque_limit == 0u, "point.deceleration_time: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.deceleration_time: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.deceleration_time: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.deceleration_time: acceleration_time");
+    expect(out.deceleration_time == 30000u, "point.deceleration_time: deceleration_time");
+    expect(out.wait_time == 0u, "point.deceleration_time: wait_time");
+    expect(out.next_point == (-1), "point.deceleration_time: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.deceleration_time short");
+}
+
+static void test_10(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x75, 0x30, 0xFF, 0xFF};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 30000u;
+    in.next_point = (-1);
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.wait_time encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.wait_time bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.wait_time decodes");
+    expect(out.mode == 0u, "point.wait_time: mode");
+    expect(out.position == (-2147483647 - 1), "point.wait_time: position");
+    expect(out.speed == 0u, "point.wait_time: speed");
+    expect(out.torque_limit == 0u, "point.wait_time: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.wait_time: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.wait_time: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.wait_time: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.wait_time: deceleration_time");
+    expect(out.wait_time == 30000u, "point.wait_time: wait_time");
+    expect(out.next_point == (-1), "point.wait_time: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.wait_time short");
+}
+
+static void test_11(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x01, 0x00, 0x00, 0x00, 0x7F};
+    uint8_t bytes[TC100_POINT_SIZE];
+    tc100_point in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.mode = 0u;
+    in.position = (-2147483647 - 1);
+    in.speed = 0u;
+    in.torque_limit = 0u;
+    in.zone_lower_limit = 0;
+    in.zone_upper_limit = 0;
+    in.acceleration_time = 1u;
+    in.deceleration_time = 1u;
+    in.wait_time = 0u;
+    in.next_point = 127;
+    expect(tc100_point_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "point.next_point encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "point.next_point bytes");
+    expect(tc100_point_decode(wanted, sizeof wanted, &out) == TC100_OK, "point.next_point decodes");
+    expect(out.mode == 0u, "point.next_point: mode");
+    expect(out.position == (-2147483647 - 1), "point.next_point: position");
+    expect(out.speed == 0u, "point.next_point: speed");
+    expect(out.torque_limit == 0u, "point.next_point: torque_limit");
+    expect(out.zone_lower_limit == 0, "point.next_point: zone_lower_limit");
+    expect(out.zone_upper_limit == 0, "point.next_point: zone_upper_limit");
+    expect(out.acceleration_time == 1u, "point.next_point: acceleration_time");
+    expect(out.deceleration_time == 1u, "point.next_point: deceleration_time");
+    expect(out.wait_time == 0u, "point.next_point: wait_time");
+    expect(out.next_point == 127, "point.next_point: next_point");
+    expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.next_point short");
+}
+
+static void test_12(void)
+{
+    static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x01};
+    uint8_t bytes[TC100_READ_REGISTERS_REQUEST_SIZE];
+    tc100_read_registers_request in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 65535u;
+    in.word_count = 1u;
+    expect(tc100_read_registers_request_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "read_registers_request.address encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "read_registers_request.address bytes");
+    expect(tc100_read_registers_request_decode(wanted, sizeof wanted, &out) == TC100_OK, "read_registers_request.address decodes");
+    expect(out.address == 65535u, "read_registers_request.address: address");
+    expect(out.word_count == 1u, "read_registers_request.address: word_count");
+    expect(tc100_read_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "read_registers_request.address short");
+}
+
+static void test_13(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0x3C};
+    uint8_t bytes[TC100_READ_REGISTERS_REQUEST_SIZE];
+    tc100_read_registers_request in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 0u;
+    in.word_count = 60u;
+    expect(tc100_read_registers_request_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "read_registers_request.word_count encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "read_registers_request.word_count bytes");
+    expect(tc100_read_registers_request_decode(wanted, sizeof wanted, &out) == TC100_OK, "read_registers_request.word_count decodes");
+    expect(out.address == 0u, "read_registers_request.word_count: address");
+    expect(out.word_count == 60u, "read_registers_request.word_count: word_count");
+    expect(tc100_read_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "read_registers_request.word_count short");
+}
+
+static void test_14(void)
+{
+    static const uint8_t wanted[] = {0x02, 0xFF, 0xFF};
+    uint8_t bytes[TC100_READ_REGISTERS_RESPONSE_SIZE];
+    tc100_read_registers_response in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.values_count = 1u;
+    in.values[0] = 65535u;
+    expect(tc100_read_registers_response_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "read_registers_response.values encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "read_registers_response.values bytes");
+    expect(tc100_read_registers_response_decode(wanted, sizeof wanted, &out) == TC100_OK, "read_registers_response.values decodes");
+    expect(out.values_count == 1u, "read_registers_response.values: values count");
+    expect(out.values[0] == 65535u, "read_registers_response.values: values");
+    expect(tc100_read_registers_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "read_registers_response.values short");
+}
+
+static void test_15(void)
+{
+    static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x00};
+    uint8_t bytes[TC100_WRITE_REGISTER_REQUEST_SIZE];
+    tc100_write_register_request in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 65535u;
+    in.value = 0u;
+    expect(tc100_write_register_request_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_register_request.address encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_register_request.address bytes");
+    expect(tc100_write_register_request_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_register_request.address decodes");
+    expect(out.address == 65535u, "write_register_request.address: address");
+    expect(out.value == 0u, "write_register_request.address: value");
+    expect(tc100_write_register_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_request.address short");
+}
+
+static void test_16(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_WRITE_REGISTER_REQUEST_SIZE];
+    tc100_write_register_request in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 0u;
+    in.value = 65535u;
+    expect(tc100_write_register_request_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_register_request.value encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_register_request.value bytes");
+    expect(tc100_write_register_request_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_register_request.value decodes");
+    expect(out.address == 0u, "write_register_request.value: address");
+    expect(out.value == 65535u, "write_register_request.value: value");
+    expect(tc100_write_register_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_request.value short");
+}
+
+static void test_17(void)
+{
+    static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x00};
+    uint8_t bytes[TC100_WRITE_REGISTER_RESPONSE_SIZE];
+    tc100_write_register_response in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 65535u;
+    in.value = 0u;
+    expect(tc100_write_register_response_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_register_response.address encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_register_response.address bytes");
+    expect(tc100_write_register_response_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_register_response.address decodes");
+    expect(out.address == 65535u, "write_register_response.address: address");
+    expect(out.value == 0u, "write_register_response.address: value");
+    expect(tc100_write_register_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_response.address short");
+}
+
+static void test_18(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0xFF, 0xFF};
+    uint8_t bytes[TC100_WRITE_REGISTER_RESPONSE_SIZE];
+    tc100_write_register_response in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 0u;
+    in.value = 65535u;
+    expect(tc100_write_register_response_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_register_response.value encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_register_response.value bytes");
+    expect(tc100_write_register_response_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_register_response.value decodes");
+    expect(out.address == 0u, "write_register_response.value: address");
+    expect(out.value == 65535u, "write_register_response.value: value");
+    expect(tc100_write_register_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_response.value short");
+}
+
+static void test_19(void)
+{
+    static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x01, 0x02, 0x00, 0x00};
+    uint8_t bytes[TC100_WRITE_REGISTERS_REQUEST_SIZE];
+    tc100_write_registers_request in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 65535u;
+    in.values_count = 1u;
+    in.values[0] = 0u;
+    expect(tc100_write_registers_request_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_registers_request.address encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_registers_request.address bytes");
+    expect(tc100_write_registers_request_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_registers_request.address decodes");
+    expect(out.address == 65535u, "write_registers_request.address: address");
+    expect(out.values_count == 1u, "write_registers_request.address: values count");
+    expect(out.values[0] == 0u, "write_registers_request.address: values");
+    expect(tc100_write_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_request.address short");
+}
+
+static void test_20(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0x01, 0x02, 0xFF, 0xFF};
+    uint8_t bytes[TC100_WRITE_REGISTERS_REQUEST_SIZE];
+    tc100_write_registers_request in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 0u;
+    in.values_count = 1u;
+    in.values[0] = 65535u;
+    expect(tc100_write_registers_request_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_registers_request.values encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_registers_request.values bytes");
+    expect(tc100_write_registers_request_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_registers_request.values decodes");
+    expect(out.address == 0u, "write_registers_request.values: address");
+    expect(out.values_count == 1u, "write_registers_request.values: values count");
+    expect(out.values[0] == 65535u, "write_registers_request.values: values");
+    expect(tc100_write_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_request.values short");
+}
+
+static void test_21(void)
+{
+    static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x01};
+    uint8_t bytes[TC100_WRITE_REGISTERS_RESPONSE_SIZE];
+    tc100_write_registers_response in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 65535u;
+    in.word_count = 1u;
+    expect(tc100_write_registers_response_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_registers_response.address encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_registers_response.address bytes");
+    expect(tc100_write_registers_response_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_registers_response.address decodes");
+    expect(out.address == 65535u, "write_registers_response.address: address");
+    expect(out.word_count == 1u, "write_registers_response.address: word_count");
+    expect(tc100_write_registers_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_response.address short");
+}
+
+static void test_22(void)
+{
+    static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0x3B};
+    uint8_t bytes[TC100_WRITE_REGISTERS_RESPONSE_SIZE];
+    tc100_write_registers_response in, out;
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.address = 0u;
+    in.word_count = 59u;
+    expect(tc100_write_registers_response_encode(&in, bytes, sizeof bytes, &length) == TC100_OK, "write_registers_response.word_count encodes");
+    expect(length == sizeof wanted && memcmp(bytes, wanted, length) == 0, "write_registers_response.word_count bytes");
+    expect(tc100_write_registers_response_decode(wanted, sizeof wanted, &out) == TC100_OK, "write_registers_response.word_count decodes");
+    expect(out.address == 0u, "write_registers_response.word_count: address");
+    expect(out.word_count == 59u, "write_registers_response.word_count: word_count");
+    expect(tc100_write_registers_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_response.word_count short");
+}
+
+static void test_23(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_jog_positive_input_encode(0u, bytes) == TC100_OK, "jog_positive_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "jog_positive_input 0 bytes");
+    expect(tc100_reg_jog_positive_input_decode(bytes, &out) == TC100_OK, "jog_positive_input 0");
+    expect(out == 0u, "jog_positive_input 0");
+    expect(tc100_reg_jog_positive_input_encode(65535u, bytes) == TC100_OK, "jog_positive_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "jog_positive_input 65535 bytes");
+    expect(tc100_reg_jog_positive_input_decode(bytes, &out) == TC100_OK, "jog_positive_input 65535");
+    expect(out == 65535u, "jog_positive_input 65535");
+}
+
+static void test_24(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_jog_negative_input_encode(0u, bytes) == TC100_OK, "jog_negative_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "jog_negative_input 0 bytes");
+    expect(tc100_reg_jog_negative_input_decode(bytes, &out) == TC100_OK, "jog_negative_input 0");
+    expect(out == 0u, "jog_negative_input 0");
+    expect(tc100_reg_jog_negative_input_encode(65535u, bytes) == TC100_OK, "jog_negative_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "jog_negative_input 65535 bytes");
+    expect(tc100_reg_jog_negative_input_decode(bytes, &out) == TC100_OK, "jog_negative_input 65535");
+    expect(out == 65535u, "jog_negative_input 65535");
+}
+
+static void test_25(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_manual_mode_input_encode(0u, bytes) == TC100_OK, "manual_mode_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "manual_mode_input 0 bytes");
+    expect(tc100_reg_manual_mode_input_decode(bytes, &out) == TC100_OK, "manual_mode_input 0");
+    expect(out == 0u, "manual_mode_input 0");
+    expect(tc100_reg_manual_mode_input_encode(65535u, bytes) == TC100_OK, "manual_mode_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "manual_mode_input 65535 bytes");
+    expect(tc100_reg_manual_mode_input_decode(bytes, &out) == TC100_OK, "manual_mode_input 65535");
+    expect(out == 65535u, "manual_mode_input 65535");
+}
+
+static void test_26(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_teach_input_encode(0u, bytes) == TC100_OK, "teach_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "teach_input 0 bytes");
+    expect(tc100_reg_teach_input_decode(bytes, &out) == TC100_OK, "teach_input 0");
+    expect(out == 0u, "teach_input 0");
+    expect(tc100_reg_teach_input_encode(65535u, bytes) == TC100_OK, "teach_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "teach_input 65535 bytes");
+    expect(tc100_reg_teach_input_decode(bytes, &out) == TC100_OK, "teach_input 65535");
+    expect(out == 65535u, "teach_input 65535");
+}
+
+static void test_27(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_lock_input_encode(0u, bytes) == TC100_OK, "lock_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "lock_input 0 bytes");
+    expect(tc100_reg_lock_input_decode(bytes, &out) == TC100_OK, "lock_input 0");
+    expect(out == 0u, "lock_input 0");
+    expect(tc100_reg_lock_input_encode(65535u, bytes) == TC100_OK, "lock_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "lock_input 65535 bytes");
+    expect(tc100_reg_lock_input_decode(bytes, &out) == TC100_OK, "lock_input 65535");
+    expect(out == 65535u, "lock_input 65535");
+}
+
+static void test_28(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_4_input_encode(0u, bytes) == TC100_OK, "point_select_bit_4_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_4_input 0 bytes");
+    expect(tc100_reg_point_select_bit_4_input_decode(bytes, &out) == TC100_OK, "point_select_bit_4_input 0");
+    expect(out == 0u, "point_select_bit_4_input 0");
+    expect(tc100_reg_point_select_bit_4_input_encode(65535u, bytes) == TC100_OK, "point_select_bit_4_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_4_input 65535 bytes");
+    expect(tc100_reg_point_select_bit_4_input_decode(bytes, &out) == TC100_OK, "point_select_bit_4_input 65535");
+    expect(out == 65535u, "point_select_bit_4_input 65535");
+}
+
+static void test_29(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_5_input_encode(0u, bytes) == TC100_OK, "point_select_bit_5_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_5_input 0 bytes");
+    expect(tc100_reg_point_select_bit_5_input_decode(bytes, &out) == TC100_OK, "point_select_bit_5_input 0");
+    expect(out == 0u, "point_select_bit_5_input 0");
+    expect(tc100_reg_point_select_bit_5_input_encode(65535u, bytes) == TC100_OK, "point_select_bit_5_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_5_input 65535 bytes");
+    expect(tc100_reg_point_select_bit_5_input_decode(bytes, &out) == TC100_OK, "point_select_bit_5_input 65535");
+    expect(out == 65535u, "point_select_bit_5_input 65535");
+}
+
+static void test_30(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_6_input_encode(0u, bytes) == TC100_OK, "point_select_bit_6_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_6_input 0 bytes");
+    expect(tc100_reg_point_select_bit_6_input_decode(bytes, &out) == TC100_OK, "point_select_bit_6_input 0");
+    expect(out == 0u, "point_select_bit_6_input 0");
+    expect(tc100_reg_point_select_bit_6_input_encode(65535u, bytes) == TC100_OK, "point_select_bit_6_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_6_input 65535 bytes");
+    expect(tc100_reg_point_select_bit_6_input_decode(bytes, &out) == TC100_OK, "point_select_bit_6_input 65535");
+    expect(out == 65535u, "point_select_bit_6_input 65535");
+}
+
+static void test_31(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_sensor_input_encode(0u, bytes) == TC100_OK, "homing_sensor_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "homing_sensor_input 0 bytes");
+    expect(tc100_reg_homing_sensor_input_decode(bytes, &out) == TC100_OK, "homing_sensor_input 0");
+    expect(out == 0u, "homing_sensor_input 0");
+    expect(tc100_reg_homing_sensor_input_encode(65535u, bytes) == TC100_OK, "homing_sensor_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "homing_sensor_input 65535 bytes");
+    expect(tc100_reg_homing_sensor_input_decode(bytes, &out) == TC100_OK, "homing_sensor_input 65535");
+    expect(out == 65535u, "homing_sensor_input 65535");
+}
+
+static void test_32(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_brake_input_encode(0u, bytes) == TC100_OK, "brake_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "brake_input 0 bytes");
+    expect(tc100_reg_brake_input_decode(bytes, &out) == TC100_OK, "brake_input 0");
+    expect(out == 0u, "brake_input 0");
+    expect(tc100_reg_brake_input_encode(65535u, bytes) == TC100_OK, "brake_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "brake_input 65535 bytes");
+    expect(tc100_reg_brake_input_decode(bytes, &out) == TC100_OK, "brake_input 65535");
+    expect(out == 65535u, "brake_input 65535");
+}
+
+static void test_33(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_full_count_input_encode(0u, bytes) == TC100_OK, "full_count_input 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "full_count_input 0 bytes");
+    expect(tc100_reg_full_count_input_decode(bytes, &out) == TC100_OK, "full_count_input 0");
+    expect(out == 0u, "full_count_input 0");
+    expect(tc100_reg_full_count_input_encode(65535u, bytes) == TC100_OK, "full_count_input 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "full_count_input 65535 bytes");
+    expect(tc100_reg_full_count_input_decode(bytes, &out) == TC100_OK, "full_count_input 65535");
+    expect(out == 65535u, "full_count_input 65535");
+}
+
+static void test_34(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_in_position_output_encode(0u, bytes) == TC100_OK, "in_position_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "in_position_output 0 bytes");
+    expect(tc100_reg_in_position_output_decode(bytes, &out) == TC100_OK, "in_position_output 0");
+    expect(out == 0u, "in_position_output 0");
+    expect(tc100_reg_in_position_output_encode(65535u, bytes) == TC100_OK, "in_position_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "in_position_output 65535 bytes");
+    expect(tc100_reg_in_position_output_decode(bytes, &out) == TC100_OK, "in_position_output 65535");
+    expect(out == 65535u, "in_position_output 65535");
+}
+
+static void test_35(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_alarm_output_encode(0u, bytes) == TC100_OK, "alarm_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "alarm_output 0 bytes");
+    expect(tc100_reg_alarm_output_decode(bytes, &out) == TC100_OK, "alarm_output 0");
+    expect(out == 0u, "alarm_output 0");
+    expect(tc100_reg_alarm_output_encode(65535u, bytes) == TC100_OK, "alarm_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "alarm_output 65535 bytes");
+    expect(tc100_reg_alarm_output_decode(bytes, &out) == TC100_OK, "alarm_output 65535");
+    expect(out == 65535u, "alarm_output 65535");
+}
+
+static void test_36(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_ready_output_encode(0u, bytes) == TC100_OK, "ready_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "ready_output 0 bytes");
+    expect(tc100_reg_ready_output_decode(bytes, &out) == TC100_OK, "ready_output 0");
+    expect(out == 0u, "ready_output 0");
+    expect(tc100_reg_ready_output_encode(65535u, bytes) == TC100_OK, "ready_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "ready_output 65535 bytes");
+    expect(tc100_reg_ready_output_decode(bytes, &out) == TC100_OK, "ready_output 65535");
+    expect(out == 65535u, "ready_output 65535");
+}
+
+static void test_37(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_moving_output_encode(0u, bytes) == TC100_OK, "moving_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "moving_output 0 bytes");
+    expect(tc100_reg_moving_output_decode(bytes, &out) == TC100_OK, "moving_output 0");
+    expect(out == 0u, "moving_output 0");
+    expect(tc100_reg_moving_output_encode(65535u, bytes) == TC100_OK, "moving_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "moving_output 65535 bytes");
+    expect(tc100_reg_moving_output_decode(bytes, &out) == TC100_OK, "moving_output 65535");
+    expect(out == 65535u, "moving_output 65535");
+}
+
+static void test_38(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_servo_on_output_encode(0u, bytes) == TC100_OK, "servo_on_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "servo_on_output 0 bytes");
+    expect(tc100_reg_servo_on_output_decode(bytes, &out) == TC100_OK, "servo_on_output 0");
+    expect(out == 0u, "servo_on_output 0");
+    expect(tc100_reg_servo_on_output_encode(65535u, bytes) == TC100_OK, "servo_on_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "servo_on_output 65535 bytes");
+    expect(tc100_reg_servo_on_output_decode(bytes, &out) == TC100_OK, "servo_on_output 65535");
+    expect(out == 65535u, "servo_on_output 65535");
+}
+
+static void test_39(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_0_output_encode(0u, bytes) == TC100_OK, "point_select_bit_0_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_0_output 0 bytes");
+    expect(tc100_reg_point_select_bit_0_output_decode(bytes, &out) == TC100_OK, "point_select_bit_0_output 0");
+    expect(out == 0u, "point_select_bit_0_output 0");
+    expect(tc100_reg_point_select_bit_0_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_0_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_0_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_0_output_decode(bytes, &out) == TC100_OK, "point_select_bit_0_output 65535");
+    expect(out == 65535u, "point_select_bit_0_output 65535");
+}
+
+static void test_40(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_1_output_encode(0u, bytes) == TC100_OK, "point_select_bit_1_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_1_output 0 bytes");
+    expect(tc100_reg_point_select_bit_1_output_decode(bytes, &out) == TC100_OK, "point_select_bit_1_output 0");
+    expect(out == 0u, "point_select_bit_1_output 0");
+    expect(tc100_reg_point_select_bit_1_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_1_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_1_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_1_output_decode(bytes, &out) == TC100_OK, "point_select_bit_1_output 65535");
+    expect(out == 65535u, "point_select_bit_1_output 65535");
+}
+
+static void test_41(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_2_output_encode(0u, bytes) == TC100_OK, "point_select_bit_2_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_2_output 0 bytes");
+    expect(tc100_reg_point_select_bit_2_output_decode(bytes, &out) == TC100_OK, "point_select_bit_2_output 0");
+    expect(out == 0u, "point_select_bit_2_output 0");
+    expect(tc100_reg_point_select_bit_2_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_2_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_2_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_2_output_decode(bytes, &out) == TC100_OK, "point_select_bit_2_output 65535");
+    expect(out == 65535u, "point_select_bit_2_output 65535");
+}
+
+static void test_42(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_3_output_encode(0u, bytes) == TC100_OK, "point_select_bit_3_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_3_output 0 bytes");
+    expect(tc100_reg_point_select_bit_3_output_decode(bytes, &out) == TC100_OK, "point_select_bit_3_output 0");
+    expect(out == 0u, "point_select_bit_3_output 0");
+    expect(tc100_reg_point_select_bit_3_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_3_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_3_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_3_output_decode(bytes, &out) == TC100_OK, "point_select_bit_3_output 65535");
+    expect(out == 65535u, "point_select_bit_3_output 65535");
+}
+
+static void test_43(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_4_output_encode(0u, bytes) == TC100_OK, "point_select_bit_4_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_4_output 0 bytes");
+    expect(tc100_reg_point_select_bit_4_output_decode(bytes, &out) == TC100_OK, "point_select_bit_4_output 0");
+    expect(out == 0u, "point_select_bit_4_output 0");
+    expect(tc100_reg_point_select_bit_4_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_4_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_4_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_4_output_decode(bytes, &out) == TC100_OK, "point_select_bit_4_output 65535");
+    expect(out == 65535u, "point_select_bit_4_output 65535");
+}
+
+static void test_44(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_5_output_encode(0u, bytes) == TC100_OK, "point_select_bit_5_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_5_output 0 bytes");
+    expect(tc100_reg_point_select_bit_5_output_decode(bytes, &out) == TC100_OK, "point_select_bit_5_output 0");
+    expect(out == 0u, "point_select_bit_5_output 0");
+    expect(tc100_reg_point_select_bit_5_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_5_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_5_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_5_output_decode(bytes, &out) == TC100_OK, "point_select_bit_5_output 65535");
+    expect(out == 65535u, "point_select_bit_5_output 65535");
+}
+
+static void test_45(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_point_select_bit_6_output_encode(0u, bytes) == TC100_OK, "point_select_bit_6_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "point_select_bit_6_output 0 bytes");
+    expect(tc100_reg_point_select_bit_6_output_decode(bytes, &out) == TC100_OK, "point_select_bit_6_output 0");
+    expect(out == 0u, "point_select_bit_6_output 0");
+    expect(tc100_reg_point_select_bit_6_output_encode(65535u, bytes) == TC100_OK, "point_select_bit_6_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "point_select_bit_6_output 65535 bytes");
+    expect(tc100_reg_point_select_bit_6_output_decode(bytes, &out) == TC100_OK, "point_select_bit_6_output 65535");
+    expect(out == 65535u, "point_select_bit_6_output 65535");
+}
+
+static void test_46(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_torque_limit_output_encode(0u, bytes) == TC100_OK, "torque_limit_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "torque_limit_output 0 bytes");
+    expect(tc100_reg_torque_limit_output_decode(bytes, &out) == TC100_OK, "torque_limit_output 0");
+    expect(out == 0u, "torque_limit_output 0");
+    expect(tc100_reg_torque_limit_output_encode(65535u, bytes) == TC100_OK, "torque_limit_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "torque_limit_output 65535 bytes");
+    expect(tc100_reg_torque_limit_output_decode(bytes, &out) == TC100_OK, "torque_limit_output 65535");
+    expect(out == 65535u, "torque_limit_output 65535");
+}
+
+static void test_47(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_error_bit_0_output_encode(0u, bytes) == TC100_OK, "error_bit_0_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "error_bit_0_output 0 bytes");
+    expect(tc100_reg_error_bit_0_output_decode(bytes, &out) == TC100_OK, "error_bit_0_output 0");
+    expect(out == 0u, "error_bit_0_output 0");
+    expect(tc100_reg_error_bit_0_output_encode(65535u, bytes) == TC100_OK, "error_bit_0_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "error_bit_0_output 65535 bytes");
+    expect(tc100_reg_error_bit_0_output_decode(bytes, &out) == TC100_OK, "error_bit_0_output 65535");
+    expect(out == 65535u, "error_bit_0_output 65535");
+}
+
+static void test_48(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_error_bit_1_output_encode(0u, bytes) == TC100_OK, "error_bit_1_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "error_bit_1_output 0 bytes");
+    expect(tc100_reg_error_bit_1_output_decode(bytes, &out) == TC100_OK, "error_bit_1_output 0");
+    expect(out == 0u, "error_bit_1_output 0");
+    expect(tc100_reg_error_bit_1_output_encode(65535u, bytes) == TC100_OK, "error_bit_1_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "error_bit_1_output 65535 bytes");
+    expect(tc100_reg_error_bit_1_output_decode(bytes, &out) == TC100_OK, "error_bit_1_output 65535");
+    expect(out == 65535u, "error_bit_1_output 65535");
+}
+
+static void test_49(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_error_bit_2_output_encode(0u, bytes) == TC100_OK, "error_bit_2_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "error_bit_2_output 0 bytes");
+    expect(tc100_reg_error_bit_2_output_decode(bytes, &out) == TC100_OK, "error_bit_2_output 0");
+    expect(out == 0u, "error_bit_2_output 0");
+    expect(tc100_reg_error_bit_2_output_encode(65535u, bytes) == TC100_OK, "error_bit_2_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "error_bit_2_output 65535 bytes");
+    expect(tc100_reg_error_bit_2_output_decode(bytes, &out) == TC100_OK, "error_bit_2_output 65535");
+    expect(out == 65535u, "error_bit_2_output 65535");
+}
+
+static void test_50(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_error_bit_3_output_encode(0u, bytes) == TC100_OK, "error_bit_3_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "error_bit_3_output 0 bytes");
+    expect(tc100_reg_error_bit_3_output_decode(bytes, &out) == TC100_OK, "error_bit_3_output 0");
+    expect(out == 0u, "error_bit_3_output 0");
+    expect(tc100_reg_error_bit_3_output_encode(65535u, bytes) == TC100_OK, "error_bit_3_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "error_bit_3_output 65535 bytes");
+    expect(tc100_reg_error_bit_3_output_decode(bytes, &out) == TC100_OK, "error_bit_3_output 65535");
+    expect(out == 65535u, "error_bit_3_output 65535");
+}
+
+static void test_51(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_zone_output_encode(0u, bytes) == TC100_OK, "zone_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "zone_output 0 bytes");
+    expect(tc100_reg_zone_output_decode(bytes, &out) == TC100_OK, "zone_output 0");
+    expect(out == 0u, "zone_output 0");
+    expect(tc100_reg_zone_output_encode(65535u, bytes) == TC100_OK, "zone_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "zone_output 65535 bytes");
+    expect(tc100_reg_zone_output_decode(bytes, &out) == TC100_OK, "zone_output 65535");
+    expect(out == 65535u, "zone_output 65535");
+}
+
+static void test_52(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_near_output_encode(0u, bytes) == TC100_OK, "near_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "near_output 0 bytes");
+    expect(tc100_reg_near_output_decode(bytes, &out) == TC100_OK, "near_output 0");
+    expect(out == 0u, "near_output 0");
+    expect(tc100_reg_near_output_encode(65535u, bytes) == TC100_OK, "near_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "near_output 65535 bytes");
+    expect(tc100_reg_near_output_decode(bytes, &out) == TC100_OK, "near_output 65535");
+    expect(out == 65535u, "near_output 65535");
+}
+
+static void test_53(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_soft_limit_output_encode(0u, bytes) == TC100_OK, "soft_limit_output 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "soft_limit_output 0 bytes");
+    expect(tc100_reg_soft_limit_output_decode(bytes, &out) == TC100_OK, "soft_limit_output 0");
+    expect(out == 0u, "soft_limit_output 0");
+    expect(tc100_reg_soft_limit_output_encode(65535u, bytes) == TC100_OK, "soft_limit_output 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "soft_limit_output 65535 bytes");
+    expect(tc100_reg_soft_limit_output_decode(bytes, &out) == TC100_OK, "soft_limit_output 65535");
+    expect(out == 65535u, "soft_limit_output 65535");
+}
+
+static void test_54(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_relative_distance_encode((-2147483647 - 1), bytes) == TC100_OK, "relative_distance -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "relative_distance -2147483648 bytes");
+    expect(tc100_reg_relative_distance_decode(bytes, &out) == TC100_OK, "relative_distance -2147483648");
+    expect(out == (-2147483647 - 1), "relative_distance -2147483648");
+    expect(tc100_reg_relative_distance_encode(0, bytes) == TC100_OK, "relative_distance 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "relative_distance 0 bytes");
+    expect(tc100_reg_relative_distance_decode(bytes, &out) == TC100_OK, "relative_distance 0");
+    expect(out == 0, "relative_distance 0");
+    expect(tc100_reg_relative_distance_encode(2147483647, bytes) == TC100_OK, "relative_distance 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "relative_distance 2147483647 bytes");
+    expect(tc100_reg_relative_distance_decode(bytes, &out) == TC100_OK, "relative_distance 2147483647");
+    expect(out == 2147483647, "relative_distance 2147483647");
+}
+
+static void test_55(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_absolute_position_encode((-2147483647 - 1), bytes) == TC100_OK, "absolute_position -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "absolute_position -2147483648 bytes");
+    expect(tc100_reg_absolute_position_decode(bytes, &out) == TC100_OK, "absolute_position -2147483648");
+    expect(out == (-2147483647 - 1), "absolute_position -2147483648");
+    expect(tc100_reg_absolute_position_encode(0, bytes) == TC100_OK, "absolute_position 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "absolute_position 0 bytes");
+    expect(tc100_reg_absolute_position_decode(bytes, &out) == TC100_OK, "absolute_position 0");
+    expect(out == 0, "absolute_position 0");
+    expect(tc100_reg_absolute_position_encode(2147483647, bytes) == TC100_OK, "absolute_position 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "absolute_position 2147483647 bytes");
+    expect(tc100_reg_absolute_position_decode(bytes, &out) == TC100_OK, "absolute_position 2147483647");
+    expect(out == 2147483647, "absolute_position 2147483647");
+}
+
+static void test_56(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_torque_search_direction_encode(0u, bytes) == TC100_OK, "torque_search_direction 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "torque_search_direction 0 bytes");
+    expect(tc100_reg_torque_search_direction_decode(bytes, &out) == TC100_OK, "torque_search_direction 0");
+    expect(out == 0u, "torque_search_direction 0");
+    expect(tc100_reg_torque_search_direction_encode(1u, bytes) == TC100_OK, "torque_search_direction 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "torque_search_direction 1 bytes");
+    expect(tc100_reg_torque_search_direction_decode(bytes, &out) == TC100_OK, "torque_search_direction 1");
+    expect(out == 1u, "torque_search_direction 1");
+}
+
+static void test_57(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_preset_position_encode((-2147483647 - 1), bytes) == TC100_OK, "preset_position -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "preset_position -2147483648 bytes");
+    expect(tc100_reg_preset_position_decode(bytes, &out) == TC100_OK, "preset_position -2147483648");
+    expect(out == (-2147483647 - 1), "preset_position -2147483648");
+    expect(tc100_reg_preset_position_encode(0, bytes) == TC100_OK, "preset_position 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "preset_position 0 bytes");
+    expect(tc100_reg_preset_position_decode(bytes, &out) == TC100_OK, "preset_position 0");
+    expect(out == 0, "preset_position 0");
+    expect(tc100_reg_preset_position_encode(2147483647, bytes) == TC100_OK, "preset_position 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "preset_position 2147483647 bytes");
+    expect(tc100_reg_preset_position_decode(bytes, &out) == TC100_OK, "preset_position 2147483647");
+    expect(out == 2147483647, "preset_position 2147483647");
+}
+
+static void test_58(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_servo_encode(0u, bytes) == TC100_OK, "servo 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "servo 0 bytes");
+    expect(tc100_reg_servo_decode(bytes, &out) == TC100_OK, "servo 0");
+    expect(out == 0u, "servo 0");
+    expect(tc100_reg_servo_encode(1u, bytes) == TC100_OK, "servo 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "servo 1 bytes");
+    expect(tc100_reg_servo_decode(bytes, &out) == TC100_OK, "servo 1");
+    expect(out == 1u, "servo 1");
+}
+
+static void test_59(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_motion_speed_encode(0u, bytes) == TC100_OK, "motion_speed 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "motion_speed 0 bytes");
+    expect(tc100_reg_motion_speed_decode(bytes, &out) == TC100_OK, "motion_speed 0");
+    expect(out == 0u, "motion_speed 0");
+    expect(tc100_reg_motion_speed_encode(100u, bytes) == TC100_OK, "motion_speed 100");
+    expect(memcmp(bytes, "\000\144", 2u) == 0, "motion_speed 100 bytes");
+    expect(tc100_reg_motion_speed_decode(bytes, &out) == TC100_OK, "motion_speed 100");
+    expect(out == 100u, "motion_speed 100");
+}
+
+static void test_60(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_motion_command_encode(0u, bytes) == TC100_OK, "motion_command 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "motion_command 0 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 0");
+    expect(out == 0u, "motion_command 0");
+    expect(tc100_reg_motion_command_encode(1u, bytes) == TC100_OK, "motion_command 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "motion_command 1 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 1");
+    expect(out == 1u, "motion_command 1");
+    expect(tc100_reg_motion_command_encode(2u, bytes) == TC100_OK, "motion_command 2");
+    expect(memcmp(bytes, "\000\002", 2u) == 0, "motion_command 2 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 2");
+    expect(out == 2u, "motion_command 2");
+    expect(tc100_reg_motion_command_encode(3u, bytes) == TC100_OK, "motion_command 3");
+    expect(memcmp(bytes, "\000\003", 2u) == 0, "motion_command 3 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 3");
+    expect(out == 3u, "motion_command 3");
+    expect(tc100_reg_motion_command_encode(4u, bytes) == TC100_OK, "motion_command 4");
+    expect(memcmp(bytes, "\000\004", 2u) == 0, "motion_command 4 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 4");
+    expect(out == 4u, "motion_command 4");
+    expect(tc100_reg_motion_command_encode(6u, bytes) == TC100_OK, "motion_command 6");
+    expect(memcmp(bytes, "\000\006", 2u) == 0, "motion_command 6 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 6");
+    expect(out == 6u, "motion_command 6");
+    expect(tc100_reg_motion_command_encode(7u, bytes) == TC100_OK, "motion_command 7");
+    expect(memcmp(bytes, "\000\007", 2u) == 0, "motion_command 7 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 7");
+    expect(out == 7u, "motion_command 7");
+    expect(tc100_reg_motion_command_encode(8u, bytes) == TC100_OK, "motion_command 8");
+    expect(memcmp(bytes, "\000\010", 2u) == 0, "motion_command 8 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 8");
+    expect(out == 8u, "motion_command 8");
+    expect(tc100_reg_motion_command_encode(9u, bytes) == TC100_OK, "motion_command 9");
+    expect(memcmp(bytes, "\000\011", 2u) == 0, "motion_command 9 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 9");
+    expect(out == 9u, "motion_command 9");
+    expect(tc100_reg_motion_command_encode(11u, bytes) == TC100_OK, "motion_command 11");
+    expect(memcmp(bytes, "\000\013", 2u) == 0, "motion_command 11 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 11");
+    expect(out == 11u, "motion_command 11");
+    expect(tc100_reg_motion_command_encode(12u, bytes) == TC100_OK, "motion_command 12");
+    expect(memcmp(bytes, "\000\014", 2u) == 0, "motion_command 12 bytes");
+    expect(tc100_reg_motion_command_decode(bytes, &out) == TC100_OK, "motion_command 12");
+    expect(out == 12u, "motion_command 12");
+}
+
+static void test_61(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_simulated_inputs_encode(0u, bytes) == TC100_OK, "simulated_inputs 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "simulated_inputs 0 bytes");
+    expect(tc100_reg_simulated_inputs_decode(bytes, &out) == TC100_OK, "simulated_inputs 0");
+    expect(out == 0u, "simulated_inputs 0");
+    expect(tc100_reg_simulated_inputs_encode(16383u, bytes) == TC100_OK, "simulated_inputs 16383");
+    expect(memcmp(bytes, "\077\377", 2u) == 0, "simulated_inputs 16383 bytes");
+    expect(tc100_reg_simulated_inputs_decode(bytes, &out) == TC100_OK, "simulated_inputs 16383");
+    expect(out == 16383u, "simulated_inputs 16383");
+}
+
+static void test_62(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_parameter_storage_encode(0u, bytes) == TC100_OK, "parameter_storage 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameter_storage 0 bytes");
+    expect(tc100_reg_parameter_storage_decode(bytes, &out) == TC100_OK, "parameter_storage 0");
+    expect(out == 0u, "parameter_storage 0");
+    expect(tc100_reg_parameter_storage_encode(1u, bytes) == TC100_OK, "parameter_storage 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "parameter_storage 1 bytes");
+    expect(tc100_reg_parameter_storage_decode(bytes, &out) == TC100_OK, "parameter_storage 1");
+    expect(out == 1u, "parameter_storage 1");
+}
+
+static void test_63(void)
+{
+    uint8_t bytes[4];
+    uint32_t out = 0;
+    expect(tc100_reg_full_count_limit_encode(1u, bytes) == TC100_OK, "full_count_limit 1");
+    expect(memcmp(bytes, "\000\000\000\001", 4u) == 0, "full_count_limit 1 bytes");
+    expect(tc100_reg_full_count_limit_decode(bytes, &out) == TC100_OK, "full_count_limit 1");
+    expect(out == 1u, "full_count_limit 1");
+    expect(tc100_reg_full_count_limit_encode(100000u, bytes) == TC100_OK, "full_count_limit 100000");
+    expect(memcmp(bytes, "\000\001\206\240", 4u) == 0, "full_count_limit 100000 bytes");
+    expect(tc100_reg_full_count_limit_decode(bytes, &out) == TC100_OK, "full_count_limit 100000");
+    expect(out == 100000u, "full_count_limit 100000");
+}
+
+static void test_64(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_in_position_zone_encode(0u, bytes) == TC100_OK, "in_position_zone 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "in_position_zone 0 bytes");
+    expect(tc100_reg_in_position_zone_decode(bytes, &out) == TC100_OK, "in_position_zone 0");
+    expect(out == 0u, "in_position_zone 0");
+    expect(tc100_reg_in_position_zone_encode(1000u, bytes) == TC100_OK, "in_position_zone 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "in_position_zone 1000 bytes");
+    expect(tc100_reg_in_position_zone_decode(bytes, &out) == TC100_OK, "in_position_zone 1000");
+    expect(out == 1000u, "in_position_zone 1000");
+}
+
+static void test_65(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_electronic_gear_numerator_encode(1u, bytes) == TC100_OK, "electronic_gear_numerator 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "electronic_gear_numerator 1 bytes");
+    expect(tc100_reg_electronic_gear_numerator_decode(bytes, &out) == TC100_OK, "electronic_gear_numerator 1");
+    expect(out == 1u, "electronic_gear_numerator 1");
+    expect(tc100_reg_electronic_gear_numerator_encode(10000u, bytes) == TC100_OK, "electronic_gear_numerator 10000");
+    expect(memcmp(bytes, "\047\020", 2u) == 0, "electronic_gear_numerator 10000 bytes");
+    expect(tc100_reg_electronic_gear_numerator_decode(bytes, &out) == TC100_OK, "electronic_gear_numerator 10000");
+    expect(out == 10000u, "electronic_gear_numerator 10000");
+}
+
+static void test_66(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_electronic_gear_denominator_encode(1u, bytes) == TC100_OK, "electronic_gear_denominator 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "electronic_gear_denominator 1 bytes");
+    expect(tc100_reg_electronic_gear_denominator_decode(bytes, &out) == TC100_OK, "electronic_gear_denominator 1");
+    expect(out == 1u, "electronic_gear_denominator 1");
+    expect(tc100_reg_electronic_gear_denominator_encode(10000u, bytes) == TC100_OK, "electronic_gear_denominator 10000");
+    expect(memcmp(bytes, "\047\020", 2u) == 0, "electronic_gear_denominator 10000 bytes");
+    expect(tc100_reg_electronic_gear_denominator_decode(bytes, &out) == TC100_OK, "electronic_gear_denominator 10000");
+    expect(out == 10000u, "electronic_gear_denominator 10000");
+}
+
+static void test_67(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_pulse_rotation_direction_encode(0u, bytes) == TC100_OK, "pulse_rotation_direction 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "pulse_rotation_direction 0 bytes");
+    expect(tc100_reg_pulse_rotation_direction_decode(bytes, &out) == TC100_OK, "pulse_rotation_direction 0");
+    expect(out == 0u, "pulse_rotation_direction 0");
+    expect(tc100_reg_pulse_rotation_direction_encode(1u, bytes) == TC100_OK, "pulse_rotation_direction 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "pulse_rotation_direction 1 bytes");
+    expect(tc100_reg_pulse_rotation_direction_decode(bytes, &out) == TC100_OK, "pulse_rotation_direction 1");
+    expect(out == 1u, "pulse_rotation_direction 1");
+}
+
+static void test_68(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_pulse_input_form_encode(0u, bytes) == TC100_OK, "pulse_input_form 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "pulse_input_form 0 bytes");
+    expect(tc100_reg_pulse_input_form_decode(bytes, &out) == TC100_OK, "pulse_input_form 0");
+    expect(out == 0u, "pulse_input_form 0");
+    expect(tc100_reg_pulse_input_form_encode(1u, bytes) == TC100_OK, "pulse_input_form 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "pulse_input_form 1 bytes");
+    expect(tc100_reg_pulse_input_form_decode(bytes, &out) == TC100_OK, "pulse_input_form 1");
+    expect(out == 1u, "pulse_input_form 1");
+    expect(tc100_reg_pulse_input_form_encode(2u, bytes) == TC100_OK, "pulse_input_form 2");
+    expect(memcmp(bytes, "\000\002", 2u) == 0, "pulse_input_form 2 bytes");
+    expect(tc100_reg_pulse_input_form_decode(bytes, &out) == TC100_OK, "pulse_input_form 2");
+    expect(out == 2u, "pulse_input_form 2");
+}
+
+static void test_69(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_near_zone_encode(0u, bytes) == TC100_OK, "near_zone 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "near_zone 0 bytes");
+    expect(tc100_reg_near_zone_decode(bytes, &out) == TC100_OK, "near_zone 0");
+    expect(out == 0u, "near_zone 0");
+    expect(tc100_reg_near_zone_encode(10000u, bytes) == TC100_OK, "near_zone 10000");
+    expect(memcmp(bytes, "\047\020", 2u) == 0, "near_zone 10000 bytes");
+    expect(tc100_reg_near_zone_decode(bytes, &out) == TC100_OK, "near_zone 10000");
+    expect(out == 10000u, "near_zone 10000");
+}
+
+static void test_70(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_push_torque_positive_encode(0u, bytes) == TC100_OK, "push_torque_positive 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "push_torque_positive 0 bytes");
+    expect(tc100_reg_push_torque_positive_decode(bytes, &out) == TC100_OK, "push_torque_positive 0");
+    expect(out == 0u, "push_torque_positive 0");
+    expect(tc100_reg_push_torque_positive_encode(1000u, bytes) == TC100_OK, "push_torque_positive 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "push_torque_positive 1000 bytes");
+    expect(tc100_reg_push_torque_positive_decode(bytes, &out) == TC100_OK, "push_torque_positive 1000");
+    expect(out == 1000u, "push_torque_positive 1000");
+}
+
+static void test_71(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_push_torque_negative_encode(0u, bytes) == TC100_OK, "push_torque_negative 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "push_torque_negative 0 bytes");
+    expect(tc100_reg_push_torque_negative_decode(bytes, &out) == TC100_OK, "push_torque_negative 0");
+    expect(out == 0u, "push_torque_negative 0");
+    expect(tc100_reg_push_torque_negative_encode(1000u, bytes) == TC100_OK, "push_torque_negative 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "push_torque_negative 1000 bytes");
+    expect(tc100_reg_push_torque_negative_decode(bytes, &out) == TC100_OK, "push_torque_negative 1000");
+    expect(out == 1000u, "push_torque_negative 1000");
+}
+
+static void test_72(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_torque_limit_time_encode(0u, bytes) == TC100_OK, "torque_limit_time 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "torque_limit_time 0 bytes");
+    expect(tc100_reg_torque_limit_time_decode(bytes, &out) == TC100_OK, "torque_limit_time 0");
+    expect(out == 0u, "torque_limit_time 0");
+    expect(tc100_reg_torque_limit_time_encode(10000u, bytes) == TC100_OK, "torque_limit_time 10000");
+    expect(memcmp(bytes, "\047\020", 2u) == 0, "torque_limit_time 10000 bytes");
+    expect(tc100_reg_torque_limit_time_decode(bytes, &out) == TC100_OK, "torque_limit_time 10000");
+    expect(out == 10000u, "torque_limit_time 10000");
+}
+
+static void test_73(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_position_correction_speed_limit_encode(10u, bytes) == TC100_OK, "position_correction_speed_limit 10");
+    expect(memcmp(bytes, "\000\012", 2u) == 0, "position_correction_speed_limit 10 bytes");
+    expect(tc100_reg_position_correction_speed_limit_decode(bytes, &out) == TC100_OK, "position_correction_speed_limit 10");
+    expect(out == 10u, "position_correction_speed_limit 10");
+    expect(tc100_reg_position_correction_speed_limit_encode(500u, bytes) == TC100_OK, "position_correction_speed_limit 500");
+    expect(memcmp(bytes, "\001\364", 2u) == 0, "position_correction_speed_limit 500 bytes");
+    expect(tc100_reg_position_correction_speed_limit_decode(bytes, &out) == TC100_OK, "position_correction_speed_limit 500");
+    expect(out == 500u, "position_correction_speed_limit 500");
+}
+
+static void test_74(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_maximum_torque_encode(0u, bytes) == TC100_OK, "maximum_torque 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "maximum_torque 0 bytes");
+    expect(tc100_reg_maximum_torque_decode(bytes, &out) == TC100_OK, "maximum_torque 0");
+    expect(out == 0u, "maximum_torque 0");
+    expect(tc100_reg_maximum_torque_encode(650u, bytes) == TC100_OK, "maximum_torque 650");
+    expect(memcmp(bytes, "\002\212", 2u) == 0, "maximum_torque 650 bytes");
+    expect(tc100_reg_maximum_torque_decode(bytes, &out) == TC100_OK, "maximum_torque 650");
+    expect(out == 650u, "maximum_torque 650");
+}
+
+static void test_75(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_full_torque_time_encode(500u, bytes) == TC100_OK, "full_torque_time 500");
+    expect(memcmp(bytes, "\001\364", 2u) == 0, "full_torque_time 500 bytes");
+    expect(tc100_reg_full_torque_time_decode(bytes, &out) == TC100_OK, "full_torque_time 500");
+    expect(out == 500u, "full_torque_time 500");
+    expect(tc100_reg_full_torque_time_encode(10000u, bytes) == TC100_OK, "full_torque_time 10000");
+    expect(memcmp(bytes, "\047\020", 2u) == 0, "full_torque_time 10000 bytes");
+    expect(tc100_reg_full_torque_time_decode(bytes, &out) == TC100_OK, "full_torque_time 10000");
+    expect(out == 10000u, "full_torque_time 10000");
+}
+
+static void test_76(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_control_mode_encode(0u, bytes) == TC100_OK, "control_mode 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "control_mode 0 bytes");
+    expect(tc100_reg_control_mode_decode(bytes, &out) == TC100_OK, "control_mode 0");
+    expect(out == 0u, "control_mode 0");
+    expect(tc100_reg_control_mode_encode(1u, bytes) == TC100_OK, "control_mode 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "control_mode 1 bytes");
+    expect(tc100_reg_control_mode_decode(bytes, &out) == TC100_OK, "control_mode 1");
+    expect(out == 1u, "control_mode 1");
+}
+
+static void test_77(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_servo_at_power_on_encode(0u, bytes) == TC100_OK, "servo_at_power_on 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "servo_at_power_on 0 bytes");
+    expect(tc100_reg_servo_at_power_on_decode(bytes, &out) == TC100_OK, "servo_at_power_on 0");
+    expect(out == 0u, "servo_at_power_on 0");
+    expect(tc100_reg_servo_at_power_on_encode(1u, bytes) == TC100_OK, "servo_at_power_on 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "servo_at_power_on 1 bytes");
+    expect(tc100_reg_servo_at_power_on_decode(bytes, &out) == TC100_OK, "servo_at_power_on 1");
+    expect(out == 1u, "servo_at_power_on 1");
+}
+
+static void test_78(void)
+{
+    uint8_t bytes[4];
+    uint32_t out = 0;
+    expect(tc100_reg_start_speed_encode(0u, bytes) == TC100_OK, "start_speed 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "start_speed 0 bytes");
+    expect(tc100_reg_start_speed_decode(bytes, &out) == TC100_OK, "start_speed 0");
+    expect(out == 0u, "start_speed 0");
+    expect(tc100_reg_start_speed_encode(4294967295u, bytes) == TC100_OK, "start_speed 4294967295");
+    expect(memcmp(bytes, "\377\377\377\377", 4u) == 0, "start_speed 4294967295 bytes");
+    expect(tc100_reg_start_speed_decode(bytes, &out) == TC100_OK, "start_speed 4294967295");
+    expect(out == 4294967295u, "start_speed 4294967295");
+}
+
+static void test_79(void)
+{
+    uint8_t bytes[4];
+    uint32_t out = 0;
+    expect(tc100_reg_maximum_speed_encode(0u, bytes) == TC100_OK, "maximum_speed 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "maximum_speed 0 bytes");
+    expect(tc100_reg_maximum_speed_decode(bytes, &out) == TC100_OK, "maximum_speed 0");
+    expect(out == 0u, "maximum_speed 0");
+    expect(tc100_reg_maximum_speed_encode(4294967295u, bytes) == TC100_OK, "maximum_speed 4294967295");
+    expect(memcmp(bytes, "\377\377\377\377", 4u) == 0, "maximum_speed 4294967295 bytes");
+    expect(tc100_reg_maximum_speed_decode(bytes, &out) == TC100_OK, "maximum_speed 4294967295");
+    expect(out == 4294967295u, "maximum_speed 4294967295");
+}
+
+static void test_80(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_acceleration_time_encode(1u, bytes) == TC100_OK, "acceleration_time 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "acceleration_time 1 bytes");
+    expect(tc100_reg_acceleration_time_decode(bytes, &out) == TC100_OK, "acceleration_time 1");
+    expect(out == 1u, "acceleration_time 1");
+    expect(tc100_reg_acceleration_time_encode(30000u, bytes) == TC100_OK, "acceleration_time 30000");
+    expect(memcmp(bytes, "\165\060", 2u) == 0, "acceleration_time 30000 bytes");
+    expect(tc100_reg_acceleration_time_decode(bytes, &out) == TC100_OK, "acceleration_time 30000");
+    expect(out == 30000u, "acceleration_time 30000");
+}
+
+static void test_81(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_deceleration_time_encode(1u, bytes) == TC100_OK, "deceleration_time 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "deceleration_time 1 bytes");
+    expect(tc100_reg_deceleration_time_decode(bytes, &out) == TC100_OK, "deceleration_time 1");
+    expect(out == 1u, "deceleration_time 1");
+    expect(tc100_reg_deceleration_time_encode(30000u, bytes) == TC100_OK, "deceleration_time 30000");
+    expect(memcmp(bytes, "\165\060", 2u) == 0, "deceleration_time 30000 bytes");
+    expect(tc100_reg_deceleration_time_decode(bytes, &out) == TC100_OK, "deceleration_time 30000");
+    expect(out == 30000u, "deceleration_time 30000");
+}
+
+static void test_82(void)
+{
+    uint8_t bytes[4];
+    uint32_t out = 0;
+    expect(tc100_reg_torque_limit_press_distance_encode(0u, bytes) == TC100_OK, "torque_limit_press_distance 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "torque_limit_press_distance 0 bytes");
+    expect(tc100_reg_torque_limit_press_distance_decode(bytes, &out) == TC100_OK, "torque_limit_press_distance 0");
+    expect(out == 0u, "torque_limit_press_distance 0");
+    expect(tc100_reg_torque_limit_press_distance_encode(4294967295u, bytes) == TC100_OK, "torque_limit_press_distance 4294967295");
+    expect(memcmp(bytes, "\377\377\377\377", 4u) == 0, "torque_limit_press_distance 4294967295 bytes");
+    expect(tc100_reg_torque_limit_press_distance_decode(bytes, &out) == TC100_OK, "torque_limit_press_distance 4294967295");
+    expect(out == 4294967295u, "torque_limit_press_distance 4294967295");
+}
+
+static void test_83(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_moving_state_rule_encode(0u, bytes) == TC100_OK, "moving_state_rule 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "moving_state_rule 0 bytes");
+    expect(tc100_reg_moving_state_rule_decode(bytes, &out) == TC100_OK, "moving_state_rule 0");
+    expect(out == 0u, "moving_state_rule 0");
+    expect(tc100_reg_moving_state_rule_encode(1u, bytes) == TC100_OK, "moving_state_rule 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "moving_state_rule 1 bytes");
+    expect(tc100_reg_moving_state_rule_decode(bytes, &out) == TC100_OK, "moving_state_rule 1");
+    expect(out == 1u, "moving_state_rule 1");
+}
+
+static void test_84(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_jog_speed_encode(1u, bytes) == TC100_OK, "jog_speed 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "jog_speed 1 bytes");
+    expect(tc100_reg_jog_speed_decode(bytes, &out) == TC100_OK, "jog_speed 1");
+    expect(out == 1u, "jog_speed 1");
+    expect(tc100_reg_jog_speed_encode(1000u, bytes) == TC100_OK, "jog_speed 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "jog_speed 1000 bytes");
+    expect(tc100_reg_jog_speed_decode(bytes, &out) == TC100_OK, "jog_speed 1000");
+    expect(out == 1000u, "jog_speed 1000");
+}
+
+static void test_85(void)
+{
+    uint8_t bytes[4];
+    uint32_t out = 0;
+    expect(tc100_reg_jog_distance_encode(0u, bytes) == TC100_OK, "jog_distance 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "jog_distance 0 bytes");
+    expect(tc100_reg_jog_distance_decode(bytes, &out) == TC100_OK, "jog_distance 0");
+    expect(out == 0u, "jog_distance 0");
+    expect(tc100_reg_jog_distance_encode(4294967295u, bytes) == TC100_OK, "jog_distance 4294967295");
+    expect(memcmp(bytes, "\377\377\377\377", 4u) == 0, "jog_distance 4294967295 bytes");
+    expect(tc100_reg_jog_distance_decode(bytes, &out) == TC100_OK, "jog_distance 4294967295");
+    expect(out == 4294967295u, "jog_distance 4294967295");
+}
+
+static void test_86(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_jog_wait_time_encode(0u, bytes) == TC100_OK, "jog_wait_time 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "jog_wait_time 0 bytes");
+    expect(tc100_reg_jog_wait_time_decode(bytes, &out) == TC100_OK, "jog_wait_time 0");
+    expect(out == 0u, "jog_wait_time 0");
+    expect(tc100_reg_jog_wait_time_encode(1000u, bytes) == TC100_OK, "jog_wait_time 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "jog_wait_time 1000 bytes");
+    expect(tc100_reg_jog_wait_time_decode(bytes, &out) == TC100_OK, "jog_wait_time 1000");
+    expect(out == 1000u, "jog_wait_time 1000");
+}
+
+static void test_87(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_soft_limit_positive_encode((-2147483647 - 1), bytes) == TC100_OK, "soft_limit_positive -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "soft_limit_positive -2147483648 bytes");
+    expect(tc100_reg_soft_limit_positive_decode(bytes, &out) == TC100_OK, "soft_limit_positive -2147483648");
+    expect(out == (-2147483647 - 1), "soft_limit_positive -2147483648");
+    expect(tc100_reg_soft_limit_positive_encode(0, bytes) == TC100_OK, "soft_limit_positive 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "soft_limit_positive 0 bytes");
+    expect(tc100_reg_soft_limit_positive_decode(bytes, &out) == TC100_OK, "soft_limit_positive 0");
+    expect(out == 0, "soft_limit_positive 0");
+    expect(tc100_reg_soft_limit_positive_encode(2147483647, bytes) == TC100_OK, "soft_limit_positive 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "soft_limit_positive 2147483647 bytes");
+    expect(tc100_reg_soft_limit_positive_decode(bytes, &out) == TC100_OK, "soft_limit_positive 2147483647");
+    expect(out == 2147483647, "soft_limit_positive 2147483647");
+}
+
+static void test_88(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_soft_limit_negative_encode((-2147483647 - 1), bytes) == TC100_OK, "soft_limit_negative -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "soft_limit_negative -2147483648 bytes");
+    expect(tc100_reg_soft_limit_negative_decode(bytes, &out) == TC100_OK, "soft_limit_negative -2147483648");
+    expect(out == (-2147483647 - 1), "soft_limit_negative -2147483648");
+    expect(tc100_reg_soft_limit_negative_encode(0, bytes) == TC100_OK, "soft_limit_negative 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "soft_limit_negative 0 bytes");
+    expect(tc100_reg_soft_limit_negative_decode(bytes, &out) == TC100_OK, "soft_limit_negative 0");
+    expect(out == 0, "soft_limit_negative 0");
+    expect(tc100_reg_soft_limit_negative_encode(2147483647, bytes) == TC100_OK, "soft_limit_negative 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "soft_limit_negative 2147483647 bytes");
+    expect(tc100_reg_soft_limit_negative_decode(bytes, &out) == TC100_OK, "soft_limit_negative 2147483647");
+    expect(out == 2147483647, "soft_limit_negative 2147483647");
+}
+
+static void test_89(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_mode_encode(0u, bytes) == TC100_OK, "homing_mode 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "homing_mode 0 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 0");
+    expect(out == 0u, "homing_mode 0");
+    expect(tc100_reg_homing_mode_encode(1u, bytes) == TC100_OK, "homing_mode 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "homing_mode 1 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 1");
+    expect(out == 1u, "homing_mode 1");
+    expect(tc100_reg_homing_mode_encode(2u, bytes) == TC100_OK, "homing_mode 2");
+    expect(memcmp(bytes, "\000\002", 2u) == 0, "homing_mode 2 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 2");
+    expect(out == 2u, "homing_mode 2");
+    expect(tc100_reg_homing_mode_encode(3u, bytes) == TC100_OK, "homing_mode 3");
+    expect(memcmp(bytes, "\000\003", 2u) == 0, "homing_mode 3 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 3");
+    expect(out == 3u, "homing_mode 3");
+    expect(tc100_reg_homing_mode_encode(4u, bytes) == TC100_OK, "homing_mode 4");
+    expect(memcmp(bytes, "\000\004", 2u) == 0, "homing_mode 4 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 4");
+    expect(out == 4u, "homing_mode 4");
+    expect(tc100_reg_homing_mode_encode(5u, bytes) == TC100_OK, "homing_mode 5");
+    expect(memcmp(bytes, "\000\005", 2u) == 0, "homing_mode 5 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 5");
+    expect(out == 5u, "homing_mode 5");
+    expect(tc100_reg_homing_mode_encode(6u, bytes) == TC100_OK, "homing_mode 6");
+    expect(memcmp(bytes, "\000\006", 2u) == 0, "homing_mode 6 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 6");
+    expect(out == 6u, "homing_mode 6");
+    expect(tc100_reg_homing_mode_encode(7u, bytes) == TC100_OK, "homing_mode 7");
+    expect(memcmp(bytes, "\000\007", 2u) == 0, "homing_mode 7 bytes");
+    expect(tc100_reg_homing_mode_decode(bytes, &out) == TC100_OK, "homing_mode 7");
+    expect(out == 7u, "homing_mode 7");
+}
+
+static void test_90(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_speed_encode(0u, bytes) == TC100_OK, "homing_speed 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "homing_speed 0 bytes");
+    expect(tc100_reg_homing_speed_decode(bytes, &out) == TC100_OK, "homing_speed 0");
+    expect(out == 0u, "homing_speed 0");
+    expect(tc100_reg_homing_speed_encode(100u, bytes) == TC100_OK, "homing_speed 100");
+    expect(memcmp(bytes, "\000\144", 2u) == 0, "homing_speed 100 bytes");
+    expect(tc100_reg_homing_speed_decode(bytes, &out) == TC100_OK, "homing_speed 100");
+    expect(out == 100u, "homing_speed 100");
+}
+
+static void test_91(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_homing_offset_encode((-2147483647 - 1), bytes) == TC100_OK, "homing_offset -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "homing_offset -2147483648 bytes");
+    expect(tc100_reg_homing_offset_decode(bytes, &out) == TC100_OK, "homing_offset -2147483648");
+    expect(out == (-2147483647 - 1), "homing_offset -2147483648");
+    expect(tc100_reg_homing_offset_encode(0, bytes) == TC100_OK, "homing_offset 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "homing_offset 0 bytes");
+    expect(tc100_reg_homing_offset_decode(bytes, &out) == TC100_OK, "homing_offset 0");
+    expect(out == 0, "homing_offset 0");
+    expect(tc100_reg_homing_offset_encode(2147483647, bytes) == TC100_OK, "homing_offset 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "homing_offset 2147483647 bytes");
+    expect(tc100_reg_homing_offset_decode(bytes, &out) == TC100_OK, "homing_offset 2147483647");
+    expect(out == 2147483647, "homing_offset 2147483647");
+}
+
+static void test_92(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_offset_speed_encode(0u, bytes) == TC100_OK, "homing_offset_speed 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "homing_offset_speed 0 bytes");
+    expect(tc100_reg_homing_offset_speed_decode(bytes, &out) == TC100_OK, "homing_offset_speed 0");
+    expect(out == 0u, "homing_offset_speed 0");
+    expect(tc100_reg_homing_offset_speed_encode(100u, bytes) == TC100_OK, "homing_offset_speed 100");
+    expect(memcmp(bytes, "\000\144", 2u) == 0, "homing_offset_speed 100 bytes");
+    expect(tc100_reg_homing_offset_speed_decode(bytes, &out) == TC100_OK, "homing_offset_speed 100");
+    expect(out == 100u, "homing_offset_speed 100");
+}
+
+static void test_93(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_homing_position_encode((-2147483647 - 1), bytes) == TC100_OK, "homing_position -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "homing_position -2147483648 bytes");
+    expect(tc100_reg_homing_position_decode(bytes, &out) == TC100_OK, "homing_position -2147483648");
+    expect(out == (-2147483647 - 1), "homing_position -2147483648");
+    expect(tc100_reg_homing_position_encode(0, bytes) == TC100_OK, "homing_position 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "homing_position 0 bytes");
+    expect(tc100_reg_homing_position_decode(bytes, &out) == TC100_OK, "homing_position 0");
+    expect(out == 0, "homing_position 0");
+    expect(tc100_reg_homing_position_encode(2147483647, bytes) == TC100_OK, "homing_position 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "homing_position 2147483647 bytes");
+    expect(tc100_reg_homing_position_decode(bytes, &out) == TC100_OK, "homing_position 2147483647");
+    expect(out == 2147483647, "homing_position 2147483647");
+}
+
+static void test_94(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_torque_limit_encode(0u, bytes) == TC100_OK, "homing_torque_limit 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "homing_torque_limit 0 bytes");
+    expect(tc100_reg_homing_torque_limit_decode(bytes, &out) == TC100_OK, "homing_torque_limit 0");
+    expect(out == 0u, "homing_torque_limit 0");
+    expect(tc100_reg_homing_torque_limit_encode(1000u, bytes) == TC100_OK, "homing_torque_limit 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "homing_torque_limit 1000 bytes");
+    expect(tc100_reg_homing_torque_limit_decode(bytes, &out) == TC100_OK, "homing_torque_limit 1000");
+    expect(out == 1000u, "homing_torque_limit 1000");
+}
+
+static void test_95(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_homing_z_phase_offset_encode((-2147483647 - 1), bytes) == TC100_OK, "homing_z_phase_offset -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "homing_z_phase_offset -2147483648 bytes");
+    expect(tc100_reg_homing_z_phase_offset_decode(bytes, &out) == TC100_OK, "homing_z_phase_offset -2147483648");
+    expect(out == (-2147483647 - 1), "homing_z_phase_offset -2147483648");
+    expect(tc100_reg_homing_z_phase_offset_encode(0, bytes) == TC100_OK, "homing_z_phase_offset 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "homing_z_phase_offset 0 bytes");
+    expect(tc100_reg_homing_z_phase_offset_decode(bytes, &out) == TC100_OK, "homing_z_phase_offset 0");
+    expect(out == 0, "homing_z_phase_offset 0");
+    expect(tc100_reg_homing_z_phase_offset_encode(2147483647, bytes) == TC100_OK, "homing_z_phase_offset 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "homing_z_phase_offset 2147483647 bytes");
+    expect(tc100_reg_homing_z_phase_offset_decode(bytes, &out) == TC100_OK, "homing_z_phase_offset 2147483647");
+    expect(out == 2147483647, "homing_z_phase_offset 2147483647");
+}
+
+static void test_96(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_torque_limit_time_encode(0u, bytes) == TC100_OK, "homing_torque_limit_time 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "homing_torque_limit_time 0 bytes");
+    expect(tc100_reg_homing_torque_limit_time_decode(bytes, &out) == TC100_OK, "homing_torque_limit_time 0");
+    expect(out == 0u, "homing_torque_limit_time 0");
+    expect(tc100_reg_homing_torque_limit_time_encode(1000u, bytes) == TC100_OK, "homing_torque_limit_time 1000");
+    expect(memcmp(bytes, "\003\350", 2u) == 0, "homing_torque_limit_time 1000 bytes");
+    expect(tc100_reg_homing_torque_limit_time_decode(bytes, &out) == TC100_OK, "homing_torque_limit_time 1000");
+    expect(out == 1000u, "homing_torque_limit_time 1000");
+}
+
+static void test_97(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_z_phase_speed_1_encode(1u, bytes) == TC100_OK, "homing_z_phase_speed_1 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "homing_z_phase_speed_1 1 bytes");
+    expect(tc100_reg_homing_z_phase_speed_1_decode(bytes, &out) == TC100_OK, "homing_z_phase_speed_1 1");
+    expect(out == 1u, "homing_z_phase_speed_1 1");
+    expect(tc100_reg_homing_z_phase_speed_1_encode(100u, bytes) == TC100_OK, "homing_z_phase_speed_1 100");
+    expect(memcmp(bytes, "\000\144", 2u) == 0, "homing_z_phase_speed_1 100 bytes");
+    expect(tc100_reg_homing_z_phase_speed_1_decode(bytes, &out) == TC100_OK, "homing_z_phase_speed_1 100");
+    expect(out == 100u, "homing_z_phase_speed_1 100");
+}
+
+static void test_98(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_homing_z_phase_speed_2_encode(1u, bytes) == TC100_OK, "homing_z_phase_speed_2 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "homing_z_phase_speed_2 1 bytes");
+    expect(tc100_reg_homing_z_phase_speed_2_decode(bytes, &out) == TC100_OK, "homing_z_phase_speed_2 1");
+    expect(out == 1u, "homing_z_phase_speed_2 1");
+    expect(tc100_reg_homing_z_phase_speed_2_encode(100u, bytes) == TC100_OK, "homing_z_phase_speed_2 100");
+    expect(memcmp(bytes, "\000\144", 2u) == 0, "homing_z_phase_speed_2 100 bytes");
+    expect(tc100_reg_homing_z_phase_speed_2_decode(bytes, &out) == TC100_OK, "homing_z_phase_speed_2 100");
+    expect(out == 100u, "homing_z_phase_speed_2 100");
+}
+
+static void test_99(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_baud_rate_encode(0u, bytes) == TC100_OK, "baud_rate 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "baud_rate 0 bytes");
+    expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 0");
+    expect(out == 0u, "baud_rate 0");
+    expect(tc100_reg_baud_rate_encode(1u, bytes) == TC100_OK, "baud_rate 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "baud_rate 1 bytes");
+    expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 1");
+    expect(out == 1u, "baud_rate 1");
+    expect(tc100_reg_baud_rate_encode(2u, bytes) == TC100_OK, "baud_rate 2");
+    expect(memcmp(bytes, "\000\002", 2u) == 0, "baud_rate 2 bytes");
+    expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 2");
+    expect(out == 2u, "baud_rate 2");
+    expect(tc100_reg_baud_rate_encode(3u, bytes) == TC100_OK, "baud_rate 3");
+    expect(memcmp(bytes, "\000\003", 2u) == 0, "baud_rate 3 bytes");
+    expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 3");
+    expect(out == 3u, "baud_rate 3");
+    expect(tc100_reg_baud_rate_encode(4u, bytes) == TC100_OK, "baud_rate 4");
+    expect(memcmp(bytes, "\000\004", 2u) == 0, "baud_rate 4 bytes");
+    expect(tc100_reg_baud_rate_decode(bytes, &out) == TC100_OK, "baud_rate 4");
+    expect(out == 4u, "baud_rate 4");
+}
+
+static void test_100(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_data_bits_encode(0u, bytes) == TC100_OK, "data_bits 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "data_bits 0 bytes");
+    expect(tc100_reg_data_bits_decode(bytes, &out) == TC100_OK, "data_bits 0");
+    expect(out == 0u, "data_bits 0");
+    expect(tc100_reg_data_bits_encode(1u, bytes) == TC100_OK, "data_bits 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "data_bits 1 bytes");
+    expect(tc100_reg_data_bits_decode(bytes, &out) == TC100_OK, "data_bits 1");
+    expect(out == 1u, "data_bits 1");
+}
+
+static void test_101(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_parity_encode(0u, bytes) == TC100_OK, "parity 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parity 0 bytes");
+    expect(tc100_reg_parity_decode(bytes, &out) == TC100_OK, "parity 0");
+    expect(out == 0u, "parity 0");
+    expect(tc100_reg_parity_encode(1u, bytes) == TC100_OK, "parity 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "parity 1 bytes");
+    expect(tc100_reg_parity_decode(bytes, &out) == TC100_OK, "parity 1");
+    expect(out == 1u, "parity 1");
+    expect(tc100_reg_parity_encode(2u, bytes) == TC100_OK, "parity 2");
+    expect(memcmp(bytes, "\000\002", 2u) == 0, "parity 2 bytes");
+    expect(tc100_reg_parity_decode(bytes, &out) == TC100_OK, "parity 2");
+    expect(out == 2u, "parity 2");
+}
+
+static void test_102(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_protocol_encode(0u, bytes) == TC100_OK, "protocol 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "protocol 0 bytes");
+    expect(tc100_reg_protocol_decode(bytes, &out) == TC100_OK, "protocol 0");
+    expect(out == 0u, "protocol 0");
+    expect(tc100_reg_protocol_encode(1u, bytes) == TC100_OK, "protocol 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "protocol 1 bytes");
+    expect(tc100_reg_protocol_decode(bytes, &out) == TC100_OK, "protocol 1");
+    expect(out == 1u, "protocol 1");
+}
+
+static void test_103(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_action_status_encode(0u, bytes) == TC100_OK, "action_status 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "action_status 0 bytes");
+    expect(tc100_reg_action_status_decode(bytes, &out) == TC100_OK, "action_status 0");
+    expect(out == 0u, "action_status 0");
+    expect(tc100_reg_action_status_encode(1u, bytes) == TC100_OK, "action_status 1");
+    expect(memcmp(bytes, "\000\001", 2u) == 0, "action_status 1 bytes");
+    expect(tc100_reg_action_status_decode(bytes, &out) == TC100_OK, "action_status 1");
+    expect(out == 1u, "action_status 1");
+    expect(tc100_reg_action_status_encode(2u, bytes) == TC100_OK, "action_status 2");
+    expect(memcmp(bytes, "\000\002", 2u) == 0, "action_status 2 bytes");
+    expect(tc100_reg_action_status_decode(bytes, &out) == TC100_OK, "action_status 2");
+    expect(out == 2u, "action_status 2");
+}
+
+static void test_104(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_alarm_encode(0u, bytes) == TC100_OK, "alarm 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "alarm 0 bytes");
+    expect(tc100_reg_alarm_decode(bytes, &out) == TC100_OK, "alarm 0");
+    expect(out == 0u, "alarm 0");
+    expect(tc100_reg_alarm_encode(65535u, bytes) == TC100_OK, "alarm 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "alarm 65535 bytes");
+    expect(tc100_reg_alarm_decode(bytes, &out) == TC100_OK, "alarm 65535");
+    expect(out == 65535u, "alarm 65535");
+}
+
+static void test_105(void)
+{
+    uint8_t bytes[2];
+    int16_t out = 0;
+    expect(tc100_reg_motor_speed_encode((-32768), bytes) == TC100_OK, "motor_speed -32768");
+    expect(memcmp(bytes, "\200\000", 2u) == 0, "motor_speed -32768 bytes");
+    expect(tc100_reg_motor_speed_decode(bytes, &out) == TC100_OK, "motor_speed -32768");
+    expect(out == (-32768), "motor_speed -32768");
+    expect(tc100_reg_motor_speed_encode(0, bytes) == TC100_OK, "motor_speed 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "motor_speed 0 bytes");
+    expect(tc100_reg_motor_speed_decode(bytes, &out) == TC100_OK, "motor_speed 0");
+    expect(out == 0, "motor_speed 0");
+    expect(tc100_reg_motor_speed_encode(32767, bytes) == TC100_OK, "motor_speed 32767");
+    expect(memcmp(bytes, "\177\377", 2u) == 0, "motor_speed 32767 bytes");
+    expect(tc100_reg_motor_speed_decode(bytes, &out) == TC100_OK, "motor_speed 32767");
+    expect(out == 32767, "motor_speed 32767");
+}
+
+static void test_106(void)
+{
+    uint8_t bytes[2];
+    int16_t out = 0;
+    expect(tc100_reg_motor_current_encode((-32768), bytes) == TC100_OK, "motor_current -32768");
+    expect(memcmp(bytes, "\200\000", 2u) == 0, "motor_current -32768 bytes");
+    expect(tc100_reg_motor_current_decode(bytes, &out) == TC100_OK, "motor_current -32768");
+    expect(out == (-32768), "motor_current -32768");
+    expect(tc100_reg_motor_current_encode(0, bytes) == TC100_OK, "motor_current 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "motor_current 0 bytes");
+    expect(tc100_reg_motor_current_decode(bytes, &out) == TC100_OK, "motor_current 0");
+    expect(out == 0, "motor_current 0");
+    expect(tc100_reg_motor_current_encode(32767, bytes) == TC100_OK, "motor_current 32767");
+    expect(memcmp(bytes, "\177\377", 2u) == 0, "motor_current 32767 bytes");
+    expect(tc100_reg_motor_current_decode(bytes, &out) == TC100_OK, "motor_current 32767");
+    expect(out == 32767, "motor_current 32767");
+}
+
+static void test_107(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_command_position_encode((-2147483647 - 1), bytes) == TC100_OK, "command_position -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "command_position -2147483648 bytes");
+    expect(tc100_reg_command_position_decode(bytes, &out) == TC100_OK, "command_position -2147483648");
+    expect(out == (-2147483647 - 1), "command_position -2147483648");
+    expect(tc100_reg_command_position_encode(0, bytes) == TC100_OK, "command_position 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "command_position 0 bytes");
+    expect(tc100_reg_command_position_decode(bytes, &out) == TC100_OK, "command_position 0");
+    expect(out == 0, "command_position 0");
+    expect(tc100_reg_command_position_encode(2147483647, bytes) == TC100_OK, "command_position 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "command_position 2147483647 bytes");
+    expect(tc100_reg_command_position_decode(bytes, &out) == TC100_OK, "command_position 2147483647");
+    expect(out == 2147483647, "command_position 2147483647");
+}
+
+static void test_108(void)
+{
+    uint8_t bytes[4];
+    int32_t out = 0;
+    expect(tc100_reg_encoder_position_encode((-2147483647 - 1), bytes) == TC100_OK, "encoder_position -2147483648");
+    expect(memcmp(bytes, "\200\000\000\000", 4u) == 0, "encoder_position -2147483648 bytes");
+    expect(tc100_reg_encoder_position_decode(bytes, &out) == TC100_OK, "encoder_position -2147483648");
+    expect(out == (-2147483647 - 1), "encoder_position -2147483648");
+    expect(tc100_reg_encoder_position_encode(0, bytes) == TC100_OK, "encoder_position 0");
+    expect(memcmp(bytes, "\000\000\000\000", 4u) == 0, "encoder_position 0 bytes");
+    expect(tc100_reg_encoder_position_decode(bytes, &out) == TC100_OK, "encoder_position 0");
+    expect(out == 0, "encoder_position 0");
+    expect(tc100_reg_encoder_position_encode(2147483647, bytes) == TC100_OK, "encoder_position 2147483647");
+    expect(memcmp(bytes, "\177\377\377\377", 4u) == 0, "encoder_position 2147483647 bytes");
+    expect(tc100_reg_encoder_position_decode(bytes, &out) == TC100_OK, "encoder_position 2147483647");
+    expect(out == 2147483647, "encoder_position 2147483647");
+}
+
+static void test_109(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_fault_encode(0u, bytes) == TC100_OK, "fault 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "fault 0 bytes");
+    expect(tc100_reg_fault_decode(bytes, &out) == TC100_OK, "fault 0");
+    expect(out == 0u, "fault 0");
+    expect(tc100_reg_fault_encode(65535u, bytes) == TC100_OK, "fault 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "fault 65535 bytes");
+    expect(tc100_reg_fault_decode(bytes, &out) == TC100_OK, "fault 65535");
+    expect(out == 65535u, "fault 65535");
+}
+
+static void test_110(void)
+{
+    uint8_t bytes[2];
+    int16_t out = 0;
+    expect(tc100_reg_executed_point_encode((-1), bytes) == TC100_OK, "executed_point -1");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "executed_point -1 bytes");
+    expect(tc100_reg_executed_point_decode(bytes, &out) == TC100_OK, "executed_point -1");
+    expect(out == (-1), "executed_point -1");
+    expect(tc100_reg_executed_point_encode(127, bytes) == TC100_OK, "executed_point 127");
+    expect(memcmp(bytes, "\000\177", 2u) == 0, "executed_point 127 bytes");
+    expect(tc100_reg_executed_point_decode(bytes, &out) == TC100_OK, "executed_point 127");
+    expect(out == 127, "executed_point 127");
+}
+
+static void test_111(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_output_states_encode(0u, bytes) == TC100_OK, "output_states 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "output_states 0 bytes");
+    expect(tc100_reg_output_states_decode(bytes, &out) == TC100_OK, "output_states 0");
+    expect(out == 0u, "output_states 0");
+    expect(tc100_reg_output_states_encode(1023u, bytes) == TC100_OK, "output_states 1023");
+    expect(memcmp(bytes, "\003\377", 2u) == 0, "output_states 1023 bytes");
+    expect(tc100_reg_output_states_decode(bytes, &out) == TC100_OK, "output_states 1023");
+    expect(out == 1023u, "output_states 1023");
+}
+
+static void test_112(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_input_states_encode(0u, bytes) == TC100_OK, "input_states 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "input_states 0 bytes");
+    expect(tc100_reg_input_states_decode(bytes, &out) == TC100_OK, "input_states 0");
+    expect(out == 0u, "input_states 0");
+    expect(tc100_reg_input_states_encode(32767u, bytes) == TC100_OK, "input_states 32767");
+    expect(memcmp(bytes, "\177\377", 2u) == 0, "input_states 32767 bytes");
+    expect(tc100_reg_input_states_decode(bytes, &out) == TC100_OK, "input_states 32767");
+    expect(out == 32767u, "input_states 32767");
+}
+
+static void test_113(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_alarm_history_encode(0u, bytes) == TC100_OK, "alarm_history 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "alarm_history 0 bytes");
+    expect(tc100_reg_alarm_history_decode(bytes, &out) == TC100_OK, "alarm_history 0");
+    expect(out == 0u, "alarm_history 0");
+    expect(tc100_reg_alarm_history_encode(65535u, bytes) == TC100_OK, "alarm_history 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "alarm_history 65535 bytes");
+    expect(tc100_reg_alarm_history_decode(bytes, &out) == TC100_OK, "alarm_history 65535");
+    expect(out == 65535u, "alarm_history 65535");
+}
+
+static void test_114(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(tc100_reg_firmware_version_encode(0u, bytes) == TC100_OK, "firmware_version 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "firmware_version 0 bytes");
+    expect(tc100_reg_firmware_version_decode(bytes, &out) == TC100_OK, "firmware_version 0");
+    expect(out == 0u, "firmware_version 0");
+    expect(tc100_reg_firmware_version_encode(65535u, bytes) == TC100_OK, "firmware_version 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "firmware_version 65535 bytes");
+    expect(tc100_reg_firmware_version_decode(bytes, &out) == TC100_OK, "firmware_version 65535");
+    expect(out == 65535u, "firmware_version 65535");
+}
+
+static void test_115(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x20, 0x1E, 0x00, 0x03, 0xA2, 0x0D};
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_rtu_request_open(frame, sizeof frame, &opened) == TC100_OK, "example rtu-homing opens");
+    expect(opened.station == 1u, "example rtu-homing: station");
+    expect(opened.code == 6u, "example rtu-homing: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-homing decodes");
+    expect(out.address == 8222u, "example rtu-homing: address");
+    expect(out.value == 3u, "example rtu-homing: value");
+    in.address = 8222u;
+    in.value = 3u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example rtu-homing encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-homing bytes");
+}
+
+static void test_116(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x36, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x38, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-homing opens");
+    expect(opened.station == 1u, "example ascii-homing: station");
+    expect(opened.code == 6u, "example ascii-homing: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-homing decodes");
+    expect(out.address == 8222u, "example ascii-homing: address");
+    expect(out.value == 3u, "example ascii-homing: value");
+    in.address = 8222u;
+    in.value = 3u;
+    expect(tc100_ascii_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example ascii-homing encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-homing bytes");
+}
+
+static void test_117(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x31, 0x30, 0x39, 0x39, 0x39, 0x42, 0x30, 0x30, 0x30, 0x34, 0x30, 0x38, 0x34, 0x43, 0x37, 0x36, 0x33, 0x30, 0x33, 0x31, 0x35, 0x34, 0x37, 0x39, 0x35, 0x36, 0x36, 0x37, 0x30, 0x32, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-write-enable opens");
+    expect(opened.station == 1u, "example ascii-write-enable: station");
+    expect(opened.code == 16u, "example ascii-write-enable: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-write-enable decodes");
+    expect(out.address == 39323u, "example ascii-write-enable: address");
+    expect(out.values_count == 4u, "example ascii-write-enable: values count");
+    expect(out.values[0] == 19574u, "example ascii-write-enable: values");
+    expect(out.values[1] == 12337u, "example ascii-write-enable: values");
+    expect(out.values[2] == 21625u, "example ascii-write-enable: values");
+    expect(out.values[3] == 22119u, "example ascii-write-enable: values");
+    in.address = 39323u;
+    in.values_count = 4u;
+    in.values[0] = 19574u;
+    in.values[1] = 12337u;
+    in.values[2] = 21625u;
+    in.values[3] = 22119u;
+    expect(tc100_ascii_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example ascii-write-enable encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-write-enable bytes");
+}
+
+static void test_118(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x34, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x41, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_ERR_UNKNOWN_CODE, "example unknown-function-04-request");
+}
+
+static void test_119(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x38, 0x34, 0x30, 0x31, 0x37, 0x41, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_response_frame opened;
+    tc100_exception in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_response_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example unknown-function-04-response opens");
+    expect(opened.station == 1u, "example unknown-function-04-response: station");
+    expect(opened.code == 4u, "example unknown-function-04-response: code");
+    expect(opened.error == true, "example unknown-function-04-response: error");
+    expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-04-response decodes");
+    expect(out.exception_code == 1u, "example unknown-function-04-response: exception_code");
+    in.exception_code = 1u;
+    expect(tc100_ascii_encode_error(1u, 4u, &in, again, sizeof again, &length) == TC100_OK, "example unknown-function-04-response encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example unknown-function-04-response bytes");
+}
+
+static void test_120(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x39, 0x30, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x32, 0x45, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_ERR_UNKNOWN_CODE, "example unknown-function-90-request");
+}
+
+static void test_121(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x39, 0x30, 0x30, 0x31, 0x36, 0x45, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_response_frame opened;
+    tc100_exception in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_response_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example unknown-function-90-response opens");
+    expect(opened.station == 1u, "example unknown-function-90-response: station");
+    expect(opened.code == 16u, "example unknown-function-90-response: code");
+    expect(opened.error == true, "example unknown-function-90-response: error");
+    expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-90-response decodes");
+    expect(out.exception_code == 1u, "example unknown-function-90-response: exception_code");
+    in.exception_code = 1u;
+    expect(tc100_ascii_encode_error(1u, 16u, &in, again, sizeof again, &length) == TC100_OK, "example unknown-function-90-response encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example unknown-function-90-response bytes");
+}
+
+static void test_122(void)
+{
+    static const uint8_t frame[] = {0x01, 0x03, 0x10, 0x00, 0x00, 0x01, 0x80, 0xCA};
+    tc100_rtu_request_frame opened;
+    tc100_read_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_rtu_request_open(frame, sizeof frame, &opened) == TC100_OK, "example rtu-read-action-status opens");
+    expect(opened.station == 1u, "example rtu-read-action-status: station");
+    expect(opened.code == 3u, "example rtu-read-action-status: code");
+    expect(tc100_read_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-read-action-status decodes");
+    expect(out.address == 4096u, "example rtu-read-action-status: address");
+    expect(out.word_count == 1u, "example rtu-read-action-status: word_count");
+    in.address = 4096u;
+    in.word_count = 1u;
+    expect(tc100_rtu_encode_read_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example rtu-read-action-status encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-read-action-status bytes");
+}
+
+static void test_123(void)
+{
+    static const uint8_t frame[] = {0x01, 0x06, 0x20, 0x1E, 0x00, 0x03, 0xA2, 0x0D};
+    tc100_rtu_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_rtu_request_open(frame, sizeof frame, &opened) == TC100_OK, "example rtu-homing-8.4 opens");
+    expect(opened.station == 1u, "example rtu-homing-8.4: station");
+    expect(opened.code == 6u, "example rtu-homing-8.4: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-homing-8.4 decodes");
+    expect(out.address == 8222u, "example rtu-homing-8.4: address");
+    expect(out.value == 3u, "example rtu-homing-8.4: value");
+    in.address = 8222u;
+    in.value = 3u;
+    expect(tc100_rtu_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example rtu-homing-8.4 encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-homing-8.4 bytes");
+}
+
+static void test_124(void)
+{
+    static const uint8_t frame[] = {0x01, 0x10, 0x20, 0x00, 0x00, 0x02, 0x04, 0x00, 0x00, 0x00, 0x64, 0x6B, 0x85};
+    tc100_rtu_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 0];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_rtu_request_open(frame, sizeof frame, &opened) == TC100_OK, "example rtu-write-relative-distance opens");
+    expect(opened.station == 1u, "example rtu-write-relative-distance: station");
+    expect(opened.code == 16u, "example rtu-write-relative-distance: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example rtu-write-relative-distance decodes");
+    expect(out.address == 8192u, "example rtu-write-relative-distance: address");
+    expect(out.values_count == 2u, "example rtu-write-relative-distance: values count");
+    expect(out.values[0] == 0u, "example rtu-write-relative-distance: values");
+    expect(out.values[1] == 100u, "example rtu-write-relative-distance: values");
+    in.address = 8192u;
+    in.values_count = 2u;
+    in.values[0] = 0u;
+    in.values[1] = 100u;
+    expect(tc100_rtu_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example rtu-write-relative-distance encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-write-relative-distance bytes");
+}
+
+static void test_125(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x33, 0x31, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x31, 0x45, 0x42, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    tc100_read_registers_request in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-read-action-status opens");
+    expect(opened.station == 1u, "example ascii-read-action-status: station");
+    expect(opened.code == 3u, "example ascii-read-action-status: code");
+    expect(tc100_read_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-read-action-status decodes");
+    expect(out.address == 4096u, "example ascii-read-action-status: address");
+    expect(out.word_count == 1u, "example ascii-read-action-status: word_count");
+    in.address = 4096u;
+    in.word_count = 1u;
+    expect(tc100_ascii_encode_read_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example ascii-read-action-status encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-read-action-status bytes");
+}
+
+static void test_126(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x36, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x38, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    tc100_write_register_request in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-homing-8.5 opens");
+    expect(opened.station == 1u, "example ascii-homing-8.5: station");
+    expect(opened.code == 6u, "example ascii-homing-8.5: code");
+    expect(tc100_write_register_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-homing-8.5 decodes");
+    expect(out.address == 8222u, "example ascii-homing-8.5: address");
+    expect(out.value == 3u, "example ascii-homing-8.5: value");
+    in.address = 8222u;
+    in.value = 3u;
+    expect(tc100_ascii_encode_write_register_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example ascii-homing-8.5 encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-homing-8.5 bytes");
+}
+
+static void test_127(void)
+{
+    static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x31, 0x30, 0x32, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x32, 0x30, 0x34, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x36, 0x34, 0x36, 0x35, 0x0D, 0x0A};
+    uint8_t buffer[sizeof frame];
+    tc100_ascii_request_frame opened;
+    tc100_write_registers_request in, out;
+    uint8_t again[sizeof frame + 3];
+    size_t length = 0;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    memset(&opened, 0, sizeof opened);
+    expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_OK, "example ascii-write-relative-distance opens");
+    expect(opened.station == 1u, "example ascii-write-relative-distance: station");
+    expect(opened.code == 16u, "example ascii-write-relative-distance: code");
+    expect(tc100_write_registers_request_decode(opened.body, opened.body_length, &out) == TC100_OK, "example ascii-write-relative-distance decodes");
+    expect(out.address == 8192u, "example ascii-write-relative-distance: address");
+    expect(out.values_count == 2u, "example ascii-write-relative-distance: values count");
+    expect(out.values[0] == 0u, "example ascii-write-relative-distance: values");
+    expect(out.values[1] == 100u, "example ascii-write-relative-distance: values");
+    in.address = 8192u;
+    in.values_count = 2u;
+    in.values[0] = 0u;
+    in.values[1] = 100u;
+    expect(tc100_ascii_encode_write_registers_request(1u, &in, again, sizeof again, &length) == TC100_OK, "example ascii-write-relative-distance encodes");
+    expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-write-relative-distance bytes");
+}
+
+int main(void)
+{
+    test_0();
+    test_1();
+    test_2();
+    test_3();
+    test_4();
+    test_5();
+    test_6();
+    test_7();
+    test_8();
+    test_9();
+    test_10();
+    test_11();
+    test_12();
+    test_13();
+    test_14();
+    test_15();
+    test_16();
+    test_17();
+    test_18();
+    test_19();
+    test_20();
+    test_21();
+    test_22();
+    test_23();
+    test_24();
+    test_25();
+    test_26();
+    test_27();
+    test_28();
+    test_29();
+    test_30();
+    test_31();
+    test_32();
+    test_33();
+    test_34();
+    test_35();
+    test_36();
+    test_37();
+    test_38();
+    test_39();
+    test_40();
+    test_41();
+    test_42();
+    test_43();
+    test_44();
+    test_45();
+    test_46();
+    test_47();
+    test_48();
+    test_49();
+    test_50();
+    test_51();
+    test_52();
+    test_53();
+    test_54();
+    test_55();
+    test_56();
+    test_57();
+    test_58();
+    test_59();
+    test_60();
+    test_61();
+    test_62();
+    test_63();
+    test_64();
+    test_65();
+    test_66();
+    test_67();
+    test_68();
+    test_69();
+    test_70();
+    test_71();
+    test_72();
+    test_73();
+    test_74();
+    test_75();
+    test_76();
+    test_77();
+    test_78();
+    test_79();
+    test_80();
+    test_81();
+    test_82();
+    test_83();
+    test_84();
+    test_85();
+    test_86();
+    test_87();
+    test_88();
+    test_89();
+    test_90();
+    test_91();
+    test_92();
+    test_93();
+    test_94();
+    test_95();
+    test_96();
+    test_97();
+    test_98();
+    test_99();
+    test_100();
+    test_101();
+    test_102();
+    test_103();
+    test_104();
+    test_105();
+    test_106();
+    test_107();
+    test_108();
+    test_109();
+    test_110();
+    test_111();
+    test_112();
+    test_113();
+    test_114();
+    test_115();
+    test_116();
+    test_117();
+    test_118();
+    test_119();
+    test_120();
+    test_121();
+    test_122();
+    test_123();
+    test_124();
+    test_125();
+    test_126();
+    test_127();
+    printf("%u passed, %u failed\n", passed, failed);
+    return failed ? 1 : 0;
+}

@@ -1,0 +1,58 @@
+"""The one exception, and the sentences that it says."""
+
+from __future__ import annotations
+
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class CodecError(ValueError):
+    """Bytes or values that a codec refuses.
+
+    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
+    unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, read_only.
+    `offset` is the byte at which it shows, None for values.
+    """
+
+    def __init__(self, reason: str, detail: str, offset: int | None = None) -> None:
+        where = "" if offset is None else f" at byte {offset}"
+        super().__init__(f"{reason}{where}: {detail}")
+        self.reason, self.detail, self.offset = reason, detail, offset
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.reason, self.detail, self.offset)
+
+    def shifted(self, by: int) -> CodecError:
+        """The same error of bytes that lie `by` bytes further on."""
+        return CodecError(self.reason, self.detail, None if self.offset is None else self.offset + by)
+
+
+def wrong_length(name: str, length: int, least: int, most: int | None, fixed: int = 0, unit: int = 1) -> CodecError:
+    """Why `length` bytes are none of a record of `least` to `most` bytes, in steps of `unit` above `fixed`."""
+    if length < least:
+        return CodecError("incomplete", f"{name} has at least {least} bytes, not {length}", length)
+    if most is not None and length > most:
+        return CodecError("wrong_length", f"{name} has at most {most} bytes, not {length}", most)
+    return CodecError("wrong_length", f"{length - fixed} bytes are no whole number of elements of {unit}", length)
+
+
+def unknown_member(name: str, raw: int, enum: str, at: int) -> CodecError:
+    """A value that a closed enum does not list."""
+    return CodecError("unknown_value", f"{name} is {raw}, which {enum} does not list", at)
+
+
+def no_boolean(name: str, raw: int, at: int) -> CodecError:
+    """A boolean that is neither 0 nor 1."""
+    return CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", at)
+
+
+def wrong_const(name: str, raw: int, const: int, at: int) -> CodecError:
+    """A value that is not its constant."""
+    return CodecError("wrong_const", f"{name} is {raw}, not {const}", at)
+
+
+def wrong_measure(name: str, raw: int, measured: int, at: int) -> CodecError:
+    """A value that is not the size of what it measures."""
+    return CodecError("wrong_measure", f"{name} is {raw}, but there are {measured}", at)

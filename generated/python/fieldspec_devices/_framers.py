@@ -1,0 +1,247 @@
+"""Finds the frames in a stream of bytes that come in pieces of any size, with garbage between them.
+
+A framer keeps no more than one frame's worth of bytes. Where what looks like a frame is none, it drops one byte
+and looks again, so each byte is looked at no more often than a frame is long.
+"""
+
+from __future__ import annotations
+
+from ._frames import Frames
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._typing import Data
+
+
+class Framer:
+    """Takes bytes as they come and gives whole frames: right marks, length, characters and check, a known station.
+
+    `shortest` and `longest` are frames in bytes. `stations` are those that may occur; empty for all. `dropped`
+    counts the bytes that belong to no frame.
+    """
+
+    def __init__(
+        self,
+        frames: Frames,
+        *,
+        shortest: int,
+        longest: int,
+        station_offset: int = 0,
+        station_size: int = 0,
+        stations: frozenset[int] = frozenset(),
+        order: str = "big",
+    ) -> None:
+        self.frames, self.shortest, self.longest = frames, shortest, longest
+        self.station_offset, self.station_size, self.stations = station_offset, station_size, stations
+        self.little = order == "little"
+        self.dropped = 0
+        self._buffer = bytearray()
+
+    def feed(self, data: Data) -> list[bytes]:
+        """The frames that these bytes complete, each with its marks and check."""
+        buffer = self._buffer
+        buffer += data
+        found: list[bytes] = []
+        at, size = 0, len(buffer)
+        while size - at >= self.shortest:
+            extent = self._extent(buffer, at)
+            if at + extent > size:
+                break
+            if extent < 0:
+                if size - at < self.longest:
+                    break
+            elif extent and self._holds(frame := bytes(buffer[at : at + extent])):
+                found.append(frame)
+                at += extent
+                continue
+            at += 1
+            self.dropped += 1
+        del buffer[:at]
+        return found
+
+    def idle(self) -> list[bytes]:
+        """The line has been silent: what has come so far will not go on. Gives the frames in it, drops the rest."""
+        found: list[bytes] = []
+        while self._buffer:
+            whole = bytes(self._buffer)
+            if len(whole) >= self.shortest and self._extent(self._buffer, 0) < 0 and self._holds(whole):
+                self._buffer.clear()
+                found.append(whole)
+                break
+            del self._buffer[:1]
+            self.dropped += 1
+            found += self.feed(b"")
+        return found
+
+    def reset(self) -> None:
+        """Forgets what has come so far."""
+        self._buffer.clear()
+
+    def _extent(self, buffer: bytearray, at: int) -> int:
+        """The length of the frame that seems to begin at a byte: 0 for none, -1 where it does not show."""
+        raise NotImplementedError
+
+    def _number(self, buffer: bytearray, at: int, size: int) -> int:
+        if size == 1:
+            return buffer[at]
+        return int.from_bytes(buffer[at : at + size], "little" if self.little else "big")
+
+    def _foreign(self, buffer: bytearray, at: int) -> bool:
+        """Whether the parts that begin at a byte are of a station that there is not."""
+        if not self.stations:
+            return False
+        return self._number(buffer, at + self.station_offset, self.station_size) not in self.stations
+
+    def _holds(self, frame: bytes) -> bool:
+        """Whether the end mark and the check are right."""
+        frames = self.frames
+        if not frame.endswith(frames.end):
+            return False
+        if frames.algorithm is None:
+            return True
+        end = len(frame) - len(frames.end)
+        at = end - frames.tail_size
+        return frames.algorithm(frame[len(frames.start) : at]) == int.from_bytes(frame[at:end], frames.check_order)
+
+
+class LengthFramer(Framer):
+    """For frames that say how long they are."""
+
+    def __init__(
+        self,
+        frames: Frames,
+        *,
+        shortest: int,
+        longest: int,
+        length_size: int,
+        station_offset: int = 0,
+        station_size: int = 0,
+        stations: frozenset[int] = frozenset(),
+        order: str = "big",
+    ) -> None:
+        super().__init__(
+            frames,
+            shortest=shortest,
+            longest=longest,
+            station_offset=station_offset,
+            station_size=station_size,
+            stations=stations,
+            order=order,
+        )
+        self.length_offset, self.length_size = frames.length_offset, length_size
+
+    def _extent(self, buffer: bytearray, at: int) -> int:
+        start = self.frames.start
+        if not buffer.startswith(start, at) or self._foreign(buffer, at + len(start)):
+            return 0
+        at += len(start)
+        extent = self._number(buffer, at + self.length_offset, self.length_size) + len(start) + len(self.frames.end)
+        return extent if self.shortest <= extent <= self.longest else 0
+
+
+class CodeFramer(Framer):
+    """For frames whose code says how long they are.
+
+    `extents` has for each code: the length of the whole frame without its repeated part; then the offset and the
+    size of the part or field that measures the repeated part, and the bytes for each unit of the measure; a size
+    of 0 where the length is fixed, and of -1 where nothing measures the repeated part. Such a frame ends with the
+    silence behind it, or with another frame.
+    """
+
+    def __init__(
+        self,
+        frames: Frames,
+        *,
+        shortest: int,
+        longest: int,
+        code_size: int,
+        extents: dict[int, tuple[int, int, int, int]],
+        flag: int = 0,
+        refusal: tuple[int, int, int, int] = (0, 0, 0, 0),
+        station_offset: int = 0,
+        station_size: int = 0,
+        stations: frozenset[int] = frozenset(),
+        order: str = "big",
+    ) -> None:
+        super().__init__(
+            frames,
+            shortest=shortest,
+            longest=longest,
+            station_offset=station_offset,
+            station_size=station_size,
+            stations=stations,
+            order=order,
+        )
+        self.code_offset, self.code_size = frames.code_offset, code_size
+        self.extents, self.flag, self.refusal = extents, flag, refusal
+
+    def _extent(self, buffer: bytearray, at: int) -> int:
+        start = self.frames.start
+        if start:
+            if not buffer.startswith(start, at):
+                return 0
+            at += len(start)
+        code = self._number(buffer, at + self.code_offset, self.code_size)
+        extent = self.refusal if code & self.flag else self.extents.get(code)
+        if extent is None or (self.stations and self._foreign(buffer, at)):
+            return 0
+        length, offset, size, unit = extent
+        if size <= 0:
+            return length if size == 0 else -1
+        if at + offset + size > len(buffer):
+            return -1
+        length += self._number(buffer, at + offset, size) * unit
+        return length if length <= self.longest else 0
+
+
+class MarkFramer(Framer):
+    """For frames of characters between a start mark and an end mark, neither of which occurs within."""
+
+    def feed(self, data: Data) -> list[bytes]:
+        """The frames that these bytes complete, each with its marks and check."""
+        buffer, start, end = self._buffer, self.frames.start, self.frames.end
+        buffer += data
+        found: list[bytes] = []
+        at = done = 0
+        while (close := buffer.find(end, at)) >= 0:
+            at = close + len(end)
+            open_ = buffer.rfind(start, done, close)
+            if open_ >= 0:
+                frame = bytes(buffer[open_:at])
+                if self._holds(frame):
+                    found.append(frame)
+                    self.dropped += open_ - done
+                    done = at
+                    continue
+            self.dropped += at - done
+            done = at
+        # Of what is left, only what follows the last start mark can become a frame; or a part of a mark.
+        open_ = buffer.rfind(start, done)
+        keep = open_ if open_ >= 0 and len(buffer) - open_ < self.longest else max(done, len(buffer) - len(start) + 1)
+        self.dropped += keep - done
+        del buffer[:keep]
+        return found
+
+    def idle(self) -> list[bytes]:
+        """The line has been silent. Frames with marks may pause, so that decides nothing here."""
+        return []
+
+    def _holds(self, frame: bytes) -> bool:
+        frames = self.frames
+        inner = frame[len(frames.start) : len(frame) - len(frames.end)]
+        if not self.shortest <= len(frame) <= self.longest or len(inner) % 2 or not _hexadecimal(inner):
+            return False
+        data = bytearray.fromhex(inner.decode("ascii"))
+        if self._foreign(data, 0):
+            return False
+        at = len(data) - frames.tail_size
+        if frames.algorithm is None:
+            return True
+        return frames.algorithm(data[:at]) == int.from_bytes(data[at:], frames.check_order)
+
+
+_HEX = b"0123456789ABCDEFabcdef"
+
+
+def _hexadecimal(text: bytes) -> bool:
+    return not text.translate(None, _HEX)

@@ -1,0 +1,202 @@
+"""Frames: marks, characters, head, body and check."""
+
+from __future__ import annotations
+
+from binascii import Error as HexError
+from binascii import hexlify, unhexlify
+from struct import Struct
+
+from ._checks import crc16_modbus, lrc, sum8
+from ._error import CodecError
+from ._typing import TYPE_CHECKING, Generic, M, R
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any, ClassVar, Literal
+
+    from ._typing import Data
+
+_CHECKS = {"crc16_modbus": (crc16_modbus, 2), "lrc": (lrc, 1), "sum8": (sum8, 1)}
+new = object.__new__
+
+
+class RequestOf(Generic[R]):
+    """The data of a request whose response has the data R."""
+
+    __slots__ = ()
+    CODE: ClassVar[int | None]
+    _RESPONSE: ClassVar[type[Any]]
+
+    @classmethod
+    def response_type(cls) -> type[R]:
+        """The class of the response."""
+        return cls._RESPONSE
+
+
+class _Parts:
+    """Parts of a frame; equal where all of them are."""
+
+    __slots__ = ()
+    __match_args__: tuple[str, ...] = ()
+
+    def __eq__(self, other: object) -> bool:
+        if other.__class__ is not self.__class__:
+            return NotImplemented
+        return all(getattr(self, name) == getattr(other, name) for name in self.__match_args__)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__match_args__)
+        return f"{self.__class__.__name__}({shown})"
+
+
+class Request(_Parts, Generic[M]):
+    """A request to a station. `station` is 0 on links that have none."""
+
+    __slots__ = ("message", "station")
+    __match_args__ = ("station", "message")
+
+    def __init__(self, station: int, message: M) -> None:
+        self.station, self.message = station, message
+
+
+class Response(_Parts, Generic[M]):
+    """A response from a station. `station` is 0 on links that have none."""
+
+    __slots__ = ("message", "station")
+    __match_args__ = ("station", "message")
+
+    def __init__(self, station: int, message: M) -> None:
+        self.station, self.message = station, message
+
+
+class ErrorReply(_Parts, Generic[M]):
+    """A station's refusal of a request: the code of that request, and the record that says why."""
+
+    __slots__ = ("code", "exception", "station")
+    __match_args__ = ("station", "code", "exception")
+
+    def __init__(self, station: int, code: int, exception: M) -> None:
+        self.station, self.code, self.exception = station, code, exception
+
+
+class Frames:
+    """The frames of one link in one direction: start mark, head, body, check, end mark.
+
+    `head` is the format of the head's Struct; `code` and `length` are the places of these parts in it, -1 where
+    there is none. The length is that of all parts.
+    """
+
+    __slots__ = (
+        "algorithm",
+        "check_order",
+        "code",
+        "code_offset",
+        "end",
+        "head",
+        "head_size",
+        "hexadecimal",
+        "length",
+        "length_name",
+        "length_offset",
+        "longest",
+        "start",
+        "tail_size",
+    )
+
+    def __init__(
+        self,
+        head: str,
+        check: str,
+        *,
+        check_order: Literal["big", "little"] = "little",
+        code: int = -1,
+        code_offset: int = 0,
+        length: int = -1,
+        length_offset: int = 0,
+        length_name: str = "",
+        longest: int = 0,
+        start: bytes = b"",
+        end: bytes = b"",
+        hexadecimal: bool = False,
+    ) -> None:
+        self.head = Struct(head)
+        self.head_size = self.head.size
+        self.algorithm: Callable[[Data], int] | None
+        self.algorithm, self.tail_size = _CHECKS.get(check, (None, 0))
+        self.check_order: Literal["big", "little"] = check_order
+        self.code, self.code_offset = code, code_offset
+        self.length, self.length_offset, self.length_name, self.longest = length, length_offset, length_name, longest
+        self.start, self.end, self.hexadecimal = start, end, hexadecimal
+
+    def unmarked(self, frame: Data) -> Data:
+        """A frame without its marks, as bytes instead of characters. Raises CodecError."""
+        first, last = len(self.start), len(frame) - len(self.end)
+        if frame[:first] != self.start:
+            raise CodecError("wrong_mark", f"the frame does not start with {self.start.hex(' ')}", 0)
+        if last < first or frame[last:] != self.end:
+            raise CodecError("wrong_mark", f"the frame does not end with {self.end.hex(' ')}", len(frame))
+        inner = frame[first:last]
+        if not self.hexadecimal:
+            return inner
+        try:
+            return unhexlify(inner)
+        except HexError:
+            for at, byte in enumerate(inner):
+                if byte not in b"0123456789ABCDEFabcdef":
+                    text = f"byte {byte:#04x} is no hexadecimal character"
+                    raise CodecError("not_hex", text, first + at) from None
+            raise CodecError("wrong_length", "an odd number of characters", last) from None
+
+    def marked(self, data: bytes) -> bytes:
+        """Parts with the marks around them, as characters where the link has them."""
+        inner = hexlify(data).upper() if self.hexadecimal else data
+        return self.start + inner + self.end
+
+    def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
+        """The head and the body of a frame's parts, whose length and check are right. Raises CodecError."""
+        size = len(data)
+        if size < self.head_size + self.tail_size:
+            least = self.head_size + self.tail_size
+            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
+        head = self.head.unpack_from(data)
+        if self.length >= 0 and head[self.length] != size:
+            text = f"{self.length_name} is {head[self.length]}, but the frame has {size} bytes"
+            raise CodecError("wrong_length", text, self.length_offset)
+        if self.algorithm is not None:
+            at = size - self.tail_size
+            have, want = int.from_bytes(data[at:], self.check_order), self.algorithm(data[:at])
+            if have != want:
+                width = 2 * self.tail_size
+                raise CodecError("wrong_check", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
+            return head, data[self.head_size : at]
+        return head, data[self.head_size :]
+
+    def joined(self, head: list[int], body: bytes) -> bytes:
+        """The whole frame of a head, whose length is filled in, and a body. Raises CodecError."""
+        if self.length >= 0:
+            total = self.head_size + len(body) + self.tail_size
+            if total > self.longest:
+                raise CodecError("wrong_length", f"a frame of {total} bytes is too long for {self.length_name}")
+            head[self.length] = total
+        data = self.head.pack(*head) + body
+        if self.algorithm is not None:
+            data += self.algorithm(data).to_bytes(self.tail_size, self.check_order)
+        return self.marked(data)
+
+    def message(self, classes: dict[int, Any], code: int, body: Data, wanted: int | None = None) -> Any:
+        """The data of the message with a code, which must be the `wanted` one, if any. Raises CodecError."""
+        found = classes.get(code)
+        if found is None:
+            raise CodecError("unknown_code", f"no message has the code {code:#04x}", self.code_offset)
+        if wanted is not None and wanted != code:
+            raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
+        return self.body(found, body)
+
+    def body(self, record: Any, body: Data) -> Any:
+        """The data of a known message. Raises CodecError."""
+        try:
+            return record.decode(body)
+        except CodecError as error:
+            raise error.shifted(self.head_size) from None

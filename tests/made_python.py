@@ -1,0 +1,148 @@
+"""The Python output of all specs, built into a folder of its own and imported from there; and raw values of its objects.
+
+The package has another name here, so that the committed one is left alone.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from fieldspec.backends.python.backend import PACKAGE, files, shared
+from fieldspec.backends.python.naming import module_name
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.primitive import Kind
+from fieldspec.names import Name
+from laid_out import MADE_UP, SPECS, layouts
+
+NAME = "made_devices"
+_FOLDER = tempfile.TemporaryDirectory(prefix="fieldspec-python-")
+
+
+def texts(name: str = PACKAGE) -> dict[str, str]:
+    """The files of the output for all specs, the real and the made-up ones, in a package with a name."""
+    made = shared()
+    for root in (SPECS, MADE_UP):
+        for versions in layouts(root).values():
+            made |= files(versions)
+    return {path.replace(PACKAGE, name, 1): text for path, text in made.items()}
+
+
+def write(folder: Path, made: Mapping[str, str]) -> None:
+    """Writes files below a folder."""
+    for path, text in made.items():
+        place = folder / path
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(text, encoding="utf-8", newline="\n")
+
+
+@cache
+def package() -> ModuleType:
+    """The package with all devices."""
+    write(Path(_FOLDER.name), texts(NAME))
+    sys.path.insert(0, _FOLDER.name)
+    return importlib.import_module(NAME)
+
+
+def runtime(name: str) -> ModuleType:
+    """One of the modules that all devices share."""
+    return importlib.import_module(f"{package().__name__}.{name}")
+
+
+def made(layout: DeviceLayout) -> ModuleType:
+    """The module of a device's version."""
+    return importlib.import_module(f"{package().__name__}.{layout.device.id}.{module_name(layout.device.version)}")
+
+
+def codec_error() -> type[Any]:
+    """The exception of the output."""
+    error: type[Any] = package().CodecError
+    return error
+
+
+def class_of(module: ModuleType, name: str, *suffixes: str) -> Any:
+    """The class of a record, of a message's data, or of a word of flags."""
+    pascal = Name.of(name).pascal()
+    found = next(pascal + suffix for suffix in ("", *suffixes) if pascal + suffix in module.__all__)
+    return getattr(module, found)
+
+
+def record_class(module: ModuleType, record: RecordLayout) -> Any:
+    """The class of a record or of a message's data."""
+    return class_of(module, record.name, "Record", "Message")
+
+
+def link_of(module: ModuleType, name: str) -> Any:
+    """The object of a link."""
+    return getattr(module, name if name in module.__all__ else f"{name}_")
+
+
+def stored(record: RecordLayout) -> Iterator[FieldLayout]:
+    """The fields that are attributes: all but constants, measures and reserved ones."""
+    for field in record.fields:
+        number = field.value is not None and field.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN)
+        if not (
+            field.field.reserved or field.field.measures or (number and field.value and field.value.const is not None)
+        ):
+            yield field
+
+
+def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values: Mapping[str, Any]) -> Any:
+    """The object that has some raw values."""
+    return record_class(module, record)(*(_made(module, layout, field, values[field.name]) for field in stored(record)))
+
+
+def _made(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
+    if field.listed:
+        return [_one(module, layout, field, item) for item in held]
+    return _one(module, layout, field, held)
+
+
+def _one(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
+    if field.record is not None:
+        return built(module, layout, field.record, held)
+    if field.value is not None and field.value.flags:
+        return class_of(module, field.value.flags, "Flags")(held)
+    return held
+
+
+def raw(held: Any) -> Any:
+    """A value as the reference has it: numbers, texts, bytes, lists."""
+    if isinstance(held, package().Flags):
+        return held.raw
+    if isinstance(held, list):
+        return [raw(item) for item in held]
+    return int(held) if isinstance(held, int) and not isinstance(held, bool) else held
+
+
+def raws(message: Any, record: RecordLayout) -> dict[str, Any]:
+    """The raw values of an object by the names of the spec."""
+    found: dict[str, Any] = {}
+    for field, name in zip(stored(record), message.__match_args__, strict=True):
+        held = getattr(message, name)
+        if field.record is None:
+            found[field.name] = raw(held)
+        elif field.listed:
+            found[field.name] = [raws(item, field.record) for item in held]
+        else:
+            found[field.name] = raws(held, field.record)
+    return found
+
+
+def only_stored(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of those fields that are attributes."""
+    found: dict[str, Any] = {}
+    for field in stored(record):
+        held = values[field.name]
+        if field.record is not None:
+            inner = field.record
+            held = [only_stored(inner, item) for item in held] if field.listed else only_stored(inner, held)
+        found[field.name] = held
+    return found

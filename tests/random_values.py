@@ -1,0 +1,80 @@
+"""Random raw values and random bytes for records: mostly right ones, and some beside every limit."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hypothesis import strategies as st
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+
+_VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
+
+
+def values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[dict[str, Any]]:
+    """Values of all fields but constants, measures and reserved ones."""
+    # By identity: layouts are made once, and comparing them takes longer than a test.
+    key = id(layout), id(record)
+    if key not in _VALUES:
+        _VALUES[key] = _values_of(layout, record)
+    return _VALUES[key]
+
+
+def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[dict[str, Any]]:
+    return st.fixed_dictionaries(
+        {
+            field.name: _field(layout, field)
+            for field in record.fields
+            if not (field.field.reserved or field.field.measures or (field.value and field.value.const is not None))
+        }
+    )
+
+
+def _field(layout: DeviceLayout, field: FieldLayout) -> st.SearchStrategy[Any]:
+    one = values_of(layout, field.record) if field.record else _value(layout, field.value)
+    if not field.listed:
+        return one
+    repeat = field.field.repeat
+    least, most = (repeat.low, repeat.high) if repeat else (field.count or 0, field.count or 0)
+    right = st.lists(one, min_size=least, max_size=min(most, least + 6))
+    if most > 60:
+        return right
+    return st.one_of(right, right, right, st.lists(one, min_size=max(least - 1, 0), max_size=most + 1))
+
+
+def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
+    assert value is not None
+    kind = value.type.kind
+    if kind is Kind.TEXT:
+        fitting = st.text(st.characters(min_codepoint=1, max_codepoint=0x7E), max_size=value.size)
+        return st.one_of(fitting, fitting, st.text(max_size=value.size + 1))
+    if kind is Kind.BYTES:
+        fitting_bytes = st.binary(min_size=value.size, max_size=value.size)
+        return st.one_of(fitting_bytes, fitting_bytes, fitting_bytes, st.binary(max_size=value.size + 1))
+    if kind is Kind.FLOAT:
+        return st.floats(width=32)
+    if kind is Kind.BOOLEAN:
+        return st.booleans()
+    low, high = value.type.low, value.type.high
+    options: list[st.SearchStrategy[int]] = []
+    if value.enum:
+        options += [st.sampled_from([member.value for member in layout.device.enums[value.enum].members])] * 6
+    elif value.ranges is not None:
+        options += [st.integers(a, b) for a, b in value.ranges.intervals] * 6
+        options.append(st.sampled_from([n + by for a, b in value.ranges.intervals for n, by in ((a, -1), (b, 1))]))
+    else:
+        options += [st.integers(low, high)] * 6
+    options += [st.sampled_from([sentinel.value for sentinel in value.sentinels])] if value.sentinels else []
+    options.append(st.sampled_from([low - 1, low, high, high + 1]))
+    return st.one_of(*options)
+
+
+def bytes_of(record: RecordLayout) -> st.SearchStrategy[bytes]:
+    """Bytes of a right length, or of one beside it; in half of the cases small ones, which more often have a meaning."""
+    most = record.most if record.most is not None else record.least + 40
+    right = st.binary(min_size=record.least, max_size=min(most, record.least + 60))
+    drawn = st.one_of(right, right, right, st.binary(max_size=record.least + 3))
+    return st.builds(lambda data, mask: bytes(byte & mask for byte in data), drawn, st.sampled_from([0xFF, 0x03, 0x01]))

@@ -1,0 +1,60 @@
+"""The arithmetic of addresses and ranges that checks share agrees with plain sets of numbers."""
+
+from __future__ import annotations
+
+from itertools import combinations, pairwise
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fieldspec.checks.finding import longest_ascent, missing, near, shown
+from fieldspec.checks.occupied import free, merged
+from fieldspec.model.ranges import Ranges
+
+small = st.integers(min_value=-8, max_value=24)
+interval = st.tuples(small, small).map(sorted).map(tuple)
+intervals = st.lists(interval, max_size=5).map(tuple)
+
+
+def numbers(held: tuple[tuple[int, int], ...] | list[tuple[int, int]]) -> set[int]:
+    return {number for low, high in held for number in range(low, high + 1)}
+
+
+@given(intervals, st.lists(small))
+def test_missing_values_are_those_of_the_range_that_nobody_has(
+    held: tuple[tuple[int, int], ...], have: list[int]
+) -> None:
+    assert numbers(missing(Ranges(held), have)) == numbers(held) - set(have)
+
+
+@given(intervals)
+def test_merged_intervals_hold_the_same_numbers_and_do_not_touch(held: tuple[tuple[int, int], ...]) -> None:
+    joined = merged(held)
+    assert numbers(joined) == numbers(held)
+    assert all(before[1] + 1 < behind[0] for before, behind in pairwise(joined))
+
+
+@given(interval, intervals)
+def test_free_addresses_are_those_that_nothing_takes(
+    extent: tuple[int, int], taken: tuple[tuple[int, int], ...]
+) -> None:
+    assert numbers(free(*extent, merged(taken))) == numbers([extent]) - numbers(taken)
+
+
+@given(st.lists(small, max_size=9))
+def test_longest_ascent_leaves_out_as_few_as_possible(listed: list[int]) -> None:
+    kept = [listed[index] for index in sorted(longest_ascent(listed))]
+    assert kept == sorted(kept)
+    more = combinations(listed, len(kept) + 1)
+    assert not any(list(other) == sorted(other) for other in more)
+
+
+def test_long_lists_are_cut() -> None:
+    assert shown(["a"]) == "a"
+    assert shown("abc") == "a, b and c"
+    assert shown("abcdefgh") == "a, b, c, d, e and 3 more"
+
+
+def test_hint_does_not_depend_on_the_order_of_a_set() -> None:
+    assert near("spedd", {"speed", "force"}) == "did you mean `speed`?"
+    assert near("x", {"speed", "force", "angle"}) == "there are `angle`, `force` and `speed`"

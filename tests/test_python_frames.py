@@ -1,0 +1,181 @@
+"""The generated Python codecs against all example frames, and frame by frame against the reference codec."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fieldspec.layout.checksums import CHECKSUMS
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.meaning import body_of, raw_values
+from fieldspec.model.example import Example
+from fieldspec.reference import CodecError, DeviceCodec, codec
+from laid_out import all_layouts
+from made_python import built, class_of, codec_error, link_of, made, only_stored, raw, raws, record_class
+from random_values import values_of
+
+EXAMPLE_COUNT = 150
+LAID_OUT = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts()}
+EXAMPLES = [
+    pytest.param(layout, example, id=f"{name}-{example.id}")
+    for name, layout in LAID_OUT.items()
+    for example in layout.device.examples.values()
+]
+
+
+@cache
+def _reference(name: str) -> DeviceCodec:
+    return codec(LAID_OUT[name])
+
+
+def reference_of(layout: DeviceLayout) -> DeviceCodec:
+    """The reference codec of a layout, which takes a while to be built."""
+    return _reference(f"{layout.device.id}-{layout.device.version}")
+
+
+def decode(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
+    """What the generated codec makes of a frame; `message` is used where the frame has no code, or where it is given."""
+    module = made(layout)
+    spoken = link_of(module, link)
+    coded = layout.links[link].frame(direction).role("code") is not None
+    if direction == "request":
+        return (
+            spoken.decode_request(frame)
+            if coded
+            else spoken.decode_request(frame, record_class(module, layout.messages[message].request))
+        )
+    if message:
+        return spoken.decode_response(frame, record_class(module, layout.messages[message].request))
+    return spoken.decode_response(frame)
+
+
+def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code: int) -> bytes:
+    """The frame that the generated codec makes of an example's meaning; `code` is that of a refused request."""
+    module = made(layout)
+    spoken, frame = link_of(module, example.link), layout.links[example.link].frame(example.direction)
+    body = built(
+        module, layout, body_of(layout, example.link, example.direction, example.message, example.error), values
+    )
+    station = frame.role("station")
+    first = [values[station.name]] if station else []
+    plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if part.role == "plain"}
+    named = {name if name not in KEYWORDS else f"{name}_": held for name, held in plain.items()}
+    if example.error:
+        made_frame = spoken.encode_error(*first, code, body, **named)
+    else:
+        made_frame = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
+    assert isinstance(made_frame, bytes)
+    return made_frame
+
+
+KEYWORDS = {"return"}
+
+
+def head_value(module: Any, part: Any, held: int) -> Any:
+    """What a part of the head is given as."""
+    return class_of(module, part.value.flags, "Flags")(held) if part.value.flags else held
+
+
+def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> dict[str, Any]:
+    """The parts of the head of what was decoded, by the names of the spec, but for the code."""
+    found = {}
+    for part in layout.links[link].frame(direction).head:
+        if part.role == "station":
+            found[part.name] = decoded.station
+        elif part.role == "plain":
+            name = part.name if hasattr(decoded, part.name) else f"{part.name}_"
+            found[part.name] = raw(getattr(decoded, name))
+    return found
+
+
+@pytest.mark.parametrize(("layout", "example"), EXAMPLES)
+def test_an_example_frame_means_what_the_spec_says_and_is_made_of_it(layout: DeviceLayout, example: Example) -> None:
+    if example.refused:
+        with pytest.raises(codec_error()) as caught:
+            decode(layout, example.link, example.direction, example.message, example.frame)
+        assert caught.value.reason == example.refused
+        return
+    decoded = decode(layout, example.link, example.direction, example.message, example.frame)
+    body = body_of(layout, example.link, example.direction, example.message, example.error)
+    reference = reference_of(layout).links[example.link].decode(example.frame, example.direction, example.message)
+    content = decoded.exception if example.error else decoded.message
+    assert raws(content, body) == only_stored(body, reference.values)
+    code = layout.links[example.link].frame(example.direction).role("code")
+    head = {name: held for name, held in reference.head.items() if code is None or name != code.name}
+    assert head_of(layout, example.link, example.direction, decoded) == head
+    number = reference.head[code.name] if code else 0
+    if example.error:
+        assert decoded.code == number
+    values = {**reference.head, **reference.values, **raw_values(layout, example)}
+    assert encode(layout, example, values, number) == example.frame
+
+
+@pytest.mark.parametrize("name", LAID_OUT)
+@settings(max_examples=EXAMPLE_COUNT, deadline=None)
+@given(data=st.data())
+def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.DataObject) -> None:
+    layout = LAID_OUT[name]
+    link = data.draw(st.sampled_from(sorted(layout.links)))
+    direction = data.draw(st.sampled_from(["request", "response"]))
+    coded = layout.links[link].frame(direction).role("code") is not None
+    message = data.draw(st.sampled_from([m.name for m in layout.messages.values()]))
+    reference = reference_of(layout).links[link]
+    record = layout.messages[message].data(direction)
+    values = data.draw(values_of(layout, record))
+    heads = {
+        p.name: p.value.ranges.low if p.value and p.value.ranges else 1
+        for p in layout.links[link].frame(direction).head
+    }
+    stations = layout.links[link].link.stations
+    station = layout.links[link].frame(direction).role("station")
+    if stations and stations.ranges and station:
+        heads[station.name] = stations.ranges.low
+    try:
+        frame = reference.encode(direction, message, {**heads, **values})
+    except (CodecError, UnicodeEncodeError):
+        return
+    spoiled = bytearray(frame)
+    for _ in range(data.draw(st.integers(0, 2))):
+        spoiled[data.draw(st.integers(0, len(spoiled) - 1))] = data.draw(st.integers(0, 255))
+    frame = bytes(spoiled[: data.draw(st.one_of(st.just(len(spoiled)), st.integers(0, len(spoiled))))])
+    asked = message if not coded or (direction == "response" and data.draw(st.booleans())) else ""
+    if data.draw(st.booleans()):
+        frame = _with_right_check(layout, link, direction, frame)
+    try:
+        expected = reference.decode(frame, direction, asked)
+    except CodecError as error:
+        with pytest.raises(codec_error()) as caught:
+            decode(layout, link, direction, asked, frame)
+        assert (caught.value.reason, caught.value.offset) == (error.reason, error.offset)
+        return
+    decoded = decode(layout, link, direction, asked, frame)
+    assert expected.body is not None
+    content = decoded.exception if expected.error else decoded.message
+    assert repr(raws(content, expected.body)) == repr(only_stored(expected.body, expected.values))
+
+
+def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: bytes) -> bytes:
+    """The same frame with the check, and the length, that its bytes should have; so that what lies within is looked at."""
+    reference = reference_of(layout).links[link]
+    shape = layout.links[link].frame(direction)
+    try:
+        data = bytearray(reference.parts(frame))
+    except CodecError:
+        return frame
+    length, check = shape.role("length"), shape.check
+    if len(data) < shape.head_size + shape.tail_size:
+        return frame
+    if length is not None:
+        order = "big" if length.order == "big" else "little"
+        data[length.offset : length.offset + length.size] = (len(data) % 256**length.size).to_bytes(length.size, order)
+    if check is not None:
+        at = len(data) - check.size
+        order = "big" if check.order == "big" else "little"
+        data[at:] = CHECKSUMS[check.algorithm](bytes(data[:at])).to_bytes(check.size, order)
+    marks = layout.links[link].link
+    inner = bytes(data).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(data)
+    return marks.start + inner + marks.end

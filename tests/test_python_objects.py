@@ -1,0 +1,329 @@
+"""The generated classes as people use them: enums, flags, scaled values, errors, equality, texts, matching."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from laid_out import MADE_UP, SPECS, newest
+from made_python import codec_error, made, package, runtime
+
+WIDGET, ESC11, TC100 = made(newest(MADE_UP, "widget")), made(newest(SPECS, "esc11")), made(newest(SPECS, "tc100"))
+CodecError = codec_error()
+
+
+def corner(x: int = 0, y: int = 0) -> Any:
+    return WIDGET.Corner(x=x, y=y)
+
+
+# Enums
+
+
+def test_a_member_that_is_not_available_is_left_out() -> None:
+    assert [(member.name, member.value) for member in WIDGET.Color] == [("RED", 0), ("GREEN", 1), ("BLUE", 5)]
+
+
+def test_an_open_enum_passes_on_a_value_that_it_does_not_list() -> None:
+    decoded = WIDGET.ReadCornersResponse.decode(bytes.fromhex("7777"))
+    assert decoded.alarm == 0x7777
+    assert type(decoded.alarm) is int
+    assert decoded.encode() == bytes.fromhex("7777")
+
+
+def test_a_listed_value_of_an_open_enum_is_a_member() -> None:
+    assert WIDGET.ReadCornersResponse.decode(bytes.fromhex("0001")).alarm is WIDGET.Alarm.OVERLOAD
+
+
+def test_a_closed_enum_refuses_a_value_that_it_does_not_list() -> None:
+    with pytest.raises(CodecError) as caught:
+        WIDGET.NestResponse.decode(bytes([0, 1, 9]))
+    assert (caught.value.reason, caught.value.offset) == ("unknown_value", 2)
+
+
+def test_a_version_has_the_members_of_its_own() -> None:
+    old = made(newest(MADE_UP, "widget")).__name__.replace("v2_0", "before_2_0")
+    module = __import__("importlib").import_module(old)
+    assert not hasattr(module.Alarm, "OVER_VOLTAGE")
+    assert WIDGET.Alarm.OVER_VOLTAGE == 0x100
+
+
+# Flags
+
+
+def test_flags_are_booleans_over_the_raw_word() -> None:
+    word = WIDGET.Status(0x8A21)
+    assert (word.ready, word.start, word.brake, word.overlay) == (True, False, False, False)
+    assert word.level is WIDGET.Level.HIGH
+    assert word.lap == 10
+    assert word.raw == int(word) == 0x8A21
+
+
+def test_a_field_of_bits_that_its_enum_does_not_list_is_a_number() -> None:
+    assert WIDGET.Status(0x30).level == 3
+
+
+def test_flags_are_made_from_keywords() -> None:
+    assert WIDGET.Status.of(ready=True, level=WIDGET.Level.MIDDLE, lap=15).raw == 0x0F11
+    assert WIDGET.Status.of() == WIDGET.Status(0)
+    with pytest.raises(CodecError) as caught:
+        WIDGET.Status.of(lap=16)
+    assert caught.value.reason == "out_of_range"
+
+
+def test_a_snapshot_of_flags_has_every_name() -> None:
+    held = WIDGET.Status(0x8021).flags()
+    assert held == {"ready": True, "start": False, "brake": False, "level": 2, "lap": 0, "overlay": False}
+
+
+def test_flags_show_which_are_set() -> None:
+    assert repr(WIDGET.Status(0x8021)) == "<Status 0x8021: ready, level=2>"
+    assert repr(WIDGET.Status(0)) == "<Status 0x0: none>"
+
+
+def test_flags_are_equal_where_their_words_are() -> None:
+    assert WIDGET.Status(1) == WIDGET.Status(1)
+    assert WIDGET.Status(1) != WIDGET.Status(2)
+    assert WIDGET.Status(1) != WIDGET.PacketStatus(1)
+    assert len({WIDGET.Status(1), WIDGET.Status(1), WIDGET.PacketStatus(1)}) == 2
+
+
+# Records
+
+
+def test_records_are_equal_where_their_fields_are() -> None:
+    assert corner(1, 2) == corner(1, 2)
+    assert corner(1, 2) != corner(1, 3)
+    assert corner(1, 2) != (1, 2)
+
+
+def test_a_record_shows_its_fields() -> None:
+    assert repr(corner(1, 2)) == "Corner(x=1, y=2)"
+    assert eval(repr(corner(1, 2)), vars(WIDGET)) == corner(1, 2)
+
+
+def test_a_record_can_be_matched_by_place_and_by_name() -> None:
+    match corner(1, 2):
+        case WIDGET.Corner(x, y=2):
+            assert x == 1
+        case _:
+            pytest.fail("it does not match")
+
+
+def test_a_record_has_no_room_for_a_misspelt_field() -> None:
+    with pytest.raises(AttributeError):
+        corner().z = 1
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda held: pickle.loads(pickle.dumps(held))])
+def test_a_record_can_be_copied(copied: Any) -> None:
+    nest = WIDGET.NestRequest(
+        WIDGET.Nest(
+            corner(), [corner(1), corner(2)], [1, 2, 3], [0, 1], [1, 2], [WIDGET.Status(1)] * 2, [True, False], ["", "a"], 255
+        ),
+        WIDGET.Color.RED,
+    )
+    assert copied(nest) == nest
+    assert copied(nest).encode() == nest.encode()
+
+
+def test_constants_measures_and_reserved_fields_are_no_arguments() -> None:
+    assert WIDGET.ExchangeRequest.__match_args__ == ("data",)
+    assert "magic" not in WIDGET.Nest.__match_args__
+    assert "filler" not in WIDGET.Nest.__match_args__
+    assert WIDGET.ExchangeRequest([1, 2, 3]).encode() == bytes.fromhex("0003010203")
+
+
+def test_a_sentinel_is_a_constant_of_its_record() -> None:
+    assert WIDGET.Point.NEXT_END == -1
+    assert WIDGET.Everything.HALF_IGNORED == 0xFFFF
+
+
+@pytest.mark.parametrize(
+    ("change", "reason", "name"),
+    [
+        ({"mode": 9}, "unknown_value", "mode"),
+        ({"position": 1000000}, "out_of_range", "position"),
+        ({"speed": 0}, "out_of_range", "speed"),
+        ({"speed": "fast"}, "wrong_type", "speed"),
+        ({"speed": 1.5}, "wrong_type", "speed"),
+        ({"speed": None}, "wrong_type", "speed"),
+        ({"status": 1}, "wrong_type", "status"),
+        ({"dwell": -1}, "out_of_range", "dwell"),
+        ({"next": 6}, "out_of_range", "next"),
+    ],
+)
+def test_the_error_names_the_field_that_is_out_of_range(change: dict[str, Any], reason: str, name: str) -> None:
+    point = WIDGET.Point(WIDGET.Color.RED, 0, 1, WIDGET.Status(), -1, 0)
+    assert point.encode()
+    for attribute, held in change.items():
+        setattr(point, attribute, held)
+    with pytest.raises(CodecError) as caught:
+        point.encode()
+    assert (caught.value.reason, caught.value.offset) == (reason, None)
+    assert caught.value.detail.startswith(f"{name} is ")
+
+
+def test_an_error_can_be_sent_to_another_process() -> None:
+    error = CodecError("wrong_check", "so it is", 7)
+    again = pickle.loads(pickle.dumps(error))
+    assert (again.reason, again.detail, again.offset, str(again)) == ("wrong_check", "so it is", 7, str(error))
+    assert isinstance(error, ValueError)
+
+
+# Scaled values
+
+
+def test_a_scaled_field_is_also_a_value_in_its_unit() -> None:
+    held = corner(-1234, 5)
+    assert (held.x_mm, held.y_mm) == (-123.4, 0.5)
+    held.x_mm = 12.3
+    assert held.x == 123
+
+
+def test_an_offset_belongs_to_the_value_in_the_unit() -> None:
+    everything = WIDGET.Everything.decode(bytes(52))
+    assert everything.offset_temperature_v == -40
+    everything.offset_temperature_v = 25
+    assert everything.offset_temperature == 130
+
+
+def test_a_list_of_scaled_fields_is_also_one_of_values_in_their_unit() -> None:
+    nest = WIDGET.Nest(corner(), [], [1, 999, 0], [], [], [], [], [], 0)
+    assert nest.samples_percent == [0.1, 99.9, 0.0]
+    nest.samples_percent = [1, 2.5, 3]
+    assert nest.samples == [10, 25, 30]
+
+
+@pytest.mark.parametrize(
+    ("value", "count"),
+    [(0.25, 2), (0.75, 8), (-0.25, -2), (Decimal("0.15"), 2), (Decimal("0.05"), 0), (Fraction(1, 3), 3), (7, 70)],
+)
+def test_the_nearest_count_is_taken_and_of_two_the_even_one(value: Any, count: int) -> None:
+    held = corner()
+    held.x_mm = value
+    assert held.x == count
+
+
+@pytest.mark.parametrize("value", [100.06, -100.06, 1e300, float("inf"), float("nan")])
+def test_a_value_that_is_out_of_range_is_refused_and_changes_nothing(value: float) -> None:
+    held = corner(7)
+    with pytest.raises(CodecError) as caught:
+        held.x_mm = value
+    assert caught.value.reason == "out_of_range"
+    assert held.x == 7
+
+
+@given(count=st.integers(-(2**63), 2**63 - 1), ratio=st.sampled_from([(1, 0, 1), (1, 0, 100), (1, -400, 10), (-5, 3, 7)]))
+def test_rounding_is_exact_for_every_count(count: int, ratio: tuple[int, int, int]) -> None:
+    a, b, c = ratio
+    exact = Fraction(count * a + b, c)
+    counts = runtime("_conversions").counts
+    ranges = ((-(2**63), 2**63 - 1),)
+    assert counts("it", exact, ratio, ranges) == count
+    half = exact + Fraction(a, 2 * c)
+    if count < 2**63 - 1:
+        assert counts("it", half, ratio, ranges) == (count if count % 2 == 0 else count + 1)
+
+
+@given(st.integers(-1000, 1000))
+def test_a_count_comes_back_from_its_value_in_the_unit(count: int) -> None:
+    held = corner(count)
+    held.x_mm = held.x_mm
+    assert held.x == count
+
+
+# Links
+
+
+def test_a_response_is_of_the_class_that_belongs_to_its_request() -> None:
+    frame = bytes.fromhex("06 00 70 05 04 7F")
+    assert ESC11.serial.decode_request(frame) == package().Request(0, ESC11.ClearPointsRequest(5, 4))
+    response = ESC11.serial.decode_response(bytes.fromhex("04 00 03 07"), ESC11.StopRequest)
+    assert isinstance(response.message, ESC11.StopResponse)
+    assert response.status == ESC11.CommunicationStatus.of(executing=True, out_of_position=True)
+
+
+def test_a_refusal_is_a_result_and_no_exception() -> None:
+    frame = WIDGET.rtu.encode_error(1, 0x03, WIDGET.ExceptionRecord(WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS))
+    match WIDGET.rtu.decode_response(frame, WIDGET.ReadRegistersRequest):
+        case package().ErrorReply(station=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
+            assert reason is WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS
+        case other:
+            pytest.fail(f"it is {other}")
+
+
+def test_a_response_to_something_else_is_refused() -> None:
+    frame = WIDGET.rtu.encode_response(1, WIDGET.StopResponse())
+    assert isinstance(WIDGET.rtu.decode_response(frame).message, WIDGET.StopResponse)
+    with pytest.raises(CodecError) as caught:
+        WIDGET.rtu.decode_response(frame, WIDGET.ReadRegistersRequest(0, 1))
+    assert caught.value.reason == "unknown_code"
+
+
+@pytest.mark.parametrize("station", [17, -1, 256, "1", None])
+def test_a_station_that_there_is_not_is_refused(station: Any) -> None:
+    for message in (WIDGET.ReadRegistersRequest(0, 1), WIDGET.WriteRegistersRequest(0, [1]), WIDGET.StopRequest()):
+        for link in (WIDGET.rtu, WIDGET.ascii):
+            with pytest.raises(CodecError) as caught:
+                link.encode_request(station, message)
+            assert caught.value.detail.startswith("station is ")
+
+
+def test_a_frame_that_is_too_long_for_its_length_is_refused() -> None:
+    frames = runtime("_frames").Frames(">B", "sum8", length=0, length_name="length", longest=255)
+    assert len(frames.joined([0], bytes(253))) == 255
+    with pytest.raises(CodecError) as caught:
+        frames.joined([0], bytes(254))
+    assert caught.value.reason == "wrong_length"
+
+
+@pytest.mark.parametrize(
+    ("frame", "reason", "offset"),
+    [
+        (b"", "wrong_mark", 0),
+        (b":", "wrong_mark", 1),
+        (b":0103\r", "wrong_mark", 6),
+        (b":01 3\r\n", "not_hex", 3),
+        (b":013\r\n", "wrong_length", 4),
+        (b":0103\r\n", "incomplete", 2),
+        (b":010310000002EB\r\n", "wrong_check", 6),
+    ],
+)
+def test_what_is_wrong_with_characters_is_told_by_its_place(frame: bytes, reason: str, offset: int) -> None:
+    with pytest.raises(CodecError) as caught:
+        WIDGET.ascii.decode_request(frame)
+    assert (caught.value.reason, caught.value.offset) == (reason, offset)
+
+
+def test_characters_may_be_lower_case() -> None:
+    frame = WIDGET.ascii.encode_request(1, WIDGET.ReadRegistersRequest(0x1000, 2))
+    assert WIDGET.ascii.decode_request(frame.lower()).message == WIDGET.ReadRegistersRequest(0x1000, 2)
+
+
+@pytest.mark.parametrize("form", [bytearray, memoryview])
+def test_a_frame_may_be_in_any_kind_of_bytes(form: Any) -> None:
+    for link in (WIDGET.rtu, WIDGET.ascii):
+        for request in (WIDGET.ReadRegistersRequest(0x1000, 2), WIDGET.ExchangeRequest([1, 2])):
+            assert link.decode_request(form(link.encode_request(1, request))).message == request
+
+
+@given(st.binary(max_size=300))
+def test_the_fast_crc_is_that_of_the_standard(data: bytes) -> None:
+    from fieldspec.layout.checksums import CHECKSUMS
+
+    checks = runtime("_checks")
+    for name in ("crc16_modbus", "lrc", "sum8"):
+        assert getattr(checks, name)(data) == CHECKSUMS[name](data)
+
+
+def test_a_link_knows_its_stations() -> None:
+    assert WIDGET.packet.stations == ((0, 7), (32, 39))
+    assert (WIDGET.rtu.stations, WIDGET.rtu.broadcast) == (((1, 16),), 0)
+    assert WIDGET.packet.broadcast is None

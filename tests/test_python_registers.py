@@ -1,0 +1,257 @@
+"""The generated registers, tables and parameters: addresses, values, and the requests that read and write them."""
+
+from __future__ import annotations
+
+import struct
+from typing import Any
+
+import pytest
+
+from laid_out import MADE_UP, SPECS, newest
+from made_python import codec_error, made
+
+WIDGET, GADGET, GIZMO = (made(newest(MADE_UP, name)) for name in ("widget", "gadget", "gizmo"))
+TC100, ESC11 = made(newest(SPECS, "tc100")), made(newest(SPECS, "esc11"))
+CodecError = codec_error()
+
+
+@pytest.mark.parametrize(
+    ("register", "data", "value"),
+    [
+        (WIDGET.STATUS_WORD, "8021", WIDGET.Status(0x8021)),
+        (WIDGET.POSITION, "FFFFFF9C", -100),
+        (WIDGET.ALARM_HISTORY[1], "0001", WIDGET.Alarm.OVERLOAD),
+        (WIDGET.ALARM_HISTORY[16], "7777", 0x7777),
+        (WIDGET.RATIO, "3FC00000", 1.5),
+        (WIDGET.MOVING, "0001", True),
+        (WIDGET.UPTIME, "00000000FFFFFFFF", 0xFFFFFFFF),
+        (WIDGET.SERIAL_NUMBER, "414243000000000000000000", "ABC"),
+        (WIDGET.KEY, "00FF00FF", b"\0\xff\0\xff"),
+        (WIDGET.LAMP, "0005", WIDGET.Color.BLUE),
+        (WIDGET.LIMIT, "7FFF", 0x7FFF),
+        (WIDGET.BALANCE, "FFFFFFFFFFFFFFFE", -2),
+        (WIDGET.OUTPUT[3], "80000000", -(2**31)),
+        (WIDGET.START, "0001", 1),
+        (WIDGET.DIRECTION, "FFFF", WIDGET.Direction.BACKWARDS),
+        (WIDGET.WIDE, "80000001", WIDGET.WideStatus.of(first=True, last=True)),
+        (GADGET.ACTUAL, "56781234", 0x12345678),
+        (GADGET.TOTAL, "0004000300020001", 0x0001000200030004),
+        (GADGET.RATIO, "00003FC0", 1.5),
+        (GADGET.BALANCES[1], "FFFEFFFFFFFFFFFF", -2),
+        (GADGET.WHOLLY_LITTLE, "78563412", 0x12345678),
+        (GIZMO.SPEED, "FEFF", -2),
+        (GIZMO.PLACE, "34127856", 0x12345678),
+        (GIZMO.ID, "616263000000", "abc"),
+    ],
+    ids=lambda held: getattr(held, "name", None),
+)
+def test_a_register_holds_its_value_in_its_bytes(register: Any, data: str, value: Any) -> None:
+    assert register.decode(bytes.fromhex(data)) == value
+    assert type(register.decode(bytes.fromhex(data))) is type(value)
+    assert register.encode(value) == bytes.fromhex(data)
+    assert register.from_words(register.to_words(value)) == value
+
+
+@pytest.mark.parametrize(
+    ("register", "value", "reason"),
+    [
+        (WIDGET.TARGET, 1000000, "out_of_range"),
+        (WIDGET.TARGET, "1", "wrong_type"),
+        (WIDGET.LIMIT, 0, "out_of_range"),
+        (WIDGET.LAMP, 9, "unknown_value"),
+        (WIDGET.START, 2, "wrong_const"),
+        (WIDGET.MOVING, 2, "out_of_range"),
+        (WIDGET.SERIAL_NUMBER, "thirteen chars", "wrong_length"),
+        (WIDGET.SERIAL_NUMBER, "é", "unknown_value"),
+        (WIDGET.KEY, b"", "wrong_length"),
+        (WIDGET.STATUS_WORD, 5, "wrong_type"),
+        (WIDGET.RATIO, 1e39, "out_of_range"),
+    ],
+)
+def test_a_register_refuses_what_it_cannot_hold(register: Any, value: Any, reason: str) -> None:
+    with pytest.raises(CodecError) as caught:
+        register.encode(value)
+    assert caught.value.reason == reason
+    assert register.name in caught.value.detail
+
+
+@pytest.mark.parametrize(
+    ("register", "data", "reason"),
+    [
+        (WIDGET.LAMP, "0009", "unknown_value"),
+        (WIDGET.MOVING, "0002", "unknown_value"),
+        (WIDGET.START, "0000", "wrong_const"),
+        (WIDGET.POSITION, "0000", "incomplete"),
+        (WIDGET.POSITION, "0000000000", "wrong_length"),
+        (WIDGET.SERIAL_NUMBER, "FF" * 12, "unknown_value"),
+    ],
+)
+def test_a_register_refuses_bytes_that_mean_nothing(register: Any, data: str, reason: str) -> None:
+    with pytest.raises(CodecError) as caught:
+        register.decode(bytes.fromhex(data))
+    assert caught.value.reason == reason
+
+
+def test_a_register_knows_its_facts() -> None:
+    target = WIDGET.TARGET
+    assert (target.address, target.words, target.access, target.unit) == (0x2001, 2, "rw", "mm")
+    assert (target.ranges, target.scale, target.offset) == (((-999999, 999999),), 0.01, 0)
+    assert (WIDGET.TEMPERATURE.scale, WIDGET.TEMPERATURE.offset) == (0.5, -40)
+    assert WIDGET.POSITION.atomic
+    assert WIDGET.START.trigger
+    assert WIDGET.UNKNOWN_ACCESS.access == ""
+
+
+def test_a_count_becomes_a_value_in_the_unit_and_back() -> None:
+    assert WIDGET.TARGET.in_unit(-1234) == -12.34
+    assert WIDGET.TARGET.from_unit(12.344) == 1234
+    assert WIDGET.TEMPERATURE.in_unit(130) == 25
+    assert WIDGET.TEMPERATURE.from_unit(25.25) == 130
+    with pytest.raises(CodecError, match="out_of_range"):
+        WIDGET.TARGET.from_unit(10000)
+    with pytest.raises(CodecError, match="out_of_range"):
+        WIDGET.TARGET.from_unit(float("nan"))
+
+
+def test_an_array_is_indexed_by_the_numbers_of_the_manual() -> None:
+    assert [register.address for register in WIDGET.OUTPUT] == [0x2010, 0x2014, 0x2018]
+    assert WIDGET.OUTPUT[1].address == 0x2010
+    assert WIDGET.OUTPUT[3].name == "output[3]"
+    for number in (0, 4, -1):
+        with pytest.raises(IndexError):
+            WIDGET.OUTPUT[number]
+
+
+def test_a_table_is_indexed_by_the_numbers_of_the_manual() -> None:
+    assert [WIDGET.points[number].address for number in (1, 2, 5)] == [0x9010, 0x9020, 0x9050]
+    assert len(WIDGET.points) == len(list(WIDGET.points)) == 5
+    for number in (0, 6, -1):
+        with pytest.raises(IndexError):
+            WIDGET.points[number]
+
+
+def test_every_register_of_the_layout_is_there() -> None:
+    for module, name, root in ((TC100, "tc100", SPECS), (WIDGET, "widget", MADE_UP)):
+        laid_out = newest(root, name)
+        assert [register.address for register in module.REGISTERS] == [laid.address for laid in laid_out.registers]
+        for laid in laid_out.registers:
+            found = module.register_at(laid.address)
+            assert found is not None
+            assert (found.address, found.words) == (laid.address, laid.words)
+
+
+def test_a_register_is_found_by_its_address() -> None:
+    assert WIDGET.register_at(0x1000) is WIDGET.STATUS_WORD
+    assert WIDGET.register_at(0x2014).name == "output[2]"
+    assert WIDGET.register_at(0x9030).name == "points[3]"
+    assert WIDGET.register_at(0x9031) is None
+    assert WIDGET.register_at(0x9060) is None
+
+
+def test_reading_a_register_takes_one_request() -> None:
+    assert WIDGET.read_request(WIDGET.POSITION) == WIDGET.ReadRegistersRequest(0x1010, 2)
+    response = WIDGET.ReadRegistersResponse([0xFFFF, 0xFF9C])
+    assert WIDGET.read_value(WIDGET.POSITION, response) == -100
+
+
+def test_writing_one_word_and_several_takes_the_message_for_that() -> None:
+    assert WIDGET.write_request(WIDGET.LAMP, WIDGET.Color.BLUE) == WIDGET.WriteRegisterRequest(0x2000, 5)
+    assert WIDGET.write_request(WIDGET.TARGET, -100) == WIDGET.WriteRegistersRequest(0x2001, [0xFFFF, 0xFF9C])
+
+
+def test_a_message_that_reads_one_word_is_sent_as_often_as_it_takes() -> None:
+    assert GIZMO.read_requests(GIZMO.PLACE) == [GIZMO.ReadRequest(1), GIZMO.ReadRequest(2)]
+    responses = [GIZMO.ReadResponse(1, 0x1234), GIZMO.ReadResponse(2, 0x5678)]
+    assert GIZMO.read_value(GIZMO.PLACE, *responses) == 0x12345678
+    with pytest.raises(CodecError, match="2 requests"):
+        GIZMO.read_request(GIZMO.PLACE)
+
+
+POINT = WIDGET.Point(WIDGET.Color.BLUE, -100, 50, WIDGET.Status.of(ready=True), WIDGET.Point.NEXT_END, 70000)
+
+
+def test_a_record_that_is_longer_than_a_request_may_be_is_split() -> None:
+    with pytest.raises(CodecError, match="2 requests"):
+        WIDGET.points.write_request(5, POINT)
+    requests = WIDGET.points.write_requests(5, POINT)
+    words = list(struct.unpack(">8H", POINT.encode()))
+    assert requests == [
+        WIDGET.WriteRegistersRequest(0x9050, words[:6]),
+        WIDGET.WriteRegistersRequest(0x9056, words[6:]),
+    ]
+
+
+def test_a_record_is_put_together_from_its_responses() -> None:
+    assert WIDGET.points.read_request(5) == WIDGET.ReadRegistersRequest(0x9050, 8)
+    words = list(struct.unpack(">8H", POINT.encode()))
+    responses = [WIDGET.ReadRegistersResponse(part) for part in (words[:6], words[6:])]
+    assert WIDGET.points.read_value(5, *responses) == POINT
+
+
+def test_words_that_are_missing_are_refused() -> None:
+    with pytest.raises(CodecError) as caught:
+        WIDGET.points.read_value(5, WIDGET.ReadRegistersResponse([1, 2, 3]))
+    assert caught.value.reason == "incomplete"
+
+
+def test_an_atomic_register_is_never_split() -> None:
+    register = type(WIDGET.POSITION)("wide", 0x10, 20, WIDGET.POSITION.value, atomic=True)
+    with pytest.raises(CodecError, match="one request"):
+        WIDGET.read_requests(register)
+
+
+def test_a_register_that_can_only_be_read_is_not_written() -> None:
+    with pytest.raises(CodecError) as caught:
+        WIDGET.write_request(WIDGET.POSITION, 5)
+    assert caught.value.reason == "read_only"
+
+
+def test_the_points_of_a_manual_are_at_the_printed_addresses() -> None:
+    layout = newest(SPECS, "tc100")
+    for element in layout.device.tables["points"].elements:
+        assert TC100.points[element.index].address == element.first
+
+
+def test_a_parameter_is_carried_as_the_number_that_its_message_has() -> None:
+    parameters = WIDGET.parameters
+    assert parameters.write_request(parameters.HOME, WIDGET.Direction.BACKWARDS) == WIDGET.WriteOneRequest(2, 0xFFFF)
+    assert parameters.read_request(parameters.STROKE) == WIDGET.ReadOneRequest(1)
+    assert parameters.read_value(parameters.STROKE, WIDGET.ReadOneResponse(1, 125)) == 125
+    assert parameters.read_value(parameters.KIND, WIDGET.ReadOneResponse(0, 1)) is WIDGET.Alarm.OVERLOAD
+    assert parameters[2] is parameters.HOME
+    with pytest.raises(IndexError):
+        parameters[6]
+
+
+def test_a_parameter_refuses_what_it_cannot_hold() -> None:
+    parameters = WIDGET.parameters
+    for value, reason in ((10000, "out_of_range"), (-1, "out_of_range"), ("1", "wrong_type")):
+        with pytest.raises(CodecError) as caught:
+            parameters.write_request(parameters.STROKE, value)
+        assert caught.value.reason == reason
+    with pytest.raises(CodecError) as caught:
+        parameters.write_request(parameters.BITS, WIDGET.Status())
+    assert caught.value.reason == "read_only"
+    with pytest.raises(CodecError):
+        parameters.HOME.from_raw(7)
+
+
+def test_all_parameters_go_in_one_message_in_the_order_of_their_numbers() -> None:
+    raws = [1, 125, 0xFFFF, 0, 0x8021, 1]
+    values = WIDGET.parameters.from_raws(raws)
+    assert values["home"] is WIDGET.Direction.BACKWARDS
+    assert values["enabled"] is True
+    assert WIDGET.parameters.to_raws(values) == raws
+    with pytest.raises(CodecError, match="missing"):
+        WIDGET.parameters.to_raws({})
+
+
+def test_a_version_without_a_message_for_one_parameter_has_no_request_for_it() -> None:
+    old = __import__("importlib").import_module(WIDGET.__name__.replace("v2_0", "before_2_0"))
+    assert not hasattr(old.parameters, "write_request")
+
+
+def test_the_parameters_of_a_manual_are_written_by_its_message() -> None:
+    request = ESC11.parameters.write_request(ESC11.parameters[1], 100)
+    assert request == ESC11.WriteParameterRequest(1, 100)
+    assert len(ESC11.parameters) == 32
