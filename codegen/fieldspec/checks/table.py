@@ -34,6 +34,7 @@ from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
 from fieldspec.checks.limits_ordered import limits_ordered
 from fieldspec.checks.links_complete import links_complete
+from fieldspec.checks.lookups_agree import lookups_agree
 from fieldspec.checks.measures_match_repeats import measures_match_repeats
 from fieldspec.checks.messages_complete import messages_complete
 from fieldspec.checks.names_unique import names_unique
@@ -88,6 +89,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("lengths_hold", lengths_hold),
     ("limits_ordered", limits_ordered),
     ("links_complete", links_complete),
+    ("lookups_agree", lookups_agree),
     ("measures_match_repeats", measures_match_repeats),
     ("messages_complete", messages_complete),
     ("names_unique", names_unique),

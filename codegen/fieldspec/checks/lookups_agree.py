@@ -1,0 +1,70 @@
+"""Lookups that say the same thing of the same keys say it of all of them.
+
+Why: a manual prints the pins of one connector in several chapters. Where two tables agree on nearly all
+rows, the one that differs is misprinted.
+
+Example: three tables of terminals and their signals, of which one has IN 12 with the signal of an
+output.
+
+Cure: Put the cell right and write an erratum, or say `allow: {lookups_agree: <reason>}` on one of the
+tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import permutations
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Plain
+from fieldspec.model.lookup import Lookup, Row
+
+_FEWEST = 4
+_SMALL = 4
+_COMPARED = 20
+"""With how many earlier tables one is compared."""
+
+_Cells = dict[Plain, tuple[Plain, Row]]
+
+
+def lookups_agree(device: Device) -> Iterator[Diagnostic]:
+    earlier: dict[tuple[str, str], list[tuple[Lookup, _Cells]]] = {}
+    for lookup in device.lookups:
+        reported: set[int] = set()
+        for (at, key), (of, held) in permutations(enumerate(lookup.columns), 2):
+            cells = _by_key(lookup, at, of)
+            if len(cells) < _FEWEST:
+                continue
+            others = earlier.setdefault((key.name, held.name), [])
+            for other, theirs in others[-_COMPARED:]:
+                yield from _compared(f"{held.name} of {key.name}", cells, theirs, other, reported)
+            others.append((lookup, cells))
+
+
+def _by_key(lookup: Lookup, at: int, of: int) -> _Cells:
+    """The cells of one column by those of another, or nothing where these do not tell the rows apart."""
+    cells: _Cells = {}
+    for row in lookup.rows:
+        key = row.cells[at]
+        if key in cells:
+            return {}
+        if key is not None:
+            cells[key] = row.cells[of], row
+    return cells
+
+
+def _compared(what: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]) -> Iterator[Diagnostic]:
+    common = [key for key in cells if key in theirs]
+    odd = [key for key in common if cells[key][0] != theirs[key][0]]
+    if len(common) - len(odd) < _FEWEST or len(odd) * _SMALL > len(common):
+        return
+    for key in odd:
+        (mine, row), (their, their_row) = cells[key], theirs[key]
+        if id(row) not in reported:
+            reported.add(id(row))
+            text = f"the {what} {key} is {mine}, but {their} in {other.name}, which agrees otherwise"
+            help = "put one of the cells right, or allow the difference with a reason"
+            there = label(their_row.place, "cells", f"the row of {other.name}")
+            yield finding("lookups_agree", row.place, "cells", text, help, there)
