@@ -6,7 +6,7 @@ import re
 from functools import cache
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
@@ -92,6 +92,7 @@ def test_labels_do_not_begin_headings_or_lists() -> None:
     assert len(headings) == len(written)
 
 
+@settings(deadline=None)
 @given(st.text(alphabet=st.characters(exclude_categories=["Cs"]), max_size=30))
 def test_any_text_means_itself(text: str) -> None:
     wanted = clean(text).strip(" ")
@@ -100,6 +101,7 @@ def test_any_text_means_itself(text: str) -> None:
     assert shown_text == f"before {wanted} after" if wanted else shown_text.startswith("before")
 
 
+@settings(deadline=None)
 @given(st.text(alphabet="#+-=>*_`|\\<&1.) ab~[]!:", max_size=12))
 def test_any_text_means_itself_at_the_start_of_a_line_and_in_a_table(text: str) -> None:
     wanted = clean(text).strip(" ")

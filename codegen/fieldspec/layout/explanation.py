@@ -1,8 +1,8 @@
 """Explains the bytes of a frame, from the layout alone. Bytes that make no sense are explained as far as they do.
 
->>> found = explained(layout, "rtu", "request", bytes.fromhex("01 06 20 1E 00 03 A2 0D"))
->>> [(row.offset, row.path, row.number) for row in found.rows]
-[(0, 'station', 1), (1, 'function', 6), (2, 'address', 8222), (4, 'value', 3), (6, 'crc', 3490)]
+>>> found = explained(layout, "line", "request", frame)
+>>> [(row.offset, row.path, row.number, row.verdict) for row in found.rows]
+[(0, 'address', 1, ''), (1, 'command', 6, ''), (2, 'size', 300, ''), (4, 'sum', 55, 'right')]
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from fieldspec.layout.explaining.registers import accessed, register_rows
 from fieldspec.layout.explaining.row import Row, Spot, errata_of_message, errata_of_words, fact_row, wrong_row
 from fieldspec.layout.explaining.worded import Meaning, Worded, whole, worded
 from fieldspec.layout.explaining.wrapping import end_rows, start_rows, wrapped
-from fieldspec.layout.frame import PartLayout
+from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.record import RecordLayout
 
@@ -95,7 +95,8 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     for link in layout.links.values():
         for direction in ("request", "response"):
             guessed = link.frame(direction).role("code") is None
-            for message in layout.messages if guessed else ("",):
+            names = _of_length(layout, link, direction, frame) if steps is _FITTING else list(layout.messages)
+            for message in names if guessed else ("",):
                 one = explained(layout, link.name, direction, frame, message)
                 reasons = frozenset((*one.reasons, _GUESSED) if guessed else one.reasons)
                 found.setdefault((link.name, direction, one.message, one.error), reasons)
@@ -104,6 +105,14 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
         if fitting:
             return fitting
     return []
+
+
+def _of_length(layout: DeviceLayout, link: LinkLayout, direction: str, frame: bytes) -> list[str]:
+    """The messages whose body may be as long as that of a frame; of all others the length is wrong."""
+    shape = link.frame(direction)
+    length = len(wrapped(link.link, frame).data) - shape.head_size - shape.tail_size
+    bodies = ((name, laid.data(direction)) for name, laid in layout.messages.items())
+    return [name for name, body in bodies if body.least <= length and (body.most is None or length <= body.most)]
 
 
 class _Frame:
@@ -168,7 +177,8 @@ class _Frame:
         return fact_row(self.layout.device, "part", part.name, part.part, self.spot, at, held, read, self.link)
 
     def _short(self, part: PartLayout, at: int, held: bytes) -> Row:
-        text = f"{part.name} has {part.size - len(held)} bytes more"
+        missing = part.size - len(held)
+        text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {part.name}"
         return wrong_row(self.spot, at, held, "incomplete", text, part.name, part.part.place.path)
 
     def _said(self, part: PartLayout, read: Worded) -> Worded:

@@ -44,7 +44,7 @@ class Context:
         self._users = _users(self.holders.values())
 
     def section_title(self, title: str, fact: Fact) -> Line:
-        """`points  步序`: a title in English with what the manual prints."""
+        """A title in English with what the manual prints."""
         return (plain(title), *_printed(fact))
 
     def about(self, fact: Fact) -> Iterator[Line]:

@@ -19,7 +19,7 @@ class Row:
     `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
     `offset` and `length` are those in the frame as it is sent; `raw` are the bytes meant. Where each byte is
     sent as two characters, `characters` holds them and `length` counts them.
-    `path` is the place in the frame, as in `points[0].position`; `fact` is the path of the fact in the spec.
+    `path` is the place in the frame, as in `items[0].size`; `fact` is the path of the fact in the spec.
     `number` is the raw value, `value` the exact value in its unit.
     `verdict` is empty, `right`, or `wrong: ..`; `reason` is then the word of the codecs' errors.
     `source` cites the manual, `errata` are the ids of those that touch the fact.
