@@ -55,13 +55,17 @@ class Project:
     found: list[Diagnostic]
 
 
-def read(files: Table[str, bytes], only: frozenset[str] = frozenset()) -> Project:
-    """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders."""
-    return _Reader(files).project(only)
+def read(files: Table[str, bytes], only: frozenset[str] = frozenset(), folder: str = "") -> Project:
+    """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders.
+
+    Findings show the files below `folder`.
+    """
+    return _Reader(files, folder).project(only)
 
 
 class _Reader:
-    def __init__(self, files: Table[str, bytes]) -> None:
+    def __init__(self, files: Table[str, bytes], folder: str) -> None:
+        self.folder = folder
         self.files = files
         self.found: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
@@ -94,7 +98,7 @@ class _Reader:
 
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
-        file, found = decoded(path, self.files[path])
+        file, found = decoded(f"{self.folder}/{path}" if self.folder else path, self.files[path])
         if not found:
             node, found = parsed(file)
             if node is None and not found:
