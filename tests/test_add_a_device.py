@@ -1,0 +1,100 @@
+"""The page that shows how to add a device tells the truth: its device is checked and built as it says."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PAGE = ROOT / "docs" / "add-a-device.md"
+RUN = "$ fieldspec "
+
+WRONG, RIGHT = "default: 120, source", "default: 20, source"
+"""The row as the manual prints it, and as it is when the erratum is there."""
+
+
+def block(kind: str, text: str) -> list[str]:
+    return re.findall(rf"```{kind}\n(.*?)```", text, re.DOTALL)
+
+
+def files() -> dict[str, str]:
+    """The files of the page by the paths that stand above them."""
+    found = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    assert len(found) == 4
+    return dict(found)
+
+
+def run(command: str, folder: Path) -> str:
+    """What a command prints in a folder."""
+    words = command.removeprefix(RUN).split()
+    ran = subprocess.run([sys.executable, "-m", "fieldspec", *words], cwd=folder, capture_output=True, encoding="utf-8")
+    assert ran.stderr == ""
+    return ran.stdout
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """The folder of a project with the device as it is before the erratum is written."""
+    shutil.copytree(ROOT / "specs" / "protocols", tmp_path / "specs" / "protocols")
+    (tmp_path / "specs" / "lifter").mkdir()
+    for path, text in files().items():
+        if not path.endswith("errata.yaml"):
+            (tmp_path / path).write_text(text, "utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def mended(folder: Path) -> Path:
+    """The same with the erratum, and with the row put right."""
+    registers = folder / "specs" / "lifter" / "registers.yaml"
+    text = registers.read_text("utf-8")
+    assert WRONG in text
+    registers.write_text(text.replace(WRONG, RIGHT), "utf-8")
+    (folder / "specs" / "lifter" / "errata.yaml").write_text(files()["specs/lifter/errata.yaml"], "utf-8")
+    return folder
+
+
+def test_the_manual_of_the_page_is_the_one_that_its_device_names() -> None:
+    (manual, *_) = block("text", PAGE.read_text("utf-8"))
+    device = files()["specs/lifter/device.yaml"]
+    assert f"sha256: {hashlib.sha256(manual.encode()).hexdigest()}\n" in device
+    assert f"lines: {len(manual.splitlines())}\n" in device
+
+
+def test_the_misprint_is_found_as_the_page_shows_it(folder: Path, accept: bool) -> None:
+    page = PAGE.read_text("utf-8")
+    first = block("console", page)[0]
+    command = first.splitlines()[0]
+    printed = f"{command}\n{run(command, folder)}"
+    if accept:
+        PAGE.write_text(page.replace(f"```console\n{first}```", f"```console\n{printed}```", 1), "utf-8", newline="\n")
+    assert "default_within_range" in printed
+    assert block("console", PAGE.read_text("utf-8"))[0] == printed
+
+
+def test_the_mended_device_has_no_findings(mended: Path) -> None:
+    (shown,) = [one for one in block("console", PAGE.read_text("utf-8")) if "no findings" in one]
+    command, _, printed = shown.partition("\n")
+    assert run(command, mended) == printed
+
+
+def test_the_erratum_is_needed(mended: Path) -> None:
+    registers = mended / "specs" / "lifter" / "registers.yaml"
+    registers.write_text(registers.read_text("utf-8").replace(RIGHT, WRONG), "utf-8")
+    assert "error[default_within_range]" in run("$ fieldspec check lifter", mended)
+
+
+def test_the_mended_device_is_built(mended: Path) -> None:
+    (command,) = [one for one in block("console", PAGE.read_text("utf-8")) if "build" in one]
+    run(command.strip(), mended)
+    outputs = sorted(path.name for path in (mended / "generated").iterdir() if path.is_dir())
+    assert len(outputs) >= 3
+    for output in outputs:
+        named = [path for path in (mended / "generated" / output).rglob("*") if "lifter" in path.as_posix()]
+        assert named, f"{output} has no file of the device"
