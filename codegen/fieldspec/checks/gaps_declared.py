@@ -63,7 +63,7 @@ def _wrong(group: RegisterGroup, taken: list[tuple[int, int]]) -> Iterator[Diagn
         for low, high in gap.addresses.intervals:
             if low < first or high > last:
                 text = f"the gap {addresses(low, high)} leaves the group at {addresses(first, last)}"
-                yield finding("gaps_declared", group.place, "gaps", text, help)
+                yield finding("gaps_declared", gap.place, "at", text, help)
             elif free(low, high, taken) != [(low, high)]:
                 text = f"the gap {addresses(low, high)} holds a register or table"
-                yield finding("gaps_declared", group.place, "gaps", text, help)
+                yield finding("gaps_declared", gap.place, "at", text, help)

@@ -50,6 +50,9 @@ def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], b
         if isinstance(fact, Member):
             for cause in fact.causes:
                 yield fact.name, fact.place, cause.sources, False
+    for group in device.groups:
+        for gap in group.gaps:
+            yield f"a gap of {group.name}", gap.place, gap.sources, False
     for table in device.tables.values():
         for element in table.elements:
             yield f"element {element.index} of {table.name}", element.place, element.sources, True

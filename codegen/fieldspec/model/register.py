@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.place import Place
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 
@@ -45,10 +46,12 @@ class Register(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """Addresses that the manual leaves out, and why."""
+    """Addresses that the manual leaves out, why, and between which lines."""
 
+    place: Place
     addresses: Ranges
     reason: str
+    sources: tuple[Citation, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

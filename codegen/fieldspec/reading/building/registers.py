@@ -22,11 +22,13 @@ def group(entry: Entry) -> RegisterGroup:
         title=entry.text("title"),
         section=entry.section,
         ascending=entry.text("order") != "as_listed",
-        gaps=tuple(
-            Gap(inner.whole_ranges("at") or Ranges(()), inner.text("reason")) for inner in entry.entries("gaps")
-        ),
+        gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
         registers=tuple(_register(inner) for inner in _rows(entry, defaults)),
     )
+
+
+def _gap(entry: Entry) -> Gap:
+    return Gap(entry.place(), entry.whole_ranges("at") or Ranges(()), entry.text("reason"), entry.sources)
 
 
 def _rows(entry: Entry, defaults: Mapping | None) -> list[Entry]:

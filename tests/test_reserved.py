@@ -1,0 +1,39 @@
+"""A name that a target reserves is written in another way there, and in no way that another name has."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from fieldspec.reading.scalars import schema
+from fieldspec.reserved import TARGETS
+
+
+@pytest.mark.parametrize(
+    ("target", "name", "spelled"),
+    [
+        ("python", "class", "class_"),
+        ("python", "register", "register"),
+        ("c", "register", "register_"),
+        ("c", "Register", "Register"),
+        ("iec", "Timer", "Timer"),
+        ("iec", "Time", "TimeValue"),
+        ("siemens", "Timer", '"Timer"'),
+    ],
+)
+def test_reserved_words_are_escaped(target: str, name: str, spelled: str) -> None:
+    assert TARGETS[target].spelled(name) == spelled
+
+
+@pytest.mark.parametrize("target", ["python", "c"])
+def test_escaped_words_are_no_names_of_specs(target: str) -> None:
+    legal = re.compile(schema()["$defs"]["name"]["pattern"])
+    for word in TARGETS[target].words:
+        assert not legal.search(TARGETS[target].spelled(word))
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_words_of_a_target_that_folds_case_are_in_lower_case(target: str) -> None:
+    words = TARGETS[target].words
+    assert not TARGETS[target].folds or {word.lower() for word in words} == words
