@@ -268,6 +268,21 @@ def test_a_section_of_a_group_stands_in_for_those_of_its_rows() -> None:
     assert [source.text() for source in (*near.sources, *far.sources)] == ["8.2 L5", "9 L6"]
 
 
+def test_a_row_has_no_source_where_only_its_group_has_one() -> None:
+    model = device("registers: [{group: a, source: 1 L2, rows: [{at: 1, name: b, type: u8}]}]\n")
+    (group,) = model.groups
+    assert [source.text() for source in group.sources] == ["1 L2"]
+    assert group.registers[0].sources == ()
+
+
+def test_what_is_inside_a_fact_has_its_source() -> None:
+    model = device(
+        "enums: [{name: a, source: 1 L2, members: [{name: b, value: 1}, {name: c, value: 2, source: 3 L4}]}]\n"
+    )
+    texts = [[source.text() for source in member.sources] for member in model.enums["a"].members]
+    assert texts == [["1 L2"], ["3 L4"]]
+
+
 def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None:
     text = "parameters: [{name: p, type: u16, defaults: {access: ro, unit: s}, rows: [{number: 1, name: a}]}]\n"
     (parameter,) = device(text).parameters["p"].parameters

@@ -26,6 +26,7 @@ SLIPS = {
     "an alias before its anchor": ("alias_unknown", "a: «*b»\nc: &b 1\n"),
     "a list that holds itself": ("alias_unknown", "a: &a [1, «*a»]\n"),
     "a mapping that holds itself": ("alias_unknown", "a: &a\n  b:\n    - {c: «*a»}\n"),
+    "a list that holds itself by a name that stood elsewhere": ("alias_unknown", "a: &a 1\nb: &a [«*a»]\n"),
     "aliases of aliases": ("aliases_grow", LAUGHS.replace("g: &g [*f,", "g: &g [«*f»,")),
     "aliases of deep lists": (
         "too_deep",
