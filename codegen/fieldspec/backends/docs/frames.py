@@ -18,6 +18,7 @@ CHECKS = {
     "lrc": "two's complement of the sum of all bytes before it",
     "sum8": "low byte of the sum of all bytes before it",
 }
+END_FIRST = {"big": "high", "little": "low"}
 
 COLUMNS = (
     Column("Byte", "number", kept=True),
@@ -116,7 +117,8 @@ class FrameTable:
         elif part.role == "length":
             yield (plain(self._length(record)),)
         elif part.role == "check":
-            yield (plain(CHECKS[part.algorithm]),)
+            order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
+            yield (plain(f"{CHECKS[part.algorithm]}{order}"),)
 
     def _length(self, record: RecordLayout | None) -> str:
         if record is None:

@@ -16,7 +16,7 @@ from fieldspec.model.value import Value
 # An enum with more members than this is not written out in the rows that use it.
 MOST_MEMBERS = 8
 
-VALUE_COLUMNS = (Column("Type"), Column("Unit"), Column("Range"))
+VALUE_COLUMNS = (Column("Type"), Column("Unit", "short"), Column("Range", "range"))
 PARTS = {"number": "The number of one of: ", "value": "The value of one of: ", "values": "The values of all: "}
 RESTART = {True: "yes", False: "no"}
 
