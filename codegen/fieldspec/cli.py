@@ -92,6 +92,7 @@ def parser() -> argparse.ArgumentParser:
 
     completion = verbs.add_parser("completion", help="print the completion script of a shell")
     completion.add_argument("shell", choices=("bash", "zsh", "tcsh"))
+    completion.set_defaults(parser=top)
     return top
 
 

@@ -9,7 +9,5 @@ def run(arguments: argparse.Namespace) -> int:
     """Prints the script; source it, or save it where the shell looks for completions."""
     import shtab
 
-    from fieldspec.cli import parser
-
-    print(shtab.complete(parser(), shell=arguments.shell))
+    print(shtab.complete(arguments.parser, shell=arguments.shell))
     return 0
