@@ -67,17 +67,17 @@ def test_a_folder_where_a_file_should_be_written_is_said_and_nothing_changes(
 def test_a_file_where_the_folder_should_be_is_wrong_use(
     specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (tmp_path / "out").write_text("not a folder")
+    (tmp_path / "out").write_text("not a folder", encoding="utf-8")
     assert build(specs, tmp_path / "out", "--to", "vectors") == 2
     assert "nothing was changed" in capsys.readouterr().err
-    assert (tmp_path / "out").read_text() == "not a folder"
+    assert (tmp_path / "out").read_text("utf-8") == "not a folder"
 
 
 def test_check_tells_which_files_are_not_fresh_and_writes_nothing(
     specs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     build(specs, tmp_path / "out", "--to", "vectors")
-    (tmp_path / "out/vectors/esc11.json").write_text("changed by hand")
+    (tmp_path / "out/vectors/esc11.json").write_text("changed by hand", encoding="utf-8")
     before = texts(tmp_path / "out")
     capsys.readouterr()
     assert build(specs, tmp_path / "out", "--to", "vectors", "--check") == 1
@@ -88,7 +88,7 @@ def test_check_tells_which_files_are_not_fresh_and_writes_nothing(
 def test_a_file_that_is_no_longer_produced_is_removed(specs: Path, tmp_path: Path) -> None:
     build(specs, tmp_path / "out", "--to", "vectors")
     shutil.rmtree(specs / "tc100")
-    (tmp_path / "out/vectors/mine.txt").write_text("a file of somebody else")
+    (tmp_path / "out/vectors/mine.txt").write_text("a file of somebody else", encoding="utf-8")
     assert build(specs, tmp_path / "out", "--to", "vectors") == 0
     assert sorted(path.name for path in (tmp_path / "out/vectors").iterdir()) == ["esc11.json", "mine.txt"]
 

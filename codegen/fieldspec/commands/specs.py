@@ -70,7 +70,7 @@ def _shown(path: Path) -> str:
 
 
 def split(text: str) -> tuple[str, str]:
-    """`tc100@2.0` as device and version; the version is empty where none is given."""
+    """`drive@2.0` as device and version; the version is empty where none is given."""
     device, _, version = text.partition("@")
     return device, version
 
