@@ -39,11 +39,26 @@ class _Parser(argparse.ArgumentParser):
         raise UsageError(f"{message}; see: {self.prog} --help")
 
 
+class _Verb(_Parser):
+    """The arguments of one verb; options may stand between the others."""
+
+    _mixing = False
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        if self._mixing:
+            return super().parse_known_args(args, namespace)
+        self._mixing = True
+        try:
+            return self.parse_known_intermixed_args(args, namespace)
+        finally:
+            self._mixing = False
+
+
 def parser() -> argparse.ArgumentParser:
     """All verbs with their arguments."""
     top = _Parser(prog="fieldspec", description="Protocol specs to code: check, build, explain.")
     top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
-    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Parser)
+    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Verb)
 
     def verb(name: str, help: str) -> argparse.ArgumentParser:
         inner = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
@@ -70,7 +85,8 @@ def parser() -> argparse.ArgumentParser:
 
     decode = verb("decode", "explain a frame, or a log of frames, byte by byte")
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
-    decode.add_argument("frame", nargs="*", metavar="HEX|-", help="the bytes; - or nothing: lines of standard input")
+    frames = "the bytes; - or nothing: lines of standard input"
+    decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-", help=frames)
     decode.add_argument("--link", help="the link that the frame was sent on")
     decode.add_argument("--direction", choices=("request", "response"))
     decode.add_argument("--message", help="the message, where the frame does not say it")

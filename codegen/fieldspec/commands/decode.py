@@ -108,7 +108,8 @@ class _Log:
         self.wrong = self.wrong or held.wrong
         self.mark = ""
         if self.asked is None or not self.asked.sure:
-            self.asked, self.asked_in = self._request(held), number
+            self.asked = self._request(held)
+            self.asked_in = number if self.asked else 0
 
     def _request(self, held: Read) -> Asked | None:
         """What the next response answers: the frame, where it is a request, and not for all stations."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from decimal import Decimal
 
@@ -11,28 +12,25 @@ from fieldspec.commands import specs
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the facts as CSV or JSON."""
-    from fieldspec.facts import COLUMNS, Cell, rows
+    from fieldspec.facts import COLUMNS, rows
 
-    layout = specs.layout(arguments.specs, arguments.device)
-    found = rows(layout)
+    found = rows(specs.layout(arguments.specs, arguments.device))
     if arguments.format == "csv":
         import csv
 
         writer = csv.writer(sys.stdout, lineterminator="\n")
         writer.writerow(COLUMNS)
         writer.writerows([_csv(row[column]) for column in COLUMNS] for row in found)
-        return 0
-    import json
-
-    def number(cell: object) -> object:
-        if isinstance(cell, Decimal):
-            return int(cell) if cell == cell.to_integral_value() else float(cell)
-        raise TypeError(type(cell).__name__)
-
-    data: list[dict[str, Cell]] = found
-    json.dump(data, sys.stdout, ensure_ascii=False, indent=1, default=number)
-    print()
+    else:
+        print(json.dumps(found, ensure_ascii=False, indent=1, default=_number))
     return 0
+
+
+def _number(cell: object) -> int | float:
+    """An exact decimal as a number of JSON, which prints as it is written in the spec."""
+    if isinstance(cell, Decimal):
+        return int(cell) if cell == cell.to_integral_value() else float(cell)
+    raise TypeError(type(cell).__name__)
 
 
 def _csv(cell: object) -> str:
@@ -41,7 +39,5 @@ def _csv(cell: object) -> str:
     if isinstance(cell, list):
         return " ".join(map(str, cell))
     if isinstance(cell, dict):
-        import json
-
-        return json.dumps(cell, ensure_ascii=False, default=str)
-    return str(cell)
+        return json.dumps(cell, ensure_ascii=False, default=_number)
+    return format(cell, "f") if isinstance(cell, Decimal) else str(cell)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 
 from fieldspec.model.fact import Citation, Fact
@@ -33,6 +33,7 @@ class ErrorReply:
 
     flag: int
     record: str
+    sources: tuple[Citation, ...] = field(default=(), repr=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +78,7 @@ class Link(Fact):
     serial: Serial | None
     silence_characters: Decimal | None
     silence_milliseconds: Decimal | None
+    silence_sources: tuple[Citation, ...]
 
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 
 from fieldspec.layout.device import DeviceLayout
@@ -29,7 +29,7 @@ class Table:
 
 
 def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
-    """`write_register request, rtu, TC100 2.0: Write one register`; without the message where that is not `sure`."""
+    """`write_register request, rtu, Gadget 2.0: Write one register`; without the message where that is not `sure`."""
     device = layout.device
     kind = "refusal" if held.error else held.direction
     name = f"{held.message or 'unknown'} {kind}" if sure else kind
@@ -75,6 +75,8 @@ def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
             continue
         for row in rows:
             raw = "" if check is not None and row.path == check.name else raw_text(row, row.path in addresses)
+            if code is not None and row.path == code.name and laid is not None and not held.error:
+                row = replace(row, meanings=(Meaning(laid.name, laid.message.label, "", ""),))
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
             lines += _lines(row, first, 2)
     return _table(headings, lines)

@@ -22,11 +22,12 @@ def link(entry: Entry) -> Link:
         word_order=entry.text("word_order"),
         request=tuple(_part(inner) for inner in entry.entries("request")),
         response=tuple(_part(inner) for inner in entry.entries("response")),
-        error=ErrorReply(error.integer("flag") or 0, error.text("record")) if error else None,
+        error=ErrorReply(error.integer("flag") or 0, error.text("record"), error.sources) if error else None,
         stations=_stations(entry),
         serial=_serial(entry),
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
+        silence_sources=silence.sources if silence else (),
     )
 
 

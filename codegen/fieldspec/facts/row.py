@@ -1,0 +1,128 @@
+"""A row of the table of facts, and how a fact of any kind becomes one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+from typing import TypeAlias
+
+from fieldspec.model.fact import Citation, Claim, Fact
+from fieldspec.model.ranges import Ranges, intervals
+from fieldspec.model.value import Value
+
+COLUMNS = (
+    "kind",
+    "path",
+    "code",
+    "address",
+    "words",
+    "bytes",
+    "bit",
+    "name",
+    "printed_name",
+    "label",
+    "type",
+    "access",
+    "unit",
+    "scale",
+    "min",
+    "max",
+    "ranges",
+    "default",
+    "section",
+    "line",
+    "printed",
+    "errata",
+)
+
+Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
+Row: TypeAlias = dict[str, Cell]
+
+# What another place states again, and the column that shows it.
+_CLAIMED = {
+    "at": "address",
+    "words": "words",
+    "length": "bytes",
+    "bit": "bit",
+    "code": "code",
+    "printed_name": "printed_name",
+    "label": "label",
+    "type": "type",
+    "access": "access",
+    "unit": "unit",
+    "scale": "scale",
+    "default": "default",
+    "range": "ranges",
+    "repeat": "ranges",
+    "enum_values": "ranges",
+    "count": "ranges",
+}
+
+
+def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row:
+    """A row with the first place of the manual; cells that are empty texts stay empty."""
+    made: Row = dict.fromkeys(COLUMNS)
+    made.update(kind=kind, path=path, errata=[])
+    first = next(iter(sources), None)
+    if first is not None:
+        made.update(section=first.section or None, line=first.line())
+    made.update({key: cell for key, cell in cells.items() if cell not in ("", None)})
+    return made
+
+
+def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[Row]:
+    """The row of a fact, then one for each place of the manual that states it again."""
+    known: Row = {key: cells[key] for key in ("code", "bit") if key in cells}
+    known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
+    yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **cells})
+    for claim in fact.restated:
+        yield _restated(kind, value, claim, known)
+    for number, sentinel in enumerate(value.sentinels if value else ()):
+        path = f"{fact.place.path}/sentinels/{number}"
+        yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
+
+
+def of_value(value: Value | None) -> Row:
+    """The cells of a value; bounds and defaults are counts."""
+    if value is None:
+        return {}
+    return {
+        "type": value.type.name,
+        "bytes": value.size,
+        "unit": value.unit,
+        "scale": value.scale if value.scaled else None,
+        "default": value.default if value.const is None else value.const,
+        **of_ranges(value.ranges),
+    }
+
+
+def of_ranges(ranges: Ranges | None) -> Row:
+    """The least value, the greatest, and all intervals."""
+    return {} if ranges is None else {"min": ranges.low, "max": ranges.high, "ranges": ranges.text()}
+
+
+def _restated(kind: str, value: Value | None, claim: Claim, known: Row) -> Row:
+    """The row of a claim: what makes the fact known, and what the other place says of it."""
+    cells = dict(known)
+    for key, held in claim.values.items():
+        if key in _CLAIMED and held is not None and not isinstance(held, bool):
+            cells[_CLAIMED[key]] = str(held) if _CLAIMED[key] == "ranges" else held
+            if key == "range":
+                cells.update(_bounds(str(held), None))
+        elif key == "value" and isinstance(held, int | Decimal):
+            cells.update({"code": held} if isinstance(held, int) and "code" in known else {"min": held, "max": held})
+        elif key == "unit_range" and value is not None:
+            cells.update(_bounds(str(held), value))
+        elif key == "unit_default" and value is not None and isinstance(held, int | Decimal):
+            cells["default"] = value.from_unit(Decimal(held))
+    return row(kind, claim.place.path, claim.sources, **cells)
+
+
+def _bounds(text: str, value: Value | None) -> Row:
+    """The bounds of intervals; with a `value`, of intervals in its unit, as counts."""
+    pairs = intervals(text)
+    if value is not None:
+        pairs = tuple(((low - value.offset) / value.scale, (high - value.offset) / value.scale) for low, high in pairs)
+    if any(bound != int(bound) for pair in pairs for bound in pair):
+        return {"ranges": text}
+    return of_ranges(Ranges(tuple((int(low), int(high)) for low, high in pairs)))

@@ -1,0 +1,61 @@
+"""The facts that are not on the wire by themselves: look-up tables, limits, notes, examples, versions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.facts.row import Row, of_fact, row
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Device
+from fieldspec.model.lookup import Lookup
+
+
+def texts(layout: DeviceLayout) -> Iterator[Row]:
+    """The rows of look-up tables, limits, notes, examples and versions."""
+    device = layout.device
+    for lookup in device.lookups:
+        yield from _lookup(lookup)
+    yield from _limits(device)
+    for note in device.notes:
+        yield row("note", note.place.path, note.sources, name=note.name, label=note.title)
+    yield from _examples(layout)
+    yield from _versions(device)
+
+
+def _lookup(lookup: Lookup) -> Iterator[Row]:
+    yield from of_fact("lookup", lookup)
+    for number, line in enumerate(lookup.rows):
+        first = line.cells[0] if line.cells else None
+        cells: Row = {
+            "name": f"{lookup.name}_{number + 1}",
+            "label": " | ".join("" if cell is None else str(cell) for cell in line.cells),
+            "code": first if isinstance(first, int) and not isinstance(first, bool) else None,
+        }
+        yield row(lookup.kind, line.place.path, line.sources or lookup.sources, **cells)
+
+
+def _limits(device: Device) -> Iterator[Row]:
+    for limit in device.limits:
+        low = limit.low if limit.value is None else limit.value
+        high = limit.high if limit.value is None else limit.value
+        yield from of_fact(limit.kind, limit, unit=limit.unit, min=low, max=high, ranges=limit.text)
+
+
+def _examples(layout: DeviceLayout) -> Iterator[Row]:
+    for example in layout.device.examples.values():
+        message = layout.messages.get(example.message)
+        cells: Row = {
+            "code": message.message.code if message else None,
+            "bytes": len(example.frame),
+            "name": example.id,
+            "printed_name": example.frame.hex(" ").upper(),
+            "label": example.title,
+        }
+        yield row("example", example.place.path, example.sources, **cells)
+
+
+def _versions(device: Device) -> Iterator[Row]:
+    for line in device.lines:
+        for version in line.versions:
+            path = f"versions/{line.name}/{version.id}"
+            yield row("version", path, version.sources, name=version.id, label=version.title)
