@@ -1,4 +1,4 @@
-"""The Python output of all specs, built into a folder of its own and imported from there; and raw values of its objects.
+"""The Python output of all specs, built into a folder of its own and imported from there; raw values of its objects.
 
 The package has another name here, so that the committed one is left alone.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 import importlib
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -20,6 +20,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.primitive import Kind
 from fieldspec.names import Name
+from fieldspec.reference import CodecError
 from laid_out import MADE_UP, SPECS, layouts
 
 NAME = "made_devices"
@@ -146,3 +147,16 @@ def only_stored(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, An
             held = [only_stored(inner, item) for item in held] if field.listed else only_stored(inner, held)
         found[field.name] = held
     return found
+
+
+def outcome(call: Callable[[], Any]) -> tuple[str, Any]:
+    """What a call of either codec comes to: the reason and the offset of its refusal, or its value as a text.
+
+    In a text, one NaN is like another. The reference leaves characters that are not ASCII to Python.
+    """
+    try:
+        return "", repr(call())
+    except (codec_error(), CodecError) as error:
+        return error.reason, error.offset
+    except UnicodeEncodeError:
+        return "unknown_value", None

@@ -57,7 +57,7 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
     if kind is Kind.FLOAT:
         return st.floats(width=32)
     if kind is Kind.BOOLEAN:
-        return st.booleans()
+        return st.one_of(st.booleans(), st.booleans(), st.booleans(), st.integers(-1, 2))
     low, high = value.type.low, value.type.high
     options: list[st.SearchStrategy[int]] = []
     if value.enum:
@@ -73,7 +73,7 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
 
 
 def bytes_of(record: RecordLayout) -> st.SearchStrategy[bytes]:
-    """Bytes of a right length, or of one beside it; in half of the cases small ones, which more often have a meaning."""
+    """Bytes of a right length, or of one beside it; often small ones, which more often have a meaning."""
     most = record.most if record.most is not None else record.least + 40
     right = st.binary(min_size=record.least, max_size=min(most, record.least + 60))
     drawn = st.one_of(right, right, right, st.binary(max_size=record.least + 3))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -12,11 +13,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from laid_out import MADE_UP, SPECS, newest
+from fieldspec.backends.python.units import in_unit, quantity, ratio
+from fieldspec.layout.checksums import CHECKSUMS
+from laid_out import MADE_UP, SPECS, layouts, newest
 from made_python import codec_error, made, package, runtime
 
 WIDGET, ESC11, TC100 = made(newest(MADE_UP, "widget")), made(newest(SPECS, "esc11")), made(newest(SPECS, "tc100"))
 CodecError = codec_error()
+PACKAGE = package()
 
 
 def corner(x: int = 0, y: int = 0) -> Any:
@@ -48,9 +52,8 @@ def test_a_closed_enum_refuses_a_value_that_it_does_not_list() -> None:
 
 
 def test_a_version_has_the_members_of_its_own() -> None:
-    old = made(newest(MADE_UP, "widget")).__name__.replace("v2_0", "before_2_0")
-    module = __import__("importlib").import_module(old)
-    assert not hasattr(module.Alarm, "OVER_VOLTAGE")
+    old = made(layouts(MADE_UP)["widget"][0])
+    assert not hasattr(old.Alarm, "OVER_VOLTAGE")
     assert WIDGET.Alarm.OVER_VOLTAGE == 0x100
 
 
@@ -125,7 +128,15 @@ def test_a_record_has_no_room_for_a_misspelt_field() -> None:
 def test_a_record_can_be_copied(copied: Any) -> None:
     nest = WIDGET.NestRequest(
         WIDGET.Nest(
-            corner(), [corner(1), corner(2)], [1, 2, 3], [0, 1], [1, 2], [WIDGET.Status(1)] * 2, [True, False], ["", "a"], 255
+            corner(),
+            [corner(1), corner(2)],
+            [1, 2, 3],
+            [0, 1],
+            [1, 2],
+            [WIDGET.Status(1)] * 2,
+            [True, False],
+            ["", "a"],
+            255,
         ),
         WIDGET.Color.RED,
     )
@@ -220,7 +231,9 @@ def test_a_value_that_is_out_of_range_is_refused_and_changes_nothing(value: floa
     assert held.x == 7
 
 
-@given(count=st.integers(-(2**63), 2**63 - 1), ratio=st.sampled_from([(1, 0, 1), (1, 0, 100), (1, -400, 10), (-5, 3, 7)]))
+@given(
+    count=st.integers(-(2**63), 2**63 - 1), ratio=st.sampled_from([(1, 0, 1), (1, 0, 100), (1, -400, 10), (-5, 3, 7)])
+)
 def test_rounding_is_exact_for_every_count(count: int, ratio: tuple[int, int, int]) -> None:
     a, b, c = ratio
     exact = Fraction(count * a + b, c)
@@ -230,6 +243,30 @@ def test_rounding_is_exact_for_every_count(count: int, ratio: tuple[int, int, in
     half = exact + Fraction(a, 2 * c)
     if count < 2**63 - 1:
         assert counts("it", half, ratio, ranges) == (count if count % 2 == 0 else count + 1)
+
+
+@pytest.mark.parametrize(
+    ("scale", "offset", "held", "expression", "text"),
+    [
+        ("1", "0", (1, 0, 1), "float(n)", ""),
+        ("0.01", "0", (1, 0, 100), "n / 100", "in 0.01 mm"),
+        ("0.5", "-40", (1, -80, 2), "(n - 80) / 2", "in 0.5 mm from -40 mm"),
+        ("10", "0.25", (40, 1, 4), "(n * 40 + 1) / 4", "in 10 mm from 0.25 mm"),
+        ("2", "3", (2, 3, 1), "float(n * 2 + 3)", "in 2 mm from 3 mm"),
+        ("-0.1", "0", (-1, 0, 10), "n * -1 / 10", "in -0.1 mm"),
+    ],
+)
+def test_a_scale_is_written_as_whole_numbers(
+    scale: str, offset: str, held: tuple[int, int, int], expression: str, text: str
+) -> None:
+    value = replace(SCALED, scale=Decimal(scale), offset=Decimal(offset))
+    assert ratio(value) == held
+    assert in_unit("n", held) == expression
+    assert eval(expression, {"n": 7}) == float(value.in_unit(7))
+    assert quantity(value) == text or not value.scaled
+
+
+SCALED = next(iter(newest(MADE_UP, "widget").records["corner"].fields)).value
 
 
 @given(st.integers(-1000, 1000))
@@ -244,7 +281,7 @@ def test_a_count_comes_back_from_its_value_in_the_unit(count: int) -> None:
 
 def test_a_response_is_of_the_class_that_belongs_to_its_request() -> None:
     frame = bytes.fromhex("06 00 70 05 04 7F")
-    assert ESC11.serial.decode_request(frame) == package().Request(0, ESC11.ClearPointsRequest(5, 4))
+    assert ESC11.serial.decode_request(frame) == PACKAGE.Request(0, ESC11.ClearPointsRequest(5, 4))
     response = ESC11.serial.decode_response(bytes.fromhex("04 00 03 07"), ESC11.StopRequest)
     assert isinstance(response.message, ESC11.StopResponse)
     assert response.status == ESC11.CommunicationStatus.of(executing=True, out_of_position=True)
@@ -253,7 +290,7 @@ def test_a_response_is_of_the_class_that_belongs_to_its_request() -> None:
 def test_a_refusal_is_a_result_and_no_exception() -> None:
     frame = WIDGET.rtu.encode_error(1, 0x03, WIDGET.ExceptionRecord(WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS))
     match WIDGET.rtu.decode_response(frame, WIDGET.ReadRegistersRequest):
-        case package().ErrorReply(station=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
+        case PACKAGE.ErrorReply(station=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
             assert reason is WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS
         case other:
             pytest.fail(f"it is {other}")
@@ -316,8 +353,6 @@ def test_a_frame_may_be_in_any_kind_of_bytes(form: Any) -> None:
 
 @given(st.binary(max_size=300))
 def test_the_fast_crc_is_that_of_the_standard(data: bytes) -> None:
-    from fieldspec.layout.checksums import CHECKSUMS
-
     checks = runtime("_checks")
     for name in ("crc16_modbus", "lrc", "sum8"):
         assert getattr(checks, name)(data) == CHECKSUMS[name](data)

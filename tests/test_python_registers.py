@@ -7,7 +7,10 @@ from typing import Any
 
 import pytest
 
-from laid_out import MADE_UP, SPECS, newest
+from fieldspec.backends.python.backend import PACKAGE, files
+from fieldspec.layout.device import device_layout
+from fieldspec.reading.project import read
+from laid_out import MADE_UP, SPECS, layouts, newest
 from made_python import codec_error, made
 
 WIDGET, GADGET, GIZMO = (made(newest(MADE_UP, name)) for name in ("widget", "gadget", "gizmo"))
@@ -181,6 +184,15 @@ def test_a_record_that_is_longer_than_a_request_may_be_is_split() -> None:
     ]
 
 
+def test_the_range_of_the_number_of_words_bounds_a_request() -> None:
+    name = "protocols/wire.yaml"
+    wire = (MADE_UP / name).read_text(encoding="utf-8").replace("u16, range: 1..10", "u16, range: 1..3")
+    sources = {f"widget/{path.name}": path.read_bytes() for path in (MADE_UP / "widget").glob("*.yaml")}
+    spec = read({**sources, name: wire.encode()}).devices["widget"]
+    text = files([device_layout(spec.at("2.0")[0])])[f"{PACKAGE}/widget/v2_0.py"]
+    assert "for start, count in _spans(register, 3)]" in text
+
+
 def test_a_record_is_put_together_from_its_responses() -> None:
     assert WIDGET.points.read_request(5) == WIDGET.ReadRegistersRequest(0x9050, 8)
     words = list(struct.unpack(">8H", POINT.encode()))
@@ -247,7 +259,7 @@ def test_all_parameters_go_in_one_message_in_the_order_of_their_numbers() -> Non
 
 
 def test_a_version_without_a_message_for_one_parameter_has_no_request_for_it() -> None:
-    old = __import__("importlib").import_module(WIDGET.__name__.replace("v2_0", "before_2_0"))
+    old = made(layouts(MADE_UP)["widget"][0])
     assert not hasattr(old.parameters, "write_request")
 
 

@@ -64,13 +64,5 @@ def shown(name: str, attributes: Sequence[str], indent: int) -> list[str]:
 
 
 def union(name: str, types: Sequence[str]) -> list[str]:
-    """The statement that names a union of types; they may be defined further down."""
-    rows: list[str] = []
-    for type_ in types:
-        if rows and len(rows[-1]) + len(type_) < WIDTH - 12:
-            rows[-1] += f" | {type_}"
-        else:
-            rows.append(f" | {type_}" if rows else type_)
-    if len(rows) == 1:
-        return [f'{name}: _TypeAlias = "{rows[0]}"']
-    return [f"{name}: _TypeAlias = (", *(f'    "{row}"' for row in rows), ")"]
+    """The statement that names a union of types."""
+    return chained(f"{name}: _TypeAlias = ", types, "|", "", 0)

@@ -30,7 +30,7 @@ MODULE = _words(
     "DEVICE IDENTITY LATEST REGISTERS TABLES TYPE_CHECKING VERSION VERSIONS annotations read_request read_requests"
     " read_value register_at write_request write_requests"
 )
-RECORD = _words("at cls data decode encode raws record self")
+RECORD = _words("decode encode self")
 MESSAGE = RECORD | _words("CODE response_type")
 FLAGS = _words("cls flags of raw self word")
 PARAMETERS = _words("from_raws read_request read_value self to_raws write_request")

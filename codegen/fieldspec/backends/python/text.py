@@ -49,14 +49,19 @@ def docstring(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
         if number and not (text.startswith(" ") and texts[number - 1].startswith(" ")):
             lines.append("")
         lines += _wrapped(text, WIDTH - indent)
-    escaped = ["".join(map(_escaped, line)).replace('"""', '\\"\\"\\"') for line in lines]
-    if escaped[-1].endswith('"'):
-        escaped[-1] = escaped[-1][:-1] + '\\"'
+    escaped = [_within_quotes(line) for line in lines[:-1]]
+    # A quotation mark at the very end would be taken for the first of those that close the docstring.
+    last = lines[-1]
+    escaped.append(_within_quotes(last[:-1]) + '\\"' if last.endswith('"') else _within_quotes(last))
     margin = " " * indent
     if len(escaped) == 1:
         return [f'{margin}"""{escaped[0]}"""']
     body = [f"{margin}{line}" if line else "" for line in escaped[1:]]
     return [f'{margin}"""{escaped[0]}', *body, f'{margin}"""']
+
+
+def _within_quotes(line: str) -> str:
+    return "".join(map(_escaped, line)).replace('"""', '\\"\\"\\"')
 
 
 def _wrapped(text: str, width: int) -> list[str]:

@@ -1,0 +1,259 @@
+"""The generated package as a whole: type checkers, versions of Python, hostile texts, independence, sameness."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from fieldspec.backends.python.backend import PACKAGE, files
+from fieldspec.backends.python.naming import Scope, module_name
+from fieldspec.backends.python.text import docstring, literal
+from laid_out import MADE_UP, SPECS, layouts, newest
+from made_python import made, texts, write
+
+PYTHONS = ("3.10", "3.11", "3.12", "3.13", "3.14")
+HOSTILE = newest(MADE_UP, "hostile")
+SMOKE = """
+
+for name in MODULES:
+    __import__(name)
+assert not {"fieldspec", "yaml", "jinja2", "construct", "typing"} & {name.split(".")[0] for name in sys.modules}
+from fieldspec_devices import tc100
+frame = tc100.rtu.encode_request(1, tc100.WriteRegisterRequest(0x201E, 3))
+assert frame.hex(" ") == "01 06 20 1e 00 03 a2 0d", frame.hex(" ")
+assert tc100.rtu.decode_request(frame).message == tc100.WriteRegisterRequest(0x201E, 3)
+print("well")
+"""
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder that holds the package."""
+    folder = tmp_path_factory.mktemp("python")
+    write(folder, texts())
+    return folder
+
+
+def environment() -> dict[str, str]:
+    """What a checker's process may know: nothing of this project."""
+    return {name: held for name, held in os.environ.items() if name not in ("PYTHONPATH", "MYPYPATH")}
+
+
+def test_mypy_is_content_with_the_package(written: Path) -> None:
+    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.10", "--config-file=", PACKAGE]
+    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-5000:]
+
+
+def test_pyright_is_content_with_the_package(written: Path) -> None:
+    command = [sys.executable, "-m", "pyright", "--outputjson", PACKAGE]
+    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
+    found = json.loads(done.stdout)
+    assert found["generalDiagnostics"] == []
+    assert found["summary"]["filesAnalyzed"] > 10
+
+
+USER = """
+from typing import assert_type
+from fieldspec_devices import CodecError, ErrorReply, Register, Request, Response, widget
+from fieldspec_devices.widget import before_2_0
+
+request = widget.ReadRegistersRequest(0x1000, 2)
+reply = widget.rtu.decode_response(b"", request)
+assert_type(reply, Response[widget.ReadRegistersResponse] | ErrorReply[widget.ExceptionRecord])
+stopped = widget.rtu.decode_response(b"", widget.StopRequest)
+assert_type(stopped, Response[widget.StopResponse] | ErrorReply[widget.ExceptionRecord])
+packet = widget.packet.decode_response(b"", widget.StopRequest())
+assert_type(packet.message, widget.StopResponse)
+assert_type(packet.status, widget.PacketStatus)
+assert_type(packet.status.busy, bool)
+assert_type(widget.LAMP.decode(b""), widget.Color)
+assert_type(widget.ALARM_HISTORY[1].decode(b""), widget.Alarm | int)
+assert_type(widget.POSITION.decode(b""), int)
+assert_type(widget.RATIO.decode(b""), float)
+assert_type(widget.points[5].decode(b""), widget.Point)
+assert_type(widget.points.read_value(5), widget.Point)
+assert_type(widget.read_value(widget.STATUS_WORD), widget.Status)
+assert_type(widget.parameters.read_value(widget.parameters.HOME, widget.ReadOneResponse(2, 0)), widget.Direction)
+assert_type(widget.Point.decode(b"").speed, int)
+assert_type(widget.Corner(1, 2).x_mm, float)
+assert_type(before_2_0.LAMP, Register[before_2_0.Color])
+"""
+
+WRONG = """
+from fieldspec_devices import widget
+widget.rtu.encode_request(1, widget.StopResponse())
+widget.write_request(widget.LAMP, "red")
+widget.Corner(x=1)
+widget.Status.of(redy=True)
+widget.LAMP.encode(1.5)
+widget.Corner(1, 2).x_mm = "1"
+"""
+
+
+def test_a_type_checker_knows_what_users_get(written: Path) -> None:
+    (written / "user.py").write_text(USER, encoding="utf-8")
+    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "user.py"]
+    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-5000:]
+
+
+def test_a_type_checker_finds_what_users_get_wrong(written: Path) -> None:
+    (written / "wrong.py").write_text(WRONG, encoding="utf-8")
+    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "wrong.py"]
+    done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
+    found = sorted(int(line) for line in re.findall(r"wrong\.py:(\d+): error", done.stdout))
+    assert found == [3, 4, 5, 6, 7, 8], done.stdout[-5000:]
+
+
+@pytest.mark.parametrize("version", PYTHONS)
+def test_the_package_works_alone_under_every_python(written: Path, version: str) -> None:
+    python = _python(version)
+    paths = (path.relative_to(written).with_suffix("") for path in sorted(written.rglob(f"{PACKAGE}/**/*.py")))
+    modules = [".".join(path.parts).removesuffix(".__init__") for path in paths]
+    start = f"import sys; sys.path.insert(0, {str(written)!r}); MODULES = {modules!r}"
+    command = [python, "-W", "error", "-I", "-c", start + SMOKE]
+    done = subprocess.run(command, env=environment(), capture_output=True, text=True, check=False)
+    assert done.stdout == "well\n", done.stderr[-3000:]
+
+
+def _python(version: str) -> str:
+    """An interpreter of a version, where there is one."""
+    if version == f"{sys.version_info.major}.{sys.version_info.minor}":
+        return sys.executable
+    found = sorted(Path.home().glob(f".pyenv/versions/{version}.*/bin/python"))
+    return str(found[-1]) if found else _skipped(version)
+
+
+def _skipped(version: str) -> str:
+    path = shutil.which(f"python{version}")
+    if path is None:
+        pytest.skip(f"there is no Python {version} here")
+    return path
+
+
+def test_the_same_specs_give_the_same_bytes() -> None:
+    versions = layouts(MADE_UP)["widget"]
+    assert files(versions) == files(versions)
+
+
+def test_an_output_names_no_machine_and_no_day() -> None:
+    for path, text in texts().items():
+        assert not re.search(r"/(work|root|home|tmp)/|20\d\d-\d\d-\d\d", text), path
+
+
+def test_every_module_of_a_version_holds_its_identity() -> None:
+    for versions in layouts(SPECS).values():
+        for layout in versions:
+            path = f"{PACKAGE}/{layout.device.id}/{module_name(layout.device.version)}.py"
+            text = files(versions)[path]
+            assert layout.identity in text[:3000]
+            assert f'IDENTITY: _Final = "{layout.identity}"' in text
+
+
+def test_no_two_modules_of_the_package_depend_on_the_compiler() -> None:
+    for path, text in texts().items():
+        for node in ast.walk(ast.parse(text)) if path.endswith(".py") else ():
+            if isinstance(node, ast.ImportFrom) and node.level == 0:
+                assert node.module in ALLOWED, path
+            if isinstance(node, ast.Import):
+                pytest.fail(f"{path} imports {node.names[0].name}")
+
+
+ALLOWED = {"__future__", "binascii", "collections.abc", "enum", "struct", "typing", "typing_extensions"}
+
+
+# Hostile texts
+
+
+def test_hostile_texts_arrive_as_they_are() -> None:
+    module = made(HOSTILE)
+    assert 'Line one line two */ // """ \\' in module.ClassLink.__doc__
+    assert 'None ("""*/</script>\\)' in module.NoneCode.__doc__
+    assert "# and a hash, and a backslash at the end \\" in module.Struct.__doc__
+    assert "🤖🦾 emoji" in source_of_hostile()
+
+
+def test_hostile_characters_are_escaped_where_they_would_not_be_seen() -> None:
+    text = source_of_hostile()
+    for char in "\x00\t\r\u2028\u202e":
+        assert char not in text
+    assert "\\x00" in text
+    assert "\\u202e" in text
+
+
+def source_of_hostile() -> str:
+    """The module of the hostile device."""
+    return files([HOSTILE])[f"{PACKAGE}/hostile/v1.py"]
+
+
+def test_hostile_names_become_names_of_python() -> None:
+    module = made(HOSTILE)
+    assert module.class_.decode_request(bytes.fromhex("07 02 09 12")).return_ == 9
+    assert module.Flags_ if hasattr(module, "Flags_") else module.FlagsFlags.of(class_=True, raw_=True).raw == 5
+    assert [member.name for member in module.NoneCode][:3] == ["NONE", "TRUE", "MRO"]
+    assert module.Struct.__match_args__[:3] == ("class_", "int_", "int_percent")
+    assert module.CLASS.address == 0
+    assert module.main.GET.number == 1
+
+
+TEXTS = [
+    '"""',
+    "\\",
+    'ends with "',
+    '\\"""',
+    "a\\",
+    "\n\n",
+    "'''",
+    '""""',
+    '"',
+    "{{ x }}",
+    "%s",
+    "tab\tand\rreturn",
+    "\x00\x7f",
+    "é🤖",
+    "\\N{BULLET}",
+]
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_any_text_is_a_literal_and_a_docstring(text: str) -> None:
+    assert ast.literal_eval(literal(text)) == text
+    lines = docstring([f"Begins. {text}", text], 4)
+    read = ast.literal_eval("\n".join(lines).strip())
+    assert " ".join(read.split()) == " ".join(f"Begins. {text} {text}".split())
+
+
+def test_a_name_that_is_taken_gets_another_form() -> None:
+    scope = Scope(frozenset({"Point"}))
+    assert [scope.take("Point", "PointRecord"), scope.take("Point", "PointRecord"), scope.take("class")] == [
+        "PointRecord",
+        "PointRecord_",
+        "class_",
+    ]
+
+
+MODULES = [("2.0", "v2_0"), ("before-1.17", "before_1_17"), ("V2", "v2"), ("1", "v1"), ("class", "vclass")]
+
+
+@pytest.mark.parametrize(("version", "module"), MODULES)
+def test_a_version_gives_its_module_a_name(version: str, module: str) -> None:
+    assert module_name(version) == module
+    assert module.isidentifier()
+
+
+def test_a_device_gives_the_names_of_its_newest_version() -> None:
+    widget = made(newest(MADE_UP, "widget"))
+    package = sys.modules[widget.__name__.rpartition(".")[0]]
+    assert package.Point is widget.Point
+    assert package.LATEST == "2.0"
+    assert package.VERSIONS == {"before-2.0": "before_2_0", "2.0": "v2_0"}
+    assert set(widget.__all__) < set(package.__all__)
