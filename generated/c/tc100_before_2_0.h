@@ -1233,7 +1233,7 @@ typedef struct tc100_read_registers_request {
      */
     uint16_t address;
     /**
-     * Printed as 讀取 WORD 數.
+     * Printed as 讀出 WORD 數.
      * Range: 1..60.
      * Source: 8.5 L2026-2027
      */
@@ -1519,8 +1519,9 @@ typedef struct tc100_write_registers_response {
      */
     uint16_t address;
     /**
-     * Printed as 寫入 WORD 數.
+     * Printed as 讀入 WORD 數.
      * Range: 1..59.
+     * Note: 8.5 calls what is written read in, in all of its write structures.
      * Source: 8.5 L2169-2170
      */
     uint16_t word_count;

@@ -8884,31 +8884,88 @@ class SerialResponse(_Response[_M]):
 
 
 AnySerialRequest: _TypeAlias = (
-    "ReadPointsRequest | ReadParametersRequest | ReadIoStatusRequest | ReadAlarmHistoryRequest"
-    " | WritePointsRequest | WriteParametersRequest | WriteParameterRequest | WriteTemporaryPointRequest"
-    " | ClearPointsRequest | InitializePointsRequest | InitializeParametersRequest"
-    " | ClearAlarmHistoryRequest | ClearAccumulatedTimeRequest | StopRequest | StartHomingRequest"
-    " | MovePositiveDistanceRequest | MoveNegativeDistanceRequest | MoveOpenRequest | MoveCloseRequest"
-    " | MoveRelativeRequest | MoveAbsoluteRequest | MoveToPointRequest | GripOpenRequest"
-    " | GripCloseRequest | GripRelativeRequest | GripAbsoluteRequest | GripOpenWithZoneRequest"
-    " | GripCloseWithZoneRequest | NoOperationRequest | SetMotorExcitationRequest | ReadVersionRequest"
-    " | ReadCurrentPositionRequest | ReadCurrentPointNumberRequest | ReadParameterRequest"
-    " | ReadPointRequest | ReadHomingStateRequest | ReadMotorExcitationRequest | ReadAlarmCodeRequest"
-    " | ReadAccumulatedTimeRequest | ResetAlarmRequest"
+    ReadPointsRequest
+    | ReadParametersRequest
+    | ReadIoStatusRequest
+    | ReadAlarmHistoryRequest
+    | WritePointsRequest
+    | WriteParametersRequest
+    | WriteParameterRequest
+    | WriteTemporaryPointRequest
+    | ClearPointsRequest
+    | InitializePointsRequest
+    | InitializeParametersRequest
+    | ClearAlarmHistoryRequest
+    | ClearAccumulatedTimeRequest
+    | StopRequest
+    | StartHomingRequest
+    | MovePositiveDistanceRequest
+    | MoveNegativeDistanceRequest
+    | MoveOpenRequest
+    | MoveCloseRequest
+    | MoveRelativeRequest
+    | MoveAbsoluteRequest
+    | MoveToPointRequest
+    | GripOpenRequest
+    | GripCloseRequest
+    | GripRelativeRequest
+    | GripAbsoluteRequest
+    | GripOpenWithZoneRequest
+    | GripCloseWithZoneRequest
+    | NoOperationRequest
+    | SetMotorExcitationRequest
+    | ReadVersionRequest
+    | ReadCurrentPositionRequest
+    | ReadCurrentPointNumberRequest
+    | ReadParameterRequest
+    | ReadPointRequest
+    | ReadHomingStateRequest
+    | ReadMotorExcitationRequest
+    | ReadAlarmCodeRequest
+    | ReadAccumulatedTimeRequest
+    | ResetAlarmRequest
 )
 AnySerialResponse: _TypeAlias = (
-    "ReadPointsResponse | ReadParametersResponse | ReadIoStatusResponse | ReadAlarmHistoryResponse"
-    " | WritePointsResponse | WriteParametersResponse | WriteParameterResponse"
-    " | WriteTemporaryPointResponse | ClearPointsResponse | InitializePointsResponse"
-    " | InitializeParametersResponse | ClearAlarmHistoryResponse | ClearAccumulatedTimeResponse"
-    " | StopResponse | StartHomingResponse | MovePositiveDistanceResponse | MoveNegativeDistanceResponse"
-    " | MoveOpenResponse | MoveCloseResponse | MoveRelativeResponse | MoveAbsoluteResponse"
-    " | MoveToPointResponse | GripOpenResponse | GripCloseResponse | GripRelativeResponse"
-    " | GripAbsoluteResponse | GripOpenWithZoneResponse | GripCloseWithZoneResponse | NoOperationResponse"
-    " | SetMotorExcitationResponse | ReadVersionResponse | ReadCurrentPositionResponse"
-    " | ReadCurrentPointNumberResponse | ReadParameterResponse | ReadPointResponse"
-    " | ReadHomingStateResponse | ReadMotorExcitationResponse | ReadAlarmCodeResponse"
-    " | ReadAccumulatedTimeResponse | ResetAlarmResponse"
+    ReadPointsResponse
+    | ReadParametersResponse
+    | ReadIoStatusResponse
+    | ReadAlarmHistoryResponse
+    | WritePointsResponse
+    | WriteParametersResponse
+    | WriteParameterResponse
+    | WriteTemporaryPointResponse
+    | ClearPointsResponse
+    | InitializePointsResponse
+    | InitializeParametersResponse
+    | ClearAlarmHistoryResponse
+    | ClearAccumulatedTimeResponse
+    | StopResponse
+    | StartHomingResponse
+    | MovePositiveDistanceResponse
+    | MoveNegativeDistanceResponse
+    | MoveOpenResponse
+    | MoveCloseResponse
+    | MoveRelativeResponse
+    | MoveAbsoluteResponse
+    | MoveToPointResponse
+    | GripOpenResponse
+    | GripCloseResponse
+    | GripRelativeResponse
+    | GripAbsoluteResponse
+    | GripOpenWithZoneResponse
+    | GripCloseWithZoneResponse
+    | NoOperationResponse
+    | SetMotorExcitationResponse
+    | ReadVersionResponse
+    | ReadCurrentPositionResponse
+    | ReadCurrentPointNumberResponse
+    | ReadParameterResponse
+    | ReadPointResponse
+    | ReadHomingStateResponse
+    | ReadMotorExcitationResponse
+    | ReadAlarmCodeResponse
+    | ReadAccumulatedTimeResponse
+    | ResetAlarmResponse
 )
 _SERIAL_REQUESTS = _Frames(
     ">BBB",

@@ -2020,7 +2020,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     Code 0x03. Reads neighbouring registers.
 
         address (讀取開始位置): u16, 0..65535.
-        word_count (讀取 WORD 數): u16, 1..60.
+        word_count (讀出 WORD 數): u16, 1..60.
 
     Source: 8.2 L1710.
     """
@@ -2440,7 +2440,8 @@ class WriteRegistersResponse:
     Code 0x10. Writes neighbouring registers. The response repeats the address and the number.
 
         address (寫入開始位置): u16, 0..65535.
-        word_count (寫入 WORD 數): u16, 1..59.
+        word_count (讀入 WORD 數): u16, 1..59. Note: 8.5 calls what is written read in, in all of its
+            write structures.
 
     Source: 8.2 L1712.
     """
@@ -2663,8 +2664,8 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         return _ASCII_REQUESTS.joined([station, 0x10], body)
 
 
-AnyRtuRequest: _TypeAlias = "ReadRegistersRequest | WriteRegisterRequest | WriteRegistersRequest"
-AnyRtuResponse: _TypeAlias = "ReadRegistersResponse | WriteRegisterResponse | WriteRegistersResponse"
+AnyRtuRequest: _TypeAlias = ReadRegistersRequest | WriteRegisterRequest | WriteRegistersRequest
+AnyRtuResponse: _TypeAlias = ReadRegistersResponse | WriteRegisterResponse | WriteRegistersResponse
 _RTU_REQUESTS = _Frames(
     ">BB",
     "crc16_modbus",
@@ -2828,8 +2829,8 @@ class RtuLink:
 rtu: _Final = RtuLink()
 
 
-AnyAsciiRequest: _TypeAlias = "ReadRegistersRequest | WriteRegisterRequest | WriteRegistersRequest"
-AnyAsciiResponse: _TypeAlias = "ReadRegistersResponse | WriteRegisterResponse | WriteRegistersResponse"
+AnyAsciiRequest: _TypeAlias = ReadRegistersRequest | WriteRegisterRequest | WriteRegistersRequest
+AnyAsciiResponse: _TypeAlias = ReadRegistersResponse | WriteRegisterResponse | WriteRegistersResponse
 _ASCII_REQUESTS = _Frames(
     ">BB",
     "lrc",
@@ -3723,6 +3724,9 @@ writes all parameters.
 
 Inferred (type): The manual prints the number of words alone; a value is taken as unsigned where
 nothing printed can be negative.
+
+Inferred (range): 5.1 prints a dash; the screens of the vendor's software in chapter 9 have these
+limits.
 
 Source: 5.1 L1160.
 """
