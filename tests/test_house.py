@@ -123,6 +123,13 @@ def test_every_part_of_the_house_is_in_the_order_of_imports() -> None:
     assert sorted(listed) == sorted(parts - {"__init__", "__main__", "__pycache__"})
 
 
+def test_places_that_the_documentation_names_are_there() -> None:
+    named = re.findall(r"`([\w.]+/[\w./-]*|[\w-]+\.(?:py|md))`", ARCHITECTURE.read_text("utf-8"))
+    assert len(named) > 40
+    homes = (ROOT, PACKAGE, ROOT / "docs")
+    assert [place for place in named if not any((home / place).exists() for home in homes)] == []
+
+
 @pytest.mark.parametrize("path", MODULES, ids=inside)
 def test_a_module_imports_only_what_stands_above_it(path: Path) -> None:
     own = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
