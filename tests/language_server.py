@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import json
 import subprocess
+import threading
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 Json = dict[str, Any]
+
+LONGEST = 120
+"""Seconds after which a server is ended that does not answer."""
 
 _SETTINGS = {"yaml": {"validate": True, "hover": True, "completion": True, "schemaStore": {"enable": False}}}
 
@@ -18,6 +22,8 @@ class LanguageServer:
 
     def __init__(self, command: list[str], folder: Path) -> None:
         self._process = subprocess.Popen(command, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self._watchdog = threading.Timer(LONGEST, self._process.kill)
+        self._watchdog.start()
         self._asked = 0
         self._diagnostics: dict[str, list[Json]] = {}
         self._request(
@@ -33,6 +39,7 @@ class LanguageServer:
         self._request("shutdown", None)
         self._notify("exit", None)
         self._process.communicate(timeout=20)
+        self._watchdog.cancel()
 
     def opened(self, path: Path, text: str) -> list[Json]:
         """Opens a file with a text that need not be on disk, and gives what the server has against it."""
