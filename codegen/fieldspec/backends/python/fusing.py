@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from fieldspec.backends.python.lines import chained, filled, unpacked
 from fieldspec.backends.python.reading import local, targets
-from fieldspec.backends.python.records import RecordShape, joined, making_lines, writing_lines
+from fieldspec.backends.python.records import RecordShape, condition, making_lines, writing_lines
 from fieldspec.backends.python.slots import Slots
 from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
@@ -97,7 +97,7 @@ def fused(
     looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
     writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset())
     letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
-    packed = [str(constants.get(part.name, number(part))) for part in frame.head] + writing.values
+    packed = [_slot(part, constants) for part in frame.head] + writing.values
     marked = f"{frames}.marked" if link.link.start or link.link.end or link.link.encoding == "hex_ascii" else ""
     into = [_target(part, constants, looked_up) for part in frame.head]
     into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
@@ -114,7 +114,7 @@ def fused(
         big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
         appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
         wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
-    conditions = joined([*tests, *writing.tests])
+    conditions = condition([*tests, *writing.tests])
     return Fused(
         struct=struct,
         letters=letters,
@@ -136,6 +136,13 @@ def _packing(call: str, packed: list[str], marked: str, appended: str, indent: i
         return filled(f"return {call}", packed, ")", indent)
     whole = f"{marked}(data{appended})" if marked else f"data{appended}"
     return [*filled(f"data = {call}", packed, ")", indent), f"return {whole}"]
+
+
+def _slot(part: PartLayout, constants: dict[str, int]) -> str:
+    """What fills the slot of a part of the head."""
+    if part.name not in constants:
+        return number(part)
+    return f"{constants[part.name]:#04x}" if part.role == "code" else str(constants[part.name])
 
 
 def _single(field: Slots) -> bool:

@@ -138,7 +138,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         unpack=unpack,
         make=[*taken, *making_lines(shaped, "record", 0)],
         bind=binding.bind,
-        tests=joined(binding.tests),
+        tests=condition(binding.tests),
         pack=filled(
             f"return {struct}{f'[len({local(tail)})]' if tail else ''}.pack(",
             binding.values,
@@ -160,9 +160,12 @@ def _quoted(variable: str, names: list[str]) -> list[str]:
     return filled(f"{variable} = (", [f'"{name}"' for name in names], ")", 4)
 
 
-def joined(tests: list[str]) -> list[str]:
-    """Conditions that must all hold, one a line."""
-    return [*tests[:1], *(f"and {test}" for test in tests[1:])]
+def condition(tests: list[str]) -> list[str]:
+    """The head of an `if` whose conditions must all hold; nothing where there are none."""
+    if not tests:
+        return []
+    *lines, last = chained("if ", tests, "and", "", 12)
+    return [*lines, f"{last}:"]
 
 
 def _length_test(record: RecordLayout, fixed_size: int, unit: int) -> str:

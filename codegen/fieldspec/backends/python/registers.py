@@ -64,13 +64,13 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     register = laid.register
     name = scope.take(Name.of(laid.name).upper())
     value = value_expression(register.value, 2 * laid.words, laid.order, laid.swapped, words)
-    arguments = [literal(laid.name), f"{laid.address:#06x}", str(laid.words), value, literal(register.access)]
+    arguments = [literal(laid.name), f"0x{laid.address:04X}", str(laid.words), value, literal(register.access)]
     if laid.count > 1:
         arguments += [f"count={laid.count}", f"first={register.index_from}", f"stride={laid.stride}"]
     arguments += [f"{key}=True" for key, held in (("atomic", register.atomic), ("trigger", register.trigger)) if held]
     if order == "little":
         arguments.append('order="<"')
-    facts = [f"{laid.address:#06x}", f"{laid.words} word{'s' if laid.words > 1 else ''}"]
+    facts = [f"0x{laid.address:04X}", f"{laid.words} word{'s' if laid.words > 1 else ''}"]
     if register.access:
         facts.append(ACCESS[register.access])
     facts.append(register.value.type.name)
@@ -97,7 +97,7 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
     arguments = [
         literal(laid.name),
         record,
-        f"base={table.base:#06x}",
+        f"base=0x{table.base:04X}",
         f"words={laid.words}",
         f"stride={table.stride}",
         f"count={table.count}",
@@ -110,7 +110,7 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
     last = table.index_from + table.count - 1
     facts = [
         f"{table.count} records of {laid.words} words, {table.index_from} to {last}",
-        f"the first at {table.base:#06x}, each {table.stride} words behind the one before",
+        f"the first at 0x{table.base:04X}, each {table.stride} words behind the one before",
     ]
     if table.access:
         facts.append(ACCESS[table.access])

@@ -70,7 +70,7 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
     name = scope.take(taken.pascal(), taken.pascal() + "Code")
     members = Scope(frozenset({"mro"}))
     kind = "" if enum.kind == "enum" else f"{enum.kind.capitalize()} codes. "
-    listed = "Other values are passed on as numbers." if enum.open else "Other values are refused."
+    others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
     left_out = [f"{m.value} ({m.name})" for m in enum.members if m.unavailable]
     missing = f"Not available: {', '.join(left_out)}." if left_out else ""
     return EnumView(
@@ -78,7 +78,7 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
         table=f"_{taken.upper()}_MEMBERS",
         title=enum.name,
         open=enum.open,
-        doc=docstring(described(enum.title or taken.title(), enum, f"{kind}{listed} {missing}".strip()), 4),
+        doc=docstring(described(enum.title or taken.title(), enum, f"{kind}{others} {missing}".strip()), 4),
         members=[
             MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4))
             for m in enum.members
