@@ -42,8 +42,8 @@ class Register(Generic[T]):
         self.atomic, self.trigger, self.order = atomic, trigger, order
 
     def __repr__(self) -> str:
-        last = f"..{self.address + self.words - 1:#06x}" if self.words > 1 else ""
-        return f"<register {self.name} at {self.address:#06x}{last}>"
+        last = f"..0x{self.address + self.words - 1:04X}" if self.words > 1 else ""
+        return f"<register {self.name} at 0x{self.address:04X}{last}>"
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
@@ -120,7 +120,7 @@ class RegisterArray(Generic[T]):
         )
 
     def __repr__(self) -> str:
-        return f"<registers {self.name}[{self.first}..{self.first + len(self) - 1}] at {self.address:#06x}>"
+        return f"<registers {self.name}[{self.first}..{self.first + len(self) - 1}] at 0x{self.address:04X}>"
 
     def __len__(self) -> int:
         return len(self._registers)
@@ -157,7 +157,7 @@ class Table(Generic[T]):
         self._value, self._order = RecordValue(record, 2 * words), order
 
     def __repr__(self) -> str:
-        return f"<table {self.name}[{self.first}..{self.first + self.count - 1}] at {self.base:#06x}>"
+        return f"<table {self.name}[{self.first}..{self.first + self.count - 1}] at 0x{self.base:04X}>"
 
     def __len__(self) -> int:
         return self.count

@@ -1753,9 +1753,7 @@ class ExceptionRecord:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_exception_code = self.exception_code
-            if (
-                1 <= raw_exception_code <= 3
-            ):
+            if 1 <= raw_exception_code <= 3:
                 return _EXCEPTION_RECORD_STRUCT.pack(raw_exception_code)
         except _UNFIT:
             pass
@@ -1990,10 +1988,7 @@ class ReadRegistersResponse:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_values = self.values
-            if (
-                1 <= len(raw_values) <= 60
-                and 2 <= len(raw_values) * 2 <= 120
-            ):
+            if 1 <= len(raw_values) <= 60 and 2 <= len(raw_values) * 2 <= 120:
                 return _READ_REGISTERS_RESPONSE_STRUCT[len(raw_values)].pack(len(raw_values) * 2, *raw_values)
         except _UNFIT:
             pass
@@ -2068,9 +2063,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_word_count = self.word_count
-            if (
-                1 <= raw_word_count <= 60
-            ):
+            if 1 <= raw_word_count <= 60:
                 return _READ_REGISTERS_REQUEST_STRUCT.pack(self.address, raw_word_count)
         except _UNFIT:
             pass
@@ -2094,10 +2087,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if (
-                (1 <= station <= 16 or station == 0)
-                and 1 <= raw_word_count <= 60
-            ):
+            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 60:
                 check = (
                     17435
                     ^ _X5[station]
@@ -2106,7 +2096,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
                     ^ _X1[raw_word_count >> 8]
                     ^ _X0[raw_word_count & 255]
                 )
-                return _READ_REGISTERS_RTU_REQUEST.pack(station, 3, raw_address, raw_word_count, check)
+                return _READ_REGISTERS_RTU_REQUEST.pack(station, 0x03, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
@@ -2142,11 +2132,8 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if (
-                (1 <= station <= 16 or station == 0)
-                and 1 <= raw_word_count <= 60
-            ):
-                data = _READ_REGISTERS_ASCII_REQUEST.pack(station, 3, self.address, raw_word_count)
+            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 60:
+                data = _READ_REGISTERS_ASCII_REQUEST.pack(station, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2237,9 +2224,7 @@ class WriteRegisterResponse:
         try:
             raw_address = self.address
             raw_value = self.value
-            if (
-                (1 <= station <= 16 or station == 0)
-            ):
+            if (1 <= station <= 16 or station == 0):
                 check = (
                     34843
                     ^ _X5[station]
@@ -2248,7 +2233,7 @@ class WriteRegisterResponse:
                     ^ _X1[raw_value >> 8]
                     ^ _X0[raw_value & 255]
                 )
-                return _WRITE_REGISTER_RTU_RESPONSE.pack(station, 6, raw_address, raw_value, check)
+                return _WRITE_REGISTER_RTU_RESPONSE.pack(station, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
@@ -2283,10 +2268,8 @@ class WriteRegisterResponse:
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (
-                (1 <= station <= 16 or station == 0)
-            ):
-                data = _WRITE_REGISTER_ASCII_RESPONSE.pack(station, 6, self.address, self.value)
+            if (1 <= station <= 16 or station == 0):
+                data = _WRITE_REGISTER_ASCII_RESPONSE.pack(station, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2374,9 +2357,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         try:
             raw_address = self.address
             raw_value = self.value
-            if (
-                (1 <= station <= 16 or station == 0)
-            ):
+            if (1 <= station <= 16 or station == 0):
                 check = (
                     34843
                     ^ _X5[station]
@@ -2385,7 +2366,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
                     ^ _X1[raw_value >> 8]
                     ^ _X0[raw_value & 255]
                 )
-                return _WRITE_REGISTER_RTU_REQUEST.pack(station, 6, raw_address, raw_value, check)
+                return _WRITE_REGISTER_RTU_REQUEST.pack(station, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
@@ -2420,10 +2401,8 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (
-                (1 <= station <= 16 or station == 0)
-            ):
-                data = _WRITE_REGISTER_ASCII_REQUEST.pack(station, 6, self.address, self.value)
+            if (1 <= station <= 16 or station == 0):
+                data = _WRITE_REGISTER_ASCII_REQUEST.pack(station, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2488,9 +2467,7 @@ class WriteRegistersResponse:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_word_count = self.word_count
-            if (
-                1 <= raw_word_count <= 59
-            ):
+            if 1 <= raw_word_count <= 59:
                 return _WRITE_REGISTERS_RESPONSE_STRUCT.pack(self.address, raw_word_count)
         except _UNFIT:
             pass
@@ -2514,10 +2491,7 @@ class WriteRegistersResponse:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if (
-                (1 <= station <= 16 or station == 0)
-                and 1 <= raw_word_count <= 59
-            ):
+            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 59:
                 check = (
                     49624
                     ^ _X5[station]
@@ -2526,7 +2500,7 @@ class WriteRegistersResponse:
                     ^ _X1[raw_word_count >> 8]
                     ^ _X0[raw_word_count & 255]
                 )
-                return _WRITE_REGISTERS_RTU_RESPONSE.pack(station, 16, raw_address, raw_word_count, check)
+                return _WRITE_REGISTERS_RTU_RESPONSE.pack(station, 0x10, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
@@ -2562,11 +2536,8 @@ class WriteRegistersResponse:
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if (
-                (1 <= station <= 16 or station == 0)
-                and 1 <= raw_word_count <= 59
-            ):
-                data = _WRITE_REGISTERS_ASCII_RESPONSE.pack(station, 16, self.address, raw_word_count)
+            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 59:
+                data = _WRITE_REGISTERS_ASCII_RESPONSE.pack(station, 0x10, self.address, raw_word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2641,11 +2612,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_values = self.values
-            if (
-                1 <= len(raw_values) <= 59
-                and 1 <= len(raw_values) <= 59
-                and 2 <= len(raw_values) * 2 <= 118
-            ):
+            if 1 <= len(raw_values) <= 59 and 1 <= len(raw_values) <= 59 and 2 <= len(raw_values) * 2 <= 118:
                 return _WRITE_REGISTERS_REQUEST_STRUCT[len(raw_values)].pack(
                     self.address, len(raw_values), len(raw_values) * 2, *raw_values,
                 )
@@ -3098,10 +3065,10 @@ the table.
 
 Source: 5.4 L1197.
 """
-POINT_SELECT_BIT_4_INPUT: _Final = _Register("point_select_bit_4_input", 0x060e, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_4_INPUT: _Final = _Register("point_select_bit_4_input", 0x060E, 1, _Number(">H"), "rw")
 """Point select bit 4 input (PRGSEL4, 程式選擇 No.0~127 Bit4).
 
-0x060e, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x060E, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3115,10 +3082,10 @@ the table.
 
 Source: 5.4 L1198.
 """
-POINT_SELECT_BIT_5_INPUT: _Final = _Register("point_select_bit_5_input", 0x060f, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_5_INPUT: _Final = _Register("point_select_bit_5_input", 0x060F, 1, _Number(">H"), "rw")
 """Point select bit 5 input (PRGSEL5, 程式選擇 No.0~127 Bit5).
 
-0x060f, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x060F, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3359,10 +3326,10 @@ the table.
 
 Source: 5.5 L1217.
 """
-POINT_SELECT_BIT_4_OUTPUT: _Final = _Register("point_select_bit_4_output", 0x070a, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_4_OUTPUT: _Final = _Register("point_select_bit_4_output", 0x070A, 1, _Number(">H"), "rw")
 """Point select bit 4 output (PRGSEL4-S, 程式選擇 No.0~127 Bit4).
 
-0x070a, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x070A, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3376,10 +3343,10 @@ the table.
 
 Source: 5.5 L1218.
 """
-POINT_SELECT_BIT_5_OUTPUT: _Final = _Register("point_select_bit_5_output", 0x070b, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_5_OUTPUT: _Final = _Register("point_select_bit_5_output", 0x070B, 1, _Number(">H"), "rw")
 """Point select bit 5 output (PRGSEL5-S, 程式選擇 No.0~127 Bit5).
 
-0x070b, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x070B, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3393,10 +3360,10 @@ the table.
 
 Source: 5.5 L1219.
 """
-POINT_SELECT_BIT_6_OUTPUT: _Final = _Register("point_select_bit_6_output", 0x070c, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_6_OUTPUT: _Final = _Register("point_select_bit_6_output", 0x070C, 1, _Number(">H"), "rw")
 """Point select bit 6 output (PRGSEL6-S, 程式選擇 No.0~127 Bit6).
 
-0x070c, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x070C, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3410,12 +3377,12 @@ the table.
 
 Source: 5.5 L1220.
 """
-TORQUE_LIMIT_OUTPUT: _Final = _Register("torque_limit_output", 0x070d, 1, _Number(">H"), "rw")
+TORQUE_LIMIT_OUTPUT: _Final = _Register("torque_limit_output", 0x070D, 1, _Number(">H"), "rw")
 """Torque limit output (TRQ_LMT, 扭力極限).
 
 Called TRQLIM in 6.2 and 7.5.
 
-0x070d, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x070D, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3429,10 +3396,10 @@ the table.
 
 Source: 5.5 L1221.
 """
-ERROR_BIT_0_OUTPUT: _Final = _Register("error_bit_0_output", 0x070e, 1, _Number(">H"), "rw")
+ERROR_BIT_0_OUTPUT: _Final = _Register("error_bit_0_output", 0x070E, 1, _Number(">H"), "rw")
 """Error bit 0 output (ERR0, 錯誤編碼 Bit0).
 
-0x070e, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x070E, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Note: 6.4 says that ERR0 to ERR3 show 16 states in binary. It does not say whether they carry alarms
 or faults; alarm 17 does not fit four bits.
@@ -3449,10 +3416,10 @@ the table.
 
 Source: 5.5 L1222.
 """
-ERROR_BIT_1_OUTPUT: _Final = _Register("error_bit_1_output", 0x070f, 1, _Number(">H"), "rw")
+ERROR_BIT_1_OUTPUT: _Final = _Register("error_bit_1_output", 0x070F, 1, _Number(">H"), "rw")
 """Error bit 1 output (ERR1, 錯誤編碼 Bit1).
 
-0x070f, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
+0x070F, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
 
 Inferred (access): Chapter 5 says that a change needs a restart, and 9.3 reads and writes all
 parameters.
@@ -3649,12 +3616,12 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1623.
 """
-MOTION_COMMAND: _Final = _Register("motion_command", 0x201e, 1, _Closed(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
+MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Closed(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
 """Motion command (MovType, 移動類型).
 
 Writing a value starts the action that it names.
 
-0x201e, 1 word, u16, 0..12, writing starts an action.
+0x201E, 1 word, u16, 0..12, writing starts an action.
 
 Inferred (type): The manual prints the number of words alone; a value is taken as unsigned where
 nothing printed can be negative.
@@ -3708,12 +3675,12 @@ Inferred (type): The manual prints the number of words alone.
 
 Source: 8.2 L1667.
 """
-WRITE_ENABLE_KEY: _Final = _Register("write_enable_key", 0x999b, 4, _Constant(">Q", 5509644182563149415), "wo", trigger=True)
+WRITE_ENABLE_KEY: _Final = _Register("write_enable_key", 0x999B, 4, _Constant(">Q", 5509644182563149415), "wo", trigger=True)
 """Write enable key (開放寫入指令).
 
 Writing the four words 4C76 3031 5479 5667 opens writing. As characters they read Lv01TyVg.
 
-0x999b, 4 words, write only, u64, writing starts an action.
+0x999B, 4 words, write only, u64, writing starts an action.
 
 Note: What needs it, how long it lasts and whether other keys exist is not printed; a flow chart of
 writing parameters that followed is not in the text. Fault 11 (parameter write not permitted) asks for
@@ -3750,12 +3717,12 @@ limits.
 
 Source: 5.1 L1160.
 """
-IN_POSITION_ZONE: _Final = _Register("in_position_zone", 0x010a, 1, _Number(">H", ranges=((0, 1000),), unit="pulse"), "rw")
+IN_POSITION_ZONE: _Final = _Register("in_position_zone", 0x010A, 1, _Number(">H", ranges=((0, 1000),), unit="pulse"), "rw")
 """In position zone (InPositionZone, INPOSITION 信號的到位區間範圍設定).
 
 The in position signal is on while the actual position is nearer than this to the commanded one.
 
-0x010a, 1 word, read and write, u16, in pulse, 0..1000.
+0x010A, 1 word, read and write, u16, in pulse, 0..1000.
 
 Note: A large value, or a slow motion, can keep the signal on all the time.
 
@@ -3767,13 +3734,13 @@ nothing printed can be negative.
 
 Source: 5.1 L1161.
 """
-ELECTRONIC_GEAR_NUMERATOR: _Final = _Register("electronic_gear_numerator", 0x010b, 1, _Number(">H", ranges=((1, 10000),)), "rw")
+ELECTRONIC_GEAR_NUMERATOR: _Final = _Register("electronic_gear_numerator", 0x010B, 1, _Number(">H", ranges=((1, 10000),)), "rw")
 """Electronic gear numerator (ElectroGearNum, 電子齒輪分子).
 
 With the denominator: the encoder pulses of one motor revolution after the change are the basic ones
 divided by (numerator / denominator).
 
-0x010b, 1 word, read and write, u16, 1..10000, initially 1, takes effect after a restart.
+0x010B, 1 word, read and write, u16, 1..10000, initially 1, takes effect after a restart.
 
 Note: The vendor's software shows it in pulse control only.
 
@@ -3785,12 +3752,12 @@ nothing printed can be negative.
 
 Source: 5.1 L1162.
 """
-ELECTRONIC_GEAR_DENOMINATOR: _Final = _Register("electronic_gear_denominator", 0x010c, 1, _Number(">H", ranges=((1, 10000),)), "rw")
+ELECTRONIC_GEAR_DENOMINATOR: _Final = _Register("electronic_gear_denominator", 0x010C, 1, _Number(">H", ranges=((1, 10000),)), "rw")
 """Electronic gear denominator (ElectroGearDen, 電子齒輪分母).
 
 See the numerator.
 
-0x010c, 1 word, read and write, u16, 1..10000, initially 1, takes effect after a restart.
+0x010C, 1 word, read and write, u16, 1..10000, initially 1, takes effect after a restart.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -3833,12 +3800,12 @@ nothing printed can be negative.
 
 Source: 5.1 L1165.
 """
-NEAR_ZONE: _Final = _Register("near_zone", 0x011d, 1, _Number(">H", ranges=((0, 10000),), unit="pulse"), "rw")
+NEAR_ZONE: _Final = _Register("near_zone", 0x011D, 1, _Number(">H", ranges=((0, 10000),), unit="pulse"), "rw")
 """Near zone (NearZone, NEAR 信號輸出的區間範圍設定).
 
 The near output is on when the target is nearer than this.
 
-0x011d, 1 word, read and write, u16, in pulse, 0..10000, initially 4.
+0x011D, 1 word, read and write, u16, in pulse, 0..10000, initially 4.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -3993,12 +3960,12 @@ nothing printed can be negative.
 
 Source: 5.3 L1185.
 """
-HOMING_REQUIRED: _Final = _Register("homing_required", 0x051b, 1, _Boolean(">H"), "rw")
+HOMING_REQUIRED: _Final = _Register("homing_required", 0x051B, 1, _Boolean(">H"), "rw")
 """Homing required (OrgRetRestrict, 原點復歸未完成的動作限制).
 
 No motion is possible before homing is done.
 
-0x051b, 1 word, read and write, bool16, 0..1, initially 1.
+0x051B, 1 word, read and write, bool16, 0..1, initially 1.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4008,12 +3975,12 @@ nothing printed can be negative.
 
 Source: 5.3 L1186.
 """
-TOTAL_REVOLUTIONS_ENABLED: _Final = _Register("total_revolutions_enabled", 0x051e, 1, _Boolean(">H"), "rw")
+TOTAL_REVOLUTIONS_ENABLED: _Final = _Register("total_revolutions_enabled", 0x051E, 1, _Boolean(">H"), "rw")
 """Total revolutions enabled (UseTotalRev, 指定馬達累積計算迴轉數的功能開關).
 
 The revolutions of the motor are accumulated.
 
-0x051e, 1 word, read and write, bool16, 0..1, initially 0, takes effect after a restart.
+0x051E, 1 word, read and write, bool16, 0..1, initially 0, takes effect after a restart.
 
 Note: The vendor's software shows the total (9.3); 8.2 prints no register for it.
 
@@ -4097,12 +4064,12 @@ nothing printed can be negative.
 
 Source: 5.6 L1238.
 """
-MOVING_STATE_RULE: _Final = _Register("moving_state_rule", 0x080a, 1, _Closed(">H", "moving_state_rule", _MOVING_STATE_RULE_MEMBERS, ranges=((0, 1),)), "rw")
+MOVING_STATE_RULE: _Final = _Register("moving_state_rule", 0x080A, 1, _Closed(">H", "moving_state_rule", _MOVING_STATE_RULE_MEMBERS, ranges=((0, 1),)), "rw")
 """Moving state rule (MoveSttSet, 移動中的狀態設定).
 
 When the moving state ends.
 
-0x080a, 1 word, read and write, u16, 0..1.
+0x080A, 1 word, read and write, u16, 0..1.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4112,12 +4079,12 @@ nothing printed can be negative.
 
 Source: 5.6 L1242.
 """
-JOG_SPEED: _Final = _Register("jog_speed", 0x080f, 1, _Number(">H", ranges=((1, 1000),), unit="%", ratio=(1, 0, 10)), "rw")
+JOG_SPEED: _Final = _Register("jog_speed", 0x080F, 1, _Number(">H", ranges=((1, 1000),), unit="%", ratio=(1, 0, 10)), "rw")
 """Jog speed (JogInchingSpd, JOG 移動時速度設定).
 
 The speed of jogging by the inputs.
 
-0x080f, 1 word, read and write, u16, in 0.1 %, 1..1000.
+0x080F, 1 word, read and write, u16, in 0.1 %, 1..1000.
 
 Note: In tenths of a percent, unlike all other speed settings, which are whole percents. Jogging by
 201EH uses 2014H.
@@ -4300,12 +4267,12 @@ either way.
 
 Source: 5.7 L1262.
 """
-HOMING_TORQUE_LIMIT_TIME: _Final = _Register("homing_torque_limit_time", 0x090a, 1, _Number(">H", ranges=((0, 1000),), unit="ms"), "rw")
+HOMING_TORQUE_LIMIT_TIME: _Final = _Register("homing_torque_limit_time", 0x090A, 1, _Number(">H", ranges=((0, 1000),), unit="ms"), "rw")
 """Homing torque limit time (OrgTrqLmtTime, 原點復歸時的扭力檢測時間).
 
 How long the torque must last in homing by torque.
 
-0x090a, 1 word, read and write, u16, in ms, 0..1000.
+0x090A, 1 word, read and write, u16, in ms, 0..1000.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4315,12 +4282,12 @@ nothing printed can be negative.
 
 Source: 5.7 L1263.
 """
-HOMING_Z_PHASE_SPEED_1: _Final = _Register("homing_z_phase_speed_1", 0x090b, 1, _Number(">H", ranges=((1, 100),), unit="%"), "rw")
+HOMING_Z_PHASE_SPEED_1: _Final = _Register("homing_z_phase_speed_1", 0x090B, 1, _Number(">H", ranges=((1, 100),), unit="%"), "rw")
 """Homing z phase speed 1 (OrgSpeed_Z1, Z 相檢出速度 _1).
 
 The speed of the first search of the Z phase, a percentage of the maximum speed 0802H.
 
-0x090b, 1 word, read and write, u16, in %, 1..100.
+0x090B, 1 word, read and write, u16, in %, 1..100.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4330,12 +4297,12 @@ nothing printed can be negative.
 
 Source: 5.7 L1264.
 """
-HOMING_Z_PHASE_SPEED_2: _Final = _Register("homing_z_phase_speed_2", 0x090c, 1, _Number(">H", ranges=((1, 100),), unit="%"), "rw")
+HOMING_Z_PHASE_SPEED_2: _Final = _Register("homing_z_phase_speed_2", 0x090C, 1, _Number(">H", ranges=((1, 100),), unit="%"), "rw")
 """Homing z phase speed 2 (OrgSpeed_Z2, Z 相檢出速度 _2).
 
 The speed of the second search of the Z phase, in the other direction.
 
-0x090c, 1 word, read and write, u16, in %, 1..100.
+0x090C, 1 word, read and write, u16, in %, 1..100.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4345,10 +4312,10 @@ nothing printed can be negative.
 
 Source: 5.7 L1265.
 """
-BAUD_RATE: _Final = _Register("baud_rate", 0x0a00, 1, _Closed(">H", "baud_rate", _BAUD_RATE_MEMBERS, ranges=((0, 4),)), "rw")
+BAUD_RATE: _Final = _Register("baud_rate", 0x0A00, 1, _Closed(">H", "baud_rate", _BAUD_RATE_MEMBERS, ranges=((0, 4),)), "rw")
 """Baud rate (BaudRate, 通信速率).
 
-0x0a00, 1 word, read and write, u16, 0..4, initially 1, takes effect after a restart.
+0x0A00, 1 word, read and write, u16, 0..4, initially 1, takes effect after a restart.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4358,10 +4325,10 @@ nothing printed can be negative.
 
 Source: 5.8 L1271.
 """
-DATA_BITS: _Final = _Register("data_bits", 0x0a01, 1, _Closed(">H", "data_bits", _DATA_BITS_MEMBERS, ranges=((0, 1),)), "rw")
+DATA_BITS: _Final = _Register("data_bits", 0x0A01, 1, _Closed(">H", "data_bits", _DATA_BITS_MEMBERS, ranges=((0, 1),)), "rw")
 """Data bits (DataSize, 字串數據 Bit 設定).
 
-0x0a01, 1 word, read and write, u16, 0..1, initially 0, takes effect after a restart.
+0x0A01, 1 word, read and write, u16, 0..1, initially 0, takes effect after a restart.
 
 Note: RTU needs 8 bits (8.1).
 
@@ -4373,10 +4340,10 @@ nothing printed can be negative.
 
 Source: 5.8 L1272.
 """
-PARITY: _Final = _Register("parity", 0x0a02, 1, _Closed(">H", "parity", _PARITY_MEMBERS, ranges=((0, 2),)), "rw")
+PARITY: _Final = _Register("parity", 0x0A02, 1, _Closed(">H", "parity", _PARITY_MEMBERS, ranges=((0, 2),)), "rw")
 """Parity (Parity, 奇偶校驗).
 
-0x0a02, 1 word, read and write, u16, 0..2, initially 0, takes effect after a restart.
+0x0A02, 1 word, read and write, u16, 0..2, initially 0, takes effect after a restart.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4386,12 +4353,12 @@ nothing printed can be negative.
 
 Source: 5.8 L1273.
 """
-BROADCAST_ENABLED: _Final = _Register("broadcast_enabled", 0x0a03, 1, _Boolean(">H"), "rw")
+BROADCAST_ENABLED: _Final = _Register("broadcast_enabled", 0x0A03, 1, _Boolean(">H"), "rw")
 """Broadcast enabled (Broadcast, 擴播設定).
 
 Messages to the broadcast station 0 are obeyed; otherwise they are ignored.
 
-0x0a03, 1 word, read and write, bool16, 0..1, initially 0.
+0x0A03, 1 word, read and write, bool16, 0..1, initially 0.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4401,12 +4368,12 @@ nothing printed can be negative.
 
 Source: 5.8 L1274.
 """
-PROTOCOL: _Final = _Register("protocol", 0x0a04, 1, _Closed(">H", "protocol", _PROTOCOL_MEMBERS, ranges=((0, 1),)), "rw")
+PROTOCOL: _Final = _Register("protocol", 0x0A04, 1, _Closed(">H", "protocol", _PROTOCOL_MEMBERS, ranges=((0, 1),)), "rw")
 """Protocol (Protocol, 通訊協議).
 
 The Modbus mode of RS485.
 
-0x0a04, 1 word, read and write, u16, 0..1, initially 0, takes effect after a restart.
+0x0A04, 1 word, read and write, u16, 0..1, initially 0, takes effect after a restart.
 
 Note: The vendor's software needs ASCII (8.1).
 
@@ -4511,12 +4478,12 @@ Inferred (type): A position; the positions of points are signed.
 
 Source: 8.2 L1512.
 """
-ENCODER_POSITION: _Final = _Register("encoder_position", 0x100a, 2, _Number(">i"), "ro")
+ENCODER_POSITION: _Final = _Register("encoder_position", 0x100A, 2, _Number(">i"), "ro")
 """Encoder position (EcdPos, 編碼器位置).
 
 Where the encoder says that the motor is.
 
-0x100a, 2 words, read only, i32.
+0x100A, 2 words, read only, i32.
 
 Note: In control by external pulses it is not cleared after homing (3.9).
 
@@ -4526,10 +4493,10 @@ Inferred (type): A position; the positions of points are signed.
 
 Source: 8.2 L1513.
 """
-SERVO_ON: _Final = _Register("servo_on", 0x100c, 1, _Boolean(">H"), "ro")
+SERVO_ON: _Final = _Register("servo_on", 0x100C, 1, _Boolean(">H"), "ro")
 """Servo on (ServoStatus, 伺服狀態).
 
-0x100c, 1 word, read only, bool16, 0..1.
+0x100C, 1 word, read only, bool16, 0..1.
 
 Note: 1 is on. In the command 2011H and in the parameter 0515H 1 is off.
 
@@ -4540,12 +4507,12 @@ nothing printed can be negative.
 
 Source: 8.2 L1514.
 """
-FAULT: _Final = _Register("fault", 0x100d, 1, _Open(">H", "fault_code", _FAULT_CODE_MEMBERS), "ro")
+FAULT: _Final = _Register("fault", 0x100D, 1, _Open(">H", "fault_code", _FAULT_CODE_MEMBERS), "ro")
 """Fault (ErrorStatus, 故障狀態).
 
 The present fault.
 
-0x100d, 1 word, read only, u16.
+0x100D, 1 word, read only, u16.
 
 Inferred (access): The heading of the table speaks of reading alone.
 
@@ -4554,12 +4521,12 @@ nothing printed can be negative.
 
 Source: 8.2 L1515.
 """
-EXECUTED_POINT: _Final = _Register("executed_point", 0x100e, 1, _Number(">h", ranges=((-1, 127),), others=(-1,)), "ro")
+EXECUTED_POINT: _Final = _Register("executed_point", 0x100E, 1, _Number(">h", ranges=((-1, 127),), others=(-1,)), "ro")
 """Executed point (StepNo, 程序選擇號碼).
 
 The number of the point that was executed last.
 
-0x100e, 1 word, read only, i16, -1..127, -1 = none.
+0x100E, 1 word, read only, i16, -1..127, -1 = none.
 
 Note: The printed range holds 0; points are numbered from 1.
 
@@ -4625,12 +4592,12 @@ nothing printed can be negative.
 
 Source: 8.2 L1532-1545.
 """
-Z_PHASE_STATE: _Final = _Register("z_phase_state", 0x104f, 1, _Boolean(">H"), "ro")
+Z_PHASE_STATE: _Final = _Register("z_phase_state", 0x104F, 1, _Boolean(">H"), "ro")
 """Z phase state (Z 相輸入狀態, Z 相輸入狀態).
 
 The Z phase of the encoder; 1 is on.
 
-0x104f, 1 word, read only, bool16, 0..1.
+0x104F, 1 word, read only, bool16, 0..1.
 
 Inferred (access): The heading of the table speaks of reading alone.
 
@@ -4658,12 +4625,12 @@ the codes of 1005H.
 
 Source: 8.2 L1552-1574, 1578-1604.
 """
-MOTOR_TYPE: _Final = _Register("motor_type", 0x10d0, 16, _Text("32s", 32), "ro")
+MOTOR_TYPE: _Final = _Register("motor_type", 0x10D0, 16, _Text("32s", 32), "ro")
 """Motor type (MotorType, 馬達型號).
 
 The type of the motor, up to 31 letters and digits.
 
-0x10d0, 16 words, read only, text.
+0x10D0, 16 words, read only, text.
 
 Note: How a shorter text is ended or filled is not printed.
 
@@ -4674,12 +4641,12 @@ them.
 
 Source: 8.2 L1610.
 """
-CONTROLLER_TYPE: _Final = _Register("controller_type", 0x10e0, 16, _Text("32s", 32), "ro")
+CONTROLLER_TYPE: _Final = _Register("controller_type", 0x10E0, 16, _Text("32s", 32), "ro")
 """Controller type (Controller, 控制器型號).
 
 The type of the controller, TC-100.
 
-0x10e0, 16 words, read only, text.
+0x10E0, 16 words, read only, text.
 
 Note: The manual's cover and 1.2 write the name without a hyphen. How the text is ended or filled is
 not printed.
@@ -4690,12 +4657,12 @@ Inferred (length): The next register lies 16 words further, as for the motor typ
 
 Source: 8.2 L1611.
 """
-FIRMWARE_VERSION: _Final = _Register("firmware_version", 0x10f0, 1, _Number(">H"), "ro")
+FIRMWARE_VERSION: _Final = _Register("firmware_version", 0x10F0, 1, _Number(">H"), "ro")
 """Firmware version (FirmwareNo, Firmware 版本).
 
 The firmware version; 100 stands for 1.00.
 
-0x10f0, 1 word, read only, u16.
+0x10F0, 1 word, read only, u16.
 
 Note: The remark calls the form HEX-ASCII. Whether 1.00 is the word 0100H, or the number 100 (0064H),
 is not decided by the print. The title bar of the vendor's software shows 02.21 (9.3).
