@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_table
-from fieldspec.commands.usage import UsageError
+from fieldspec.commands.output import print_blocks
 from fieldspec.diagnostics import has_errors
+from fieldspec.reading.project import DeviceSpec
+from fieldspec.render.blocks import Table
+
+_HEADINGS = ("device", "name", "vendor", "versions", "registers", "messages", "examples", "errata")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one row a device, counted at its newest version."""
+    """Prints one row a device, counted at its newest version. Exit code 1 where a device cannot be read."""
     project = specs.project(arguments.specs)
+    print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
     if has_errors(project.found):
-        raise UsageError("the specs have findings; see them with: fieldspec check")
-    rows = []
-    for name, spec in sorted(project.devices.items()):
-        device, _ = spec.at(spec.versions()[-1])
-        counts = (sum(1 for _ in device.registers()), len(device.messages), len(device.examples), len(device.errata))
-        rows.append([name, device.name, device.vendor, ", ".join(spec.versions()), *map(str, counts)])
-    headings = ["device", "name", "vendor", "versions", "registers", "messages", "examples", "errata"]
-    print_table(headings, rows)
+        print("fieldspec: the specs have findings; see them with: fieldspec check", file=sys.stderr)
+        return 1
     return 0
+
+
+def _row(name: str, spec: DeviceSpec) -> tuple[str, ...]:
+    device, _ = spec.at(spec.versions()[-1])
+    counts = (sum(1 for _ in device.registers()), len(device.messages), len(device.examples), len(device.errata))
+    return (name, device.name, device.vendor, ", ".join(spec.versions()), *map(str, counts))

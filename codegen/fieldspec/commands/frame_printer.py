@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from fieldspec.commands.output import print_line, print_table
+from fieldspec.commands.output import print_blocks
 from fieldspec.commands.readings import Read
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.render import explanation as shown
+from fieldspec.render.blocks import Block, Line
 
 
 class FramePrinter:
@@ -39,27 +40,24 @@ class FramePrinter:
             print(json.dumps(data, ensure_ascii=False, indent=1))
 
     def _text(self, held: Read, remarks: Sequence[str], number: int) -> None:
-        own = held.explanation
         if not self.first:
             print()
         self.first = False
+        print_blocks(self._blocks(held, remarks, number))
+
+    def _blocks(self, held: Read, remarks: Sequence[str], number: int) -> Iterator[Block]:
+        own = held.explanation
         where = f"line {number}: " if number else ""
         sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in held.others)
-        print_line(where + shown.title(self.layout, own, sure), "bold")
-        for remark in remarks:
-            print_line(remark, "red" if held.wrong else "yellow")
-        self._table(shown.frame_table(self.layout, own))
+        yield Line(where + shown.title(self.layout, own, sure), "bold")
+        yield from (Line(remark, "red" if held.wrong else "yellow") for remark in remarks)
+        yield shown.frame_table(self.layout, own)
         if own.registers:
-            print_line(shown.accessed(self.layout, own), "bold")
-            self._table(shown.register_table(own))
-        for fault in shown.faults(own):
-            print_line(fault, "red")
-        for example in shown.examples(self.layout, own):
-            print_line(example, "dim")
+            yield Line(shown.accessed(self.layout, own), "bold")
+            yield shown.register_table(own)
+        yield from (Line(fault, "red") for fault in shown.faults(own))
+        yield from (Line(example, "dim") for example in shown.examples(self.layout, own))
         for line in shown.footnotes(self.layout, own):
             if line not in self.said:
                 self.said.add(line)
-                print_line(line, "dim")
-
-    def _table(self, table: shown.Table) -> None:
-        print_table(table.headings, table.rows, ["red" if wrong else "" for wrong in table.wrong])
+                yield Line(line, "dim")

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib import import_module
+from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.render.blocks import Block, Line
 from fieldspec.render.columns import aligned, one_line
 
 if TYPE_CHECKING:
@@ -27,37 +29,40 @@ def print_findings(found: Sequence[Diagnostic], form: str, when_none: str) -> No
     """Findings in one of FORMATS; in text, a line says so where there are none."""
     if form == "text" and not found:
         print(when_none)
-        return
-    renderer = import_module(f"fieldspec.render.{form}")
-    if form == "text":
-        print(renderer.rendered(found, coloured=on_terminal()), end="")
-    else:
-        print(renderer.rendered(found), end="")
-
-
-def print_line(text: str, style: str = "") -> None:
-    """A line; on a terminal in a style of rich, and broken between words."""
-    if style and on_terminal():
+    elif form == "text" and on_terminal():
         from rich.text import Text
 
-        _console().print(Text(one_line(text), style))
+        from fieldspec.render.text import rendered
+
+        _console().print(Text.from_ansi(rendered(found, coloured=True)), soft_wrap=True)
     else:
-        print(one_line(text))
+        print(import_module(f"fieldspec.render.{form}").rendered(found), end="")
 
 
-def print_table(headings: Sequence[str], rows: Sequence[Sequence[str]], styles: Sequence[str] = ()) -> None:
-    """A table: with rich on a terminal, where rows may have styles; else columns separated by two blanks."""
-    if not on_terminal():
-        print(aligned(headings, rows), end="")
-        return
+def print_blocks(blocks: Iterable[Block]) -> None:
+    """Lines and tables: on a terminal with rich, in styles and broken between words; else plain."""
+    pretty = on_terminal()
+    for block in blocks:
+        if pretty:
+            _print_pretty(block)
+        elif isinstance(block, Line):
+            print(one_line(block.text))
+        else:
+            print(aligned(block.headings, block.rows), end="")
+
+
+def _print_pretty(block: Block) -> None:
     from rich.table import Table
     from rich.text import Text
 
+    if isinstance(block, Line):
+        _console().print(Text(one_line(block.text), block.style), soft_wrap=block.drawn)
+        return
     table = Table(box=None, header_style="bold", pad_edge=False)
-    for heading in headings:
+    for heading in block.headings:
         table.add_column(heading)
-    for number, row in enumerate(rows):
-        table.add_row(*(Text(one_line(cell)) for cell in row), style=styles[number] if styles else None)
+    for row, style in zip_longest(block.rows, block.styles, fillvalue=""):
+        table.add_row(*(Text(one_line(cell)) for cell in row), style=style)
     _console().print(table)
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands.output import print_table
+from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import unknown
+from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -14,10 +15,11 @@ def run(arguments: argparse.Namespace) -> int:
 
     rules = {rule.code: rule for rule in all_rules()}
     if arguments.code is None:
-        print_table(["rule", "what holds"], [[rule.code, rule.what] for rule in rules.values()])
+        print_blocks([Table(("rule", "what holds"), tuple((rule.code, rule.what) for rule in rules.values()))])
         return 0
     if arguments.code not in rules:
         raise unknown("rule", arguments.code, rules)
     rule = rules[arguments.code]
-    print(f"{rule.code}\n\n{rule.what}\n\nWhy: {rule.why}\n\nExample: {rule.example}\n\nCure: {rule.cure}")
+    texts = (rule.what, f"Why: {rule.why}", f"Example: {rule.example}", f"Cure: {rule.cure}")
+    print_blocks([Line(rule.code, "bold"), *(line for text in texts for line in (Line(""), Line(text)))])
     return 0

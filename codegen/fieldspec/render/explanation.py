@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import groupby
 
 from fieldspec.layout.device import DeviceLayout
@@ -11,21 +11,13 @@ from fieldspec.layout.explaining.row import citations
 from fieldspec.layout.explanation import Explanation, Meaning, Row
 from fieldspec.layout.printed import printed
 from fieldspec.model.example import Example
+from fieldspec.render.blocks import Table, narrowed
 
 _BYTES_A_LINE = 8
 _NUMBERS_A_LINE = 8
 _LIST = 3
 _EXAMPLES = 3
 _JUDGED = ("meaning", "check", "manual")
-
-
-@dataclass(frozen=True, slots=True)
-class Table:
-    """Cells by row, and whether a row is wrong."""
-
-    headings: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    wrong: tuple[bool, ...]
 
 
 def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
@@ -188,10 +180,8 @@ def _lines(row: Row, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[
 
 
 def _table(headings: tuple[str, ...], lines: Sequence[tuple[tuple[str, ...], bool]]) -> Table:
-    """A table without the columns that are empty."""
-    full = [at for at in range(len(headings)) if any(cells[at] for cells, _ in lines)]
-    rows = tuple(tuple(cells[at] for at in full) for cells, _ in lines)
-    return Table(tuple(headings[at] for at in full), rows, tuple(wrong for _, wrong in lines))
+    rows = tuple(cells for cells, _ in lines)
+    return narrowed(Table(headings, rows, tuple("red" if wrong else "" for _, wrong in lines)))
 
 
 def _label(row: Row) -> str:

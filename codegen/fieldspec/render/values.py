@@ -1,0 +1,72 @@
+"""How values, fields and members are shown to people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.enum import Enum
+from fieldspec.model.value import Value
+from fieldspec.render.blocks import Block, Line, Table, narrowed
+
+
+def value_details(value: Value) -> Iterator[tuple[str, str]]:
+    """What is said of a value, key by key; keys without a text are left out by who prints."""
+    yield "type", value.type.name if value.type.size else f"{value.type.name}, {value.size} bytes"
+    yield "unit", unit_text(value)
+    yield "range", range_text(value)
+    yield "default", "" if value.default is None else str(value.default)
+    yield "always", "" if value.const is None else str(value.const)
+    yield "values", ", ".join(f"{sentinel.value} = {sentinel.name}" for sentinel in value.sentinels)
+
+
+def unit_text(value: Value) -> str:
+    """`0.01 mm`, and the offset where there is one."""
+    text = f"{value.scale:f} {value.unit}".strip() if value.scaled else value.unit
+    return text if value.offset == 0 else f"{text}, {value.offset:+f}"
+
+
+def range_text(value: Value) -> str:
+    """The intervals in counts, and in the unit where that is something else."""
+    if value.ranges is None:
+        return ""
+    counts = value.ranges.text()
+    if not value.scaled:
+        return counts
+    pairs = ((value.in_unit(low), value.in_unit(high)) for low, high in value.ranges.intervals)
+    spans = ", ".join(f"{low:f}" if low == high else f"{low:f}..{high:f}" for low, high in pairs)
+    return f"{counts} ({spans} {value.unit}".rstrip() + ")"
+
+
+def field_table(record: RecordLayout, base: int | None = None) -> Block:
+    """The fields of a record: where they are, and what they hold; `base` is the address of the first word."""
+    if not record.fields:
+        return Line("no data")
+    rows = tuple(_field(field, base) for field in record.fields)
+    headings = ("at" if base is None else "address", "type", "name", "label", "unit", "range", "default", "names")
+    return narrowed(Table(headings, rows))
+
+
+def _field(field: FieldLayout, base: int | None) -> tuple[str, ...]:
+    value = field.value
+    kind = field.record.name if field.record else field.primitive.name
+    repeat = field.field.repeat
+    times = f" x {repeat.text() if repeat else field.count}" if field.listed else ""
+    at = f"+{field.offset}" if base is None else f"0x{base + field.offset // 2:04X}"
+    label = " ".join(text for text in (field.field.printed_name, field.field.label) if text)
+    first = (at, kind + times, field.name, label)
+    if value is None:
+        return (*first, "", "", "", "")
+    default = value.default if value.const is None else f"always {value.const}"
+    names = value.enum or value.flags or ", ".join(f"{held.value} = {held.name}" for held in value.sentinels)
+    return (*first, unit_text(value), range_text(value), "" if default is None else str(default), names)
+
+
+def member_table(enum: Enum) -> Table:
+    """The members of an enum, or the rows of a table of codes."""
+    rows = []
+    for member in enum.members:
+        name = member.name + (" (not available)" if member.unavailable else "")
+        label = " ".join(text for text in (member.printed_name, member.label) if text)
+        rows.append((str(member.value), name, label, member.problem or member.doc))
+    return narrowed(Table(("value", "name", "label", "meaning"), tuple(rows)))
