@@ -1,7 +1,7 @@
 /*
  * ESC11-B (TAIYO), version 1.17
  * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
- * Identity: 57cad739bf70190a
+ * Identity: 524c4b7961cef10d
  *
  * C99 and C++11. Generated; do not edit.
  */
@@ -22,7 +22,7 @@
 #include <string.h>
 
 #define ESC11_VERSION "1.17"
-#define ESC11_IDENTITY "57cad739bf70190a"
+#define ESC11_IDENTITY "524c4b7961cef10d"
 
 /* ---- What functions return ---- */
 
@@ -271,8 +271,8 @@ static inline bool esc11_homing_method_known(int64_t value)
 /**
  * What a point does. Each mode does the same as one of the movement commands.
  * Printed as 表9-2 动作模式.
- * Note: The codes are not those of the movement commands, nor in their order. 43h and 47h are commands of
- * quite another kind.
+ * Note: The codes are not those of the movement commands, nor in their order. 41h, 43h, 47h and 48h are
+ * commands of quite another kind.
  * Source: 9.3.5 L819-831
  */
 typedef enum esc11_point_mode {
@@ -330,8 +330,10 @@ static inline bool esc11_communication_status_executing(uint8_t word)
 
 /**
  * Printed as 在位置状态.
- * 0: within the position's width. 1: outside of it.
- * Note: The reverse of the bit in_position that command 52h reads.
+ * 0: within the range. 1: outside of it.
+ * Note: The manual does not say which range. By their names, the signal INPOS of command 52h has the opposite
+ * sense. Nearly all samples of a controller at rest have 1 here (status 02h); only those of 30h, 4Eh and 63h
+ * have 0.
  * Source: 8.2 L287
  */
 #define ESC11_COMMUNICATION_STATUS_OUT_OF_POSITION_MASK 0x02u
@@ -393,7 +395,7 @@ static inline bool esc11_communication_status_command_error(uint8_t word)
 
 /**
  * Printed as 警报状态.
- * 0: normal. 1: alarm.
+ * 0: normal. 1: error.
  * Source: 8.2 L292
  */
 #define ESC11_COMMUNICATION_STATUS_ALARM_MASK 0x40u
@@ -505,15 +507,14 @@ static inline bool esc11_io_inputs_selection(uint8_t word)
 
 /**
  * Printed as INLOK.
- * Note: The remedy of error 25h (10.4 L1318) says that the interlock is released while this input is on, so 1
- * allows moves.
+ * 0: moves are locked. 1: moves are allowed.
  * Source: 9.4.3 L946
  */
-#define ESC11_IO_INPUTS_INTERLOCK_MASK 0x80u
-#define ESC11_IO_INPUTS_INTERLOCK_SHIFT 7u
-static inline bool esc11_io_inputs_interlock(uint8_t word)
+#define ESC11_IO_INPUTS_INTERLOCK_RELEASED_MASK 0x80u
+#define ESC11_IO_INPUTS_INTERLOCK_RELEASED_SHIFT 7u
+static inline bool esc11_io_inputs_interlock_released(uint8_t word)
 {
-    return (word & ESC11_IO_INPUTS_INTERLOCK_MASK) != 0;
+    return (word & ESC11_IO_INPUTS_INTERLOCK_RELEASED_MASK) != 0;
 }
 
 /**
@@ -645,7 +646,7 @@ static inline bool esc11_io_state_outputs_alarm(uint8_t word)
 
 /**
  * Printed as INPOS.
- * Note: The reverse of the bit out_of_position in the status byte.
+ * Note: By its name, the reverse of the bit out_of_position in the status byte.
  * Source: 9.4.3 L948
  */
 #define ESC11_IO_STATE_OUTPUTS_IN_POSITION_MASK 0x08u
@@ -1601,7 +1602,7 @@ static inline esc11_codec_status esc11_write_parameter_response_decode(const uin
  * Note: The point is lost when the power is switched off. After that, START with IPOS0 to IPOS4 off starts
  * homing again.
  * Note: The manual prints the same name for command 60h, which stores points for good.
- * Source: 9.5.4 L1032-1055, 1030
+ * Source: 9.5.4 L1032-1055, 1030, 1068-1072
  */
 #define ESC11_WRITE_TEMPORARY_POINT_CODE 99u
 
@@ -3432,7 +3433,7 @@ static inline esc11_codec_status esc11_set_motor_excitation_response_decode(cons
 }
 
 /**
- * Gives the version of the controller's firmware.
+ * Gives the version of the controller.
  * Printed as 读取版本.
  * Source: 9.3.1 L740-743, 738
  */
@@ -3740,7 +3741,7 @@ static inline esc11_codec_status esc11_read_parameter_response_decode(const uint
 /**
  * Gives the data of one point.
  * Printed as 读取指定点.
- * Note: What is answered for a point without data is not printed; error 26h stands for such a point.
+ * Note: What is answered for a point without data is not printed. Error 26h is that of a move to one.
  * Source: 9.3.5 L784-790, 782
  */
 #define ESC11_READ_POINT_CODE 68u
@@ -4051,7 +4052,7 @@ static inline esc11_codec_status esc11_read_alarm_code_response_decode(const uin
  * Printed as 读取累计时间.
  * Note: The minutes are lost when the power is switched off.
  * Note: After an alarm the count goes on from the hours and minutes at which the alarm came up (L869).
- * Source: 9.3.9 L862-865, 860
+ * Source: 9.3.9 L862-865, 860, 867-869
  */
 #define ESC11_READ_ACCUMULATED_TIME_CODE 72u
 
@@ -4136,7 +4137,7 @@ static inline esc11_codec_status esc11_read_accumulated_time_response_decode(con
  * Note: To be sent after the cause has been looked up and removed.
  * Note: If a workpiece gripped by mistake in an absolute move brought up the overload, take the workpiece out
  * first (L883).
- * Source: 9.3.10 L871-876, 871
+ * Source: 9.3.10 L871-876, 881-883
  */
 #define ESC11_RESET_ALARM_CODE 78u
 
@@ -4566,7 +4567,7 @@ static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint1
  * Note: A controller that gets a packet with a communication error drops it and stays silent (7.3 L250).
  * Note: An unknown command is answered with the bit command_error set in the status (7.3 L251). Whether data
  * follow is not printed.
- * Source: 6 L188-194; 8.1 L255-268; 8.2 L270-297
+ * Source: 6 L188-194; 7.2 L234-238; 8.1 L255-268; 8.2 L270-297
  */
 /** An opened request: what stands before the body, and where the body is. */
 typedef struct esc11_serial_request_frame {
@@ -5907,10 +5908,10 @@ typedef struct esc11_code_text {
 static inline const esc11_code_text *esc11_alarm_code_text(int64_t code)
 {
     static const esc11_code_text texts[] = {
-        {INT64_C(1), "overload", "\350\277\207\350\264\237\350\215\267", "The motor is overloaded.", "The gripper is used beyond what it can do\nThe motor is faulty\nWrong parameters\nThe power supply or its cable is too weak\nToo much friction in the mechanism", "Lower the load of the mechanism.\nLower the acceleration parameter.\nSet the parameter of the carried weight to a fitting value.\nIf its winding resistance is too low, or it is unusually heavy to turn by hand, replace the motor unit.\nInitialize the parameters, for the right type of the mechanism.\nCheck the capacity of the power supply and increase it where it is too low.\nCheck whether the moving parts are heavy and adjust them."},
+        {INT64_C(1), "overload", "\350\277\207\350\264\237\350\215\267", "The motor is overloaded.", "Something is wrong with how the gripper is used\nThe motor is faulty\nWrong parameters\nThe power supply or its cable is too weak\nToo much friction in the mechanism", "Lower the load of the mechanism.\nLower the acceleration parameter.\nSet the parameter of the carried weight to a fitting value.\nIf its winding resistance is too low, or it is unusually heavy to turn by hand, replace the motor unit.\nInitialize the parameters, for the right type of the mechanism.\nCheck the capacity of the power supply and increase it where it is too low.\nCheck whether the moving parts are heavy and adjust them."},
         {INT64_C(2), "overcurrent", "\350\277\207\347\224\265\346\265\201", "The motor takes too much current.", "The motor cable has a short circuit\nThe motor is faulty\nThe controller is faulty\nWrong parameters", "Check the motor cable's conductors; if something is wrong, replace the motor unit.\nReplace the motor if it is shorted inside.\nMeasure the resistance between the motor terminals of phase A, and of phase B. If it is below the limit, an output transistor is broken: replace the controller.\nInitialize the parameters, for the right type of the mechanism."},
         {INT64_C(3), "machine_reference_over", "\350\266\205\350\277\207\345\237\272\345\207\206\345\200\274", "The position of the encoder's Z phase differs from the initial one.", "The gripper body was replaced\nThe home position is on the closing side and the fingers were replaced\nThe encoder's Z phase is broken or faulty", "Initialize the parameters.\nInitialize the parameters.\nSet the home position to the opening side.\nReplace the gripper body."},
-        {INT64_C(4), "supply_voltage_low", "\347\224\265\346\272\220\347\224\265\345\216\213\344\270\213\351\231\215", "The supply voltage has fallen to 80 % of the rated one.", "The power supply or its cable is too weak", "Check the capacity of the power supply and increase it where it is too low. Homing, starting and accelerating take the most power."},
+        {INT64_C(4), "supply_voltage_low", "\347\224\265\346\272\220\347\224\265\345\216\213\344\270\213\351\231\215", "The supply voltage has fallen to 80 % of the rated one.", "The power supply or its cable is too weak", "Check the capacity of the power supply and increase it where it is too low. Homing, starting, accelerating and braking take the most power."},
         {INT64_C(5), "data_not_written", "\346\225\260\346\215\256\345\206\231\345\205\245\344\270\215\350\211\257", "Data cannot be written to the ROM.", "The ROM is worn out or faulty", "Replace the controller."},
         {INT64_C(6), "position_deviation_over", "\344\275\215\347\275\256\345\201\217\345\267\256\350\277\207\345\244\247", "The position deviates too far from the commanded one.", "The mechanism is blocked\nThe motor cable is broken or wrongly wired\nWrong parameters", "Check whether the moving parts are blocked.\nCheck the wiring of the motor and of the encoder signals.\nInitialize the parameters, for the right type of the mechanism."},
         {INT64_C(7), "point_data_destroyed", "\347\202\271\346\225\260\346\215\256\344\270\215\350\211\257", "The points are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and check the points.\nIf some are wrong, correct them.\nIf all are wrong, delete all points and load them again.\nIf none is wrong, write any one of them again."},
@@ -5922,7 +5923,7 @@ static inline const esc11_code_text *esc11_alarm_code_text(int64_t code)
         {INT64_C(13), "system_fault_2", "\347\263\273\347\273\237\345\274\202\345\270\2702", "The program of the H8S processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
         {INT64_C(14), "feedback_error_3", "\345\217\215\351\246\210\351\224\231\350\257\2573", "The motor cable is broken or wrongly connected, or the motor is overloaded.", "The motor cable is broken or wrongly connected", "Check the connection of the motor cable."},
         {INT64_C(32), "soft_limit_exceeded", "\350\266\205\350\277\207\350\275\257\351\231\220\344\275\215", "A soft limit is exceeded.", "A position beyond the soft limits was given when jogging, teaching directly or playing back", "Set the soft limits anew."},
-        {INT64_C(33), "pulse_overflow", "\350\204\211\345\206\262\346\272\242\345\207\272", "Too many pulses have piled up.", "It moved otherwise than the set mode of operation allows", "Set the acceleration anew.\nSet the highest speed anew.\nSet the load anew.\nSet the load of the regeneration anew."},
+        {INT64_C(33), "pulse_overflow", "\350\204\211\345\206\262\346\272\242\345\207\272", "Too many pulses have piled up.", "It moved otherwise than the set mode of operation allows", "Set acceleration and deceleration anew.\nSet the highest speed anew.\nSet the load anew.\nSet the load of the regeneration anew."},
         {INT64_C(34), "io_logic_error", "I/O\351\200\273\350\276\221\351\224\231\350\257\257", "The parallel inputs got a wrong combination.", "An input other than the interlock came on during operation", "Check the input signals."},
         {INT64_C(35), "homing_incomplete", "\345\216\237\347\202\271\346\234\252\345\256\214\346\210\220", "A move was commanded before homing was complete.", "Homing has not been carried out", "Home."},
         {INT64_C(36), "servo_off", "\344\274\272\346\234\215OFF", "A move was commanded while the servo was off.", "The servo had not been switched on", "Switch the servo on."},

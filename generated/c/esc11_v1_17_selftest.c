@@ -1,6 +1,6 @@
 /*
  * Tests esc11_v1_17.h: ESC11-B, version 1.17
- * Identity: 57cad739bf70190a
+ * Identity: 524c4b7961cef10d
  *
  * Generated; do not edit. Compile and run: it exits with 0 where all is well.
  */
@@ -53,8 +53,8 @@ static void test_0(void)
     expect(esc11_io_inputs_start(0x20u) == 1u, "esc11_io_inputs_start");
     expect(ESC11_IO_INPUTS_SELECTION_MASK == 0x40u, "ESC11_IO_INPUTS_SELECTION_MASK");
     expect(esc11_io_inputs_selection(0x40u) == 1u, "esc11_io_inputs_selection");
-    expect(ESC11_IO_INPUTS_INTERLOCK_MASK == 0x80u, "ESC11_IO_INPUTS_INTERLOCK_MASK");
-    expect(esc11_io_inputs_interlock(0x80u) == 1u, "esc11_io_inputs_interlock");
+    expect(ESC11_IO_INPUTS_INTERLOCK_RELEASED_MASK == 0x80u, "ESC11_IO_INPUTS_INTERLOCK_RELEASED_MASK");
+    expect(esc11_io_inputs_interlock_released(0x80u) == 1u, "esc11_io_inputs_interlock_released");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_0_MASK == 0x01u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_0_MASK");
     expect(esc11_io_outputs_point_output_0(0x01u) == 1u, "esc11_io_outputs_point_output_0");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_1_MASK == 0x02u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_1_MASK");
