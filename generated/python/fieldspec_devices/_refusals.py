@@ -36,7 +36,7 @@ def refused_number(
     fits = low <= value <= high
     if fits and (not ranges or value in others or any(least <= value <= most for least, most in ranges)):
         return None
-    allowed = ", ".join(f"{least}..{most}" for least, most in ranges or ((low, high),))
+    allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges or ((low, high),))
     return CodecError("out_of_range", f"{name} is {int(value)}, not in {allowed}")
 
 
