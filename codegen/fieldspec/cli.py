@@ -6,6 +6,7 @@ Exit codes: 0 fine, 1 findings, 2 wrong use or unreadable input.
 from __future__ import annotations
 
 import argparse
+import errno
 import gc
 import os
 import sys
@@ -17,7 +18,7 @@ from typing import Any
 from fieldspec import __version__
 from fieldspec.commands.usage import UsageError
 
-FINE, FINDINGS, WRONG_USE = 0, 1, 2
+FINE, FINDINGS, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
 
 def _help(prog: str) -> argparse.HelpFormatter:
@@ -114,6 +115,7 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one verb and returns its exit code."""
+    collecting = gc.isenabled()
     gc.disable()  # a run is short, and the trees it keeps are never garbage
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
@@ -126,12 +128,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except UsageError as error:
         print(f"fieldspec: {error}", file=sys.stderr)
         return WRONG_USE
-    except BrokenPipeError:
-        # Whoever read the output has seen enough; nothing may be written when Python shuts down.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return FINE
+    except OSError as error:
+        return _unwritten(error)
     except KeyboardInterrupt:
-        return 130
+        return INTERRUPTED
+    finally:
+        if collecting:
+            gc.enable()
+
+
+def _unwritten(error: OSError) -> int:
+    """What to do when the output cannot be written."""
+    # Nothing more may be written, not even what is left when Python shuts down.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
+        return FINE  # whoever read the output has seen enough
+    print(f"fieldspec: cannot write the output: {error.strerror}", file=sys.stderr)
+    return WRONG_USE
 
 
 if __name__ == "__main__":

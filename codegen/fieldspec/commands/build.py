@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import hashlib
 import json
 import os
-import shutil
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from fieldspec.commands import specs
 from fieldspec.commands.output import on_terminal, print_findings
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout
 
 MANIFEST = "manifest.json"
@@ -32,24 +33,29 @@ def run(arguments: argparse.Namespace) -> int:
         found = pipeline.checked(project)
     if found:
         print_findings(found, "text", "")
+    if has_errors(found):
         return 1
     devices: list[list[DeviceLayout]] = []
     for device, spec in sorted(project.devices.items()):
-        versions = [version for name, version in wanted if name == device and version]
-        picked = {specs.picked(spec, version) for version in versions}
+        named = [version for name, version in wanted if name == device] or [""]
+        picked = {specs.picked(spec, version) for version in named if version}
         layouts = pipeline.layouts(spec)
-        devices.append([laid for laid in layouts if not picked or laid.device.version in picked])
+        devices.append([laid for laid in layouts if "" in named or laid.device.version in picked])
     with _progress(f"writing {', '.join(names)}"):
         texts = pipeline.outputs(devices, names)
     out = Path(arguments.out)
     before = _manifest(out)
-    gone = [] if arguments.devices else _gone(before, texts, names)
-    stale = sorted(path for path, text in texts.items() if _differs(out / path, text))
+    whole = not arguments.devices
+    gone = _gone(before, texts, names) if whole else []
+    identities = {} if whole else dict(before["identities"])
+    identities |= {f"{laid.device.id}@{laid.device.version}": laid.identity for some in devices for laid in some}
+    wanted_files = {**texts, MANIFEST: _renewed(before, texts, gone, identities)}
+    stale = sorted(path for path, text in wanted_files.items() if _differs(out / path, text))
     if arguments.check:
         return _report(stale, gone)
-    identities = {f"{laid.device.id}@{laid.device.version}": laid.identity for versions in devices for laid in versions}
-    _write(out, {path: texts[path] for path in stale}, gone, _renewed(before, texts, gone, identities))
-    print(f"{len(texts)} files, {len(stale)} written, {len(gone)} removed")
+    if stale or gone:
+        _write(out, {path: wanted_files[path] for path in stale}, gone)
+    print(f"{len(texts)} files, {len(set(stale) - {MANIFEST})} written, {len(gone)} removed")
     return 0
 
 
@@ -118,23 +124,26 @@ def _renewed(
 ) -> str:
     files = {path: digest for path, digest in before["files"].items() if path not in gone}
     files |= {path: hashlib.sha256(text.encode("utf-8")).hexdigest() for path, text in texts.items()}
-    held = {**before["identities"], **identities}
-    data = {"identities": dict(sorted(held.items())), "files": dict(sorted(files.items()))}
+    data = {"identities": dict(sorted(identities.items())), "files": dict(sorted(files.items()))}
     return json.dumps(data, indent=1) + "\n"
 
 
-def _write(out: Path, texts: Mapping[str, str], gone: list[str], manifest: str) -> None:
+def _write(out: Path, texts: Mapping[str, str], gone: list[str]) -> None:
     """Writes all files beside their folder first, then moves them into place; on failure nothing has changed."""
+    made = _missing(out)
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".fieldspec-", dir=out) as beside:
             new, old = Path(beside, "new"), Path(beside, "old")
-            for path, text in {**texts, MANIFEST: manifest}.items():
+            for path, text in texts.items():
                 target = new / path
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(text.encode("utf-8"))
-            _move(out, new, old, [*texts, MANIFEST], gone)
+            _move(out, new, old, list(texts), gone)
     except OSError as error:
+        for folder in made:
+            with suppress(OSError):
+                folder.rmdir()
         place = error.filename or out
         raise UsageError(f"cannot write {place}: {error.strerror}; nothing was changed") from None
 
@@ -143,25 +152,37 @@ def _move(out: Path, new: Path, old: Path, paths: list[str], gone: list[str]) ->
     """Moves new files into place, keeping what was there until all are moved."""
     kept: list[str] = []
     placed: list[str] = []
+    made: list[Path] = []
     try:
         for path in [*paths, *gone]:
-            if (out / path).exists():
+            target = out / path
+            if target.is_dir():
+                raise IsADirectoryError(errno.EISDIR, "a folder is in the way", str(target))
+            if target.exists():
                 (old / path).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(out / path, old / path)
+                os.replace(target, old / path)
                 kept.append(path)
             if path not in gone:
-                (out / path).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(new / path, out / path)
+                made = [*_missing(target.parent), *made]
+                target.parent.mkdir(parents=True, exist_ok=True)
+                os.replace(new / path, target)
                 placed.append(path)
-    except OSError:
+    except BaseException:  # an interrupt, too, leaves what was there
         for path in placed:
             (out / path).unlink(missing_ok=True)
         for path in kept:
             os.replace(old / path, out / path)
+        for folder in made:
+            with suppress(OSError):
+                folder.rmdir()
         raise
-    shutil.rmtree(old, ignore_errors=True)
     for path in gone:
         _remove_empty(out, (out / path).parent)
+
+
+def _missing(folder: Path) -> list[Path]:
+    """The folders that must be made for a folder to be there, the innermost first."""
+    return [above for above in (folder, *folder.parents) if not above.exists()]
 
 
 def _remove_empty(out: Path, folder: Path) -> None:

@@ -29,6 +29,8 @@ def run(arguments: argparse.Namespace) -> int:
     printer = FramePrinter(layout, arguments.format)
     written = " ".join(arguments.frame)
     if written in ("", "-"):
+        if sys.stdin is None:
+            raise UsageError("there is no standard input to read frames from")
         if sys.stdin.isatty():
             print("reading frames from the terminal, one a line", file=sys.stderr)
         gc.enable()  # a log may be long

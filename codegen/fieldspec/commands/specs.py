@@ -42,7 +42,8 @@ def files(path: Path, only: frozenset[str] = frozenset()) -> dict[str, bytes]:
     found: dict[str, bytes] = {}
     try:
         for file in sorted(path.glob("*/*.yaml")):
-            if not only or file.parent.name in only or file.parent.name == PROTOCOLS:
+            hidden = file.name.startswith(".")  # what editors leave beside a file
+            if not hidden and (not only or file.parent.name in only or file.parent.name == PROTOCOLS):
                 found[f"{file.parent.name}/{file.name}"] = file.read_bytes()
     except OSError as error:
         raise UsageError(f"cannot read {error.filename}: {error.strerror}") from None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from xml.sax.saxutils import quoteattr
+from xml.sax.saxutils import escape, quoteattr
 
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.render.columns import one_line
@@ -21,15 +21,18 @@ def rendered(found: Sequence[Diagnostic]) -> str:
 
 def _case(finding: Diagnostic) -> str:
     name = f"{finding.code} {place(finding.span)}"
-    file = finding.span.file.path
-    detail = _attribute(concise([finding]))
     return (
-        f"  <testcase classname={_attribute(file)} name={_attribute(name)}>\n"
-        f"    <failure type={_attribute(finding.code)} message={detail}/>\n"
+        f"  <testcase classname={_attribute(finding.span.file.path)} name={_attribute(name)}>\n"
+        f"    <failure type={_attribute(finding.code)} message={_attribute(finding.message)}>"
+        f"{escape(_visible(concise([finding])))}</failure>\n"
         f"  </testcase>\n"
     )
 
 
 def _attribute(text: str) -> str:
-    """A quoted attribute; characters that XML does not allow are shown as escapes."""
-    return quoteattr("\n".join(one_line(line) for line in text.splitlines()))
+    return quoteattr(_visible(text))
+
+
+def _visible(text: str) -> str:
+    """A text whose lines have no characters that XML does not allow: these are shown as escapes."""
+    return "\n".join(one_line(line) for line in text.split("\n"))
