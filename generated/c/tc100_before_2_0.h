@@ -1128,7 +1128,7 @@ typedef struct tc100_point {
      * The output INRANGE is on between this position and the upper limit.
      * Printed as 範圍 L.
      * Note: 8.2 prints no unit and no range. Chapter 4 and the software speak of mm, from -9999.99 to 9999.99; see
-     * the position.
+     * the position. The output must be assigned to a terminal by 0712H (4.6).
      * Source: 8.2 L1653
      */
     int32_t zone_lower_limit;
@@ -1136,7 +1136,7 @@ typedef struct tc100_point {
      * The output INRANGE is on between the lower limit and this position.
      * Printed as 範圍 H.
      * Note: 8.2 prints no unit and no range. Chapter 4 and the software speak of mm, from -9999.99 to 9999.99; see
-     * the position.
+     * the position. The output must be assigned to a terminal by 0712H (4.6).
      * Source: 8.2 L1654
      */
     int32_t zone_upper_limit;
@@ -3317,8 +3317,8 @@ static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t val
  * The speed of jogging by the inputs.
  * Printed as JogInchingSpd JOG 移動時速度設定.
  * Read and write.
- * Note: In tenths of a percent, unlike all other speed settings, which are whole percents. Jogging by 201EH
- * uses 2014H.
+ * Note: In tenths of a percent; all other speeds that are given in percent are whole percents. Jogging by
+ * 201EH uses 2014H.
  * Source: 5.6 L1243
  */
 #define TC100_REG_JOG_SPEED_ADDRESS 0x080Fu
@@ -3510,6 +3510,8 @@ static inline tc100_codec_status tc100_reg_homing_speed_encode(uint16_t value, u
  * The distance that is moved after homing is done. The push torques 0400H and 0401H apply.
  * Printed as OrgOffset 原點復歸的偏移量設定.
  * Read and write.
+ * Note: This row places the move after homing; 0904H places it after the detection of torque, in the other
+ * direction, and for homing by torque only.
  * Source: 5.7 L1255
  */
 #define TC100_REG_HOMING_OFFSET_ADDRESS 0x0902u

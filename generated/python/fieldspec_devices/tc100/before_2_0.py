@@ -1795,10 +1795,12 @@ class Point:
             does not relate the two.
         zone_lower_limit (範圍 L): i32, initially 0. The output INRANGE is on between this position and
             the upper limit. Note: 8.2 prints no unit and no range. Chapter 4 and the software speak
-            of mm, from -9999.99 to 9999.99; see the position.
+            of mm, from -9999.99 to 9999.99; see the position. The output must be assigned to a
+            terminal by 0712H (4.6).
         zone_upper_limit (範圍 H): i32, initially 0. The output INRANGE is on between the lower limit
             and this position. Note: 8.2 prints no unit and no range. Chapter 4 and the software speak
-            of mm, from -9999.99 to 9999.99; see the position.
+            of mm, from -9999.99 to 9999.99; see the position. The output must be assigned to a
+            terminal by 0712H (4.6).
         wait_time (等待時間): u16, in ms, 0..30000, initially 0. The wait after the move; the outputs
             READY and MOVE change only after it (4.7).
         next_point (下一個步序): i16, -1, 1..127, -1 = end, initially -1. The point that is executed next.
@@ -4066,8 +4068,8 @@ The speed of jogging by the inputs.
 
 0x080F, 1 word, read and write, u16, in 0.1 %, 1..1000.
 
-Note: In tenths of a percent, unlike all other speed settings, which are whole percents. Jogging by
-201EH uses 2014H.
+Note: In tenths of a percent; all other speeds that are given in percent are whole percents. Jogging
+by 201EH uses 2014H.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4175,6 +4177,9 @@ HOMING_OFFSET: _Final = _Register("homing_offset", 0x0902, 2, _Number(">i", unit
 The distance that is moved after homing is done. The push torques 0400H and 0401H apply.
 
 0x0902, 2 words, read and write, i32, in pulse.
+
+Note: This row places the move after homing; 0904H places it after the detection of torque, in the
+other direction, and for homing by torque only.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.

@@ -1,0 +1,50 @@
+"""Runs the command line within a test."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+
+from fieldspec.cli import main
+from fieldspec.commands import specs
+
+SPECS = Path(__file__).resolve().parent.parent / "specs"
+MADE_UP = Path(__file__).resolve().parent / "specs"
+
+
+class Ran(NamedTuple):
+    """What a run has left."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def lines(self) -> list[str]:
+        return self.out.splitlines()
+
+
+class CommandLine:
+    """Runs verbs on the specs of a folder. A layout is read once, however many verbs use it."""
+
+    def __init__(self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+        self.capsys, self.monkeypatch, self.folder = capsys, monkeypatch, folder
+        monkeypatch.setattr(specs, "layout", _layout)
+
+    def __call__(self, *arguments: str, stdin: bytes = b"") -> Ran:
+        self.monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BufferedReader(io.BytesIO(stdin))))
+        code = main([*arguments, "--specs", str(self.folder)])
+        return Ran(code, *self.capsys.readouterr())
+
+    def json(self, *arguments: str, stdin: bytes = b"") -> Any:
+        """The data that a verb prints as JSON."""
+        return json.loads(self(*arguments, "--format", "json", stdin=stdin).out)
+
+
+_layout = cache(specs.layout)
