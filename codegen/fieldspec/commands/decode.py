@@ -34,7 +34,7 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin.isatty():
             print("reading frames from the terminal, one a line", file=sys.stderr)
         gc.enable()  # a log may be long
-        return _Log(layout, given, asked, printer).explain(sys.stdin.buffer)
+        return Log(layout, given, asked, printer).explain(sys.stdin.buffer)
     found = _frame(layout, written)
     held = read(layout, found.frame, given, found.direction, asked)
     printer.explain(held, [*found.remarks, *remarks(layout, held, 0)])
@@ -72,7 +72,7 @@ def _frame(layout: DeviceLayout, text: str) -> Logged:
     return found
 
 
-class _Log:
+class Log:
     """Explains the frames of a log, one a line; what it keeps does not grow with the log.
 
     `asked` is the request, in line `asked_in`, that the next response answers. `mark` is the direction that a line

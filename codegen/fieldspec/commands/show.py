@@ -30,7 +30,7 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
     """The items with a name, else those with an address or a code; our names go before the manual's words."""
     known = list(items(layout))
     for place in range(3):
-        found = [item for item in known if text in handles(item)[place : place + 1]]
+        found = [item for item in known if text and text in handles(item)[place : place + 1]]
         if found:
             return found
     found = [item for item in known if number is not None and numbered(item, number)]

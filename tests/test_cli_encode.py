@@ -1,0 +1,125 @@
+"""`fieldspec encode` writes the frame of a message, and says what keeps it from doing so."""
+
+from __future__ import annotations
+
+import pytest
+
+from command_line import MADE_UP, CommandLine
+from fieldspec.model.example import Example
+from laid_out import newest
+
+WIDGET = newest(MADE_UP, "widget")
+READ = ["read_registers", "station=1", "address=0x1000", "word_count=2"]
+WRITE = ["write_registers", "station=16", "address=0x2001"]
+PACKET = ["--link", "packet", "address=7", "sequence=1"]
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, MADE_UP)
+
+
+def written(value: object, name: str = "") -> list[str]:
+    """Values of the spec as arguments: `nest.corners.0.x=1`."""
+    if isinstance(value, dict):
+        pairs = list(value.items())
+    elif isinstance(value, list) and value and isinstance(value[0], dict | list):
+        pairs = list(enumerate(value))
+    else:
+        text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
+        return [f"{name}={text}"]
+    return [argument for key, held in pairs for argument in written(held, f"{name}.{key}".lstrip("."))]
+
+
+@pytest.mark.parametrize(
+    "example",
+    [e for e in WIDGET.device.examples.values() if not e.refused and not e.error],
+    ids=lambda example: example.id,
+)
+def test_every_example_is_written_from_its_values(run: CommandLine, example: Example) -> None:
+    code = WIDGET.links[example.link].frame(example.direction).role("code")
+    values = {name: value for name, value in example.values.items() if code is None or name != code.name}
+    options = ["--link", example.link, "--direction", example.direction]
+    found = run("encode", "widget", example.message, *written(values), *options)
+    assert (found.code, found.err) == (0, "")
+    assert bytes.fromhex(found.lines[0]) == example.frame
+
+
+@pytest.mark.parametrize(
+    ("arguments", "frame"),
+    [
+        (READ, "01 03 10 00 00 02 C0 CB"),
+        (["read_registers", "station=1", "address=status_word", "word_count=2"], "01 03 10 00 00 02 C0 CB"),
+        (["write_register", "station=1", "address=lamp", "value=5"], "01 06 20 00 00 05 42 09"),
+        ([*WRITE, "values=0xFFFF 0xFF9C"], "10 10 20 01 00 02 04 FF FF FF 9C BA 23"),
+        ([*WRITE, "values.0=65535", "values.1=65436"], "10 10 20 01 00 02 04 FF FF FF 9C BA 23"),
+        (["exchange", *PACKET, "data="], "00 08 07 01 22 00 00 32"),
+    ],
+)
+def test_values_are_taken_in_every_spelling(run: CommandLine, arguments: list[str], frame: str) -> None:
+    assert run("encode", "widget", *arguments).lines == [frame]
+
+
+def test_a_frame_of_characters_is_shown_as_both(run: CommandLine) -> None:
+    found = run("encode", "widget", *READ, "--link", "ascii")
+    assert found.lines == ["3A 30 31 30 33 31 30 30 30 30 30 30 32 45 41 0D 0A", r":010310000002EA\r\n"]
+    assert run("encode", "widget", *READ, "--link", "ascii", "--format", "hex").lines == found.lines[:1]
+
+
+def test_json_holds_the_frame_and_what_it_is(run: CommandLine) -> None:
+    assert run.json("encode", "widget", *READ, "--link", "ascii") == {
+        "device": "widget",
+        "version": "2.0",
+        "link": "ascii",
+        "direction": "request",
+        "message": "read_registers",
+        "frame": "3A3031303331303030303030324541" + "0D0A",
+        "characters": ":010310000002EA\r\n",
+    }
+    assert run.json("encode", "widget", *READ)["characters"] is None
+
+
+def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
+    frame = run("encode", "widget", *READ).out
+    assert run.json("decode", "widget", frame)["values"] == {
+        "station": 1,
+        "function": 3,
+        "address": 0x1000,
+        "word_count": 2,
+    }
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["read_registerz"], "there is no message read_registerz; did you mean read_registers?"),
+        ([*READ, "--link", "tcp"], "there is no link tcp; there are ascii, packet, rtu"),
+        (READ[:3], "missing_value: word_count is not given; the request has the fields station, address, word_count"),
+        ([*READ, "adress=1"], "there is no field adress; did you mean address?"),
+        ([*READ, "station=2"], "station is given twice"),
+        ([*READ[:3], "word_count"], "word_count is no NAME=VALUE"),
+        ([*READ[:3], "=1"], "=1 is no NAME=VALUE"),
+        ([*READ[:3], "word_count=11"], "out_of_range: word_count is 11, not in 1..10"),
+        ([*READ[:3], "word_count=two"], "word_count: `two` is no number; give a count"),
+        (["read_registers", "station=99", *READ[2:]], "out_of_range: station is 99"),
+        (["read_registers", "station=1", "address=nothing", READ[3]], "address: `nothing` is no number"),
+        (["exchange", *PACKET, "size=3", "data=1,2,3"], "there is no field size; there are address, data, sequence"),
+        (["exchange", *PACKET, "data=1,300"], "out_of_range: data is 300"),
+        (["nest", *PACKET, "nest=4"], "nest: a mapping of fields is expected"),
+        (["nest", *PACKET, "nest=4", "nest.color=1"], "nest.color: nest has a value of its own"),
+        (["read_corners", *PACKET, "count=1", "corners.1.x=1"], "there is no field corners"),
+        (["write_one", *PACKET, "number=1", "value=1", "--direction", "sideways"], "invalid choice: 'sideways'"),
+        ([], "the following arguments are required: MESSAGE"),
+    ],
+)
+def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], said: str) -> None:
+    found = run("encode", "widget", *arguments)
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+def test_a_message_of_a_later_version_is_unknown_to_an_earlier_one(run: CommandLine) -> None:
+    values = [*PACKET, "number=2", "value=0xFFFF"]
+    assert run("encode", "widget@2.0", "write_one", *values).code == 0
+    found = run("encode", "widget@before-2.0", "write_one", *values)
+    assert (found.code, found.err) == (2, "fieldspec: there is no message write_one; did you mean write_all?\n")
