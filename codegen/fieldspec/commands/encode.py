@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     parts = layout.links[link].frame(arguments.direction).head
     body = body_of(layout, link, arguments.direction, arguments.message, False)
     try:
-        values = raw_of(layout.device, parts, body.fields, written)
+        values = raw_of(layout.device, parts, body, written)
         frame = codec(layout).links[link].encode(arguments.direction, arguments.message, values)
     except (MeaningError, CodecError) as error:
         raise UsageError(f"{error}; the {arguments.direction} has the fields {', '.join(fields)}") from None

@@ -7,26 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fieldspec.layout.frame import LinkLayout, link_layout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, record_layout
 from fieldspec.model.device import Device
-from fieldspec.model.message import Message
 from fieldspec.model.record import Record
 from fieldspec.model.register import Register
 from fieldspec.model.table import Table
-
-
-@dataclass(frozen=True, slots=True)
-class MessageLayout:
-    """The data of a message's request and response."""
-
-    message: Message
-    name: str
-    request: RecordLayout
-    response: RecordLayout
-
-    def data(self, direction: str) -> RecordLayout:
-        """The data in one direction."""
-        return self.request if direction == "request" else self.response
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,10 +51,6 @@ class DeviceLayout:
     registers: tuple[RegisterLayout, ...]
     tables: Mapping[str, TableLayout]
 
-    def message_with_code(self, code: int) -> MessageLayout | None:
-        """The message with a function or command code."""
-        return next((laid for laid in self.messages.values() if laid.message.code == code), None)
-
 
 def device_layout(device: Device) -> DeviceLayout:
     """The layout of a device that has passed the checks."""
@@ -80,8 +62,8 @@ def device_layout(device: Device) -> DeviceLayout:
         message.name: MessageLayout(
             message,
             message.name,
-            record_layout(message.request, records, orders),
-            record_layout(message.response, records, orders),
+            record_layout(message.request, records, orders, device.enums),
+            record_layout(message.response, records, orders, device.enums),
         )
         for message in device.messages.values()
     }
@@ -90,7 +72,7 @@ def device_layout(device: Device) -> DeviceLayout:
         table.name: TableLayout(table, table.name, records[table.record], (records[table.record].size or 0) // 2)
         for table in device.tables.values()
     }
-    links = {link.name: link_layout(link) for link in device.links.values()}
+    links = {link.name: link_layout(link, messages) for link in device.links.values()}
     return DeviceLayout(
         device, _identity(device, records, links, messages, registers), records, links, messages, registers, tables
     )
@@ -103,7 +85,7 @@ def _lay(record: Record, device: Device, records: dict[str, RecordLayout], order
     for field in record.fields:
         if field.record:
             _lay(device.records[field.record], device, records, orders)
-    records[record.name] = record_layout(record, records, orders)
+    records[record.name] = record_layout(record, records, orders, device.enums)
 
 
 def _register(register: Register, orders: Orders) -> RegisterLayout:
@@ -131,6 +113,8 @@ def _identity(
         inner = field.record.name if field.record else ""
         add("field", field.name, field.offset, field.size, field.count, inner, field.order, field.swapped)
         add(field.field.measures, field.field.reserved, field.field.repeat)
+        for case in field.cases:
+            add("case", sorted(case.numbers), case.value.type.name, case.order, case.swapped)
         if value:
             add(value.type.name, value.scale, value.offset, value.unit, value.ranges, value.const)
             add(value.enum, value.flags, [(s.value, s.name) for s in value.sentinels])
@@ -145,7 +129,7 @@ def _identity(
         for field in record.fields:
             add_field(field)
     for message in messages.values():
-        add("message", message.name, message.message.code)
+        add("message", message.name, message.message.code, message.message.number, message.message.links)
         for data in (message.request, message.response):
             for field in data.fields:
                 add_field(field)
@@ -157,10 +141,15 @@ def _identity(
     for table in device.tables.values():
         add("table", table.name, table.base, table.stride, table.count, table.index_from, table.record)
     for words in device.parameters.values():
+        add("parameters", words.name, words.space, words.base, words.numbers)
         for parameter in words.parameters:
             value = parameter.value
             add("parameter", words.name, parameter.number, parameter.name, value.type.name, value.scale, value.unit)
-            add(value.ranges, value.enum, value.flags, parameter.access)
+            add(value.ranges, value.enum, value.flags, parameter.access, parameter.count, parameter.elements)
+            for inner in parameter.subindices:
+                add("subindex", inner.name, inner.indices, inner.value.type.name, inner.value.scale, inner.value.unit)
+    for conversion in device.conversions.values():
+        add("conversion", conversion.name, conversion.type.name, conversion.full_scale, conversion.complement)
     for enum in device.enums.values():
         add("enum", enum.name, enum.open, [(m.name, m.value, m.unavailable) for m in enum.members])
     for flags in device.flags.values():

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from fieldspec.layout.checksums import CHECKSUMS
-from fieldspec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explaining.body import Body
 from fieldspec.layout.explaining.registers import accessed, register_rows
 from fieldspec.layout.explaining.row import Row, Spot, errata_of_message, errata_of_words, fact_row, wrong_row
@@ -19,6 +19,7 @@ from fieldspec.layout.explaining.worded import Meaning, Worded, whole, worded
 from fieldspec.layout.explaining.wrapping import end_rows, start_rows, wrapped
 from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.meaning import Raw
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 
 __all__ = ["Explanation", "Meaning", "Row", "closest", "explained", "recognised"]
@@ -95,7 +96,7 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     for link in layout.links.values():
         for direction in ("request", "response"):
             guessed = link.frame(direction).role("code") is None
-            names = _of_length(layout, link, direction, frame) if steps is _FITTING else list(layout.messages)
+            names = _of_length(link, direction, frame) if steps is _FITTING else list(link.messages)
             for message in names if guessed else ("",):
                 one = explained(layout, link.name, direction, frame, message)
                 reasons = frozenset((*one.reasons, _GUESSED) if guessed else one.reasons)
@@ -107,11 +108,11 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     return []
 
 
-def _of_length(layout: DeviceLayout, link: LinkLayout, direction: str, frame: bytes) -> list[str]:
+def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     """The messages whose body may be as long as that of a frame; of all others the length is wrong."""
     shape = link.frame(direction)
     length = len(wrapped(link.link, frame).data) - shape.head_size - shape.tail_size
-    bodies = ((name, laid.data(direction)) for name, laid in layout.messages.items())
+    bodies = ((name, laid.data(direction)) for name, laid in link.messages.items())
     return [name for name, body in bodies if body.least <= length and (body.most is None or length <= body.most)]
 
 
@@ -128,7 +129,8 @@ class _Frame:
         self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
         self.data, self.cut = self._cut(self.wrapped.data)
         self.named = message or (asked.message if asked else "")
-        self.laid: MessageLayout | None = layout.messages.get(self.named)
+        self.sent = layout.links[link].messages
+        self.laid: MessageLayout | None = self.sent.get(self.named)
         self.error = False
         self.values: dict[str, Raw] = {}
 
@@ -203,18 +205,18 @@ class _Frame:
             self.error = True
             code &= ~refusal.flag
             self.values[part.name] = code
-        self.laid = self.layout.message_with_code(code)
+        self.laid = self.layout.links[self.link.name].message_with_code(code)
         if self.laid is None:
             if self.error:
                 return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
-            codes = (laid.message.code for laid in self.layout.messages.values())
+            codes = (laid.message.code for laid in self.sent.values())
             known = ", ".join(f"{code:02X}" for code in codes if code is not None)
             return read.judged(False, f"one of {known}", "unknown_code")
         message = self.laid.message
         text = f"{message.title or message.label or message.name}, refused" if self.error else message.title
         meaning = Meaning(message.name, message.label, text, "")
         read = replace(read, meanings=(meaning,), notes=message.notes, facts=(message.place.path,))
-        expected = self.layout.messages.get(self.named)
+        expected = self.sent.get(self.named)
         if expected is None or expected is self.laid or self.error:
             return read
         return read.judged(False, f"{expected.message.code:02X}", "unknown_code")

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.link import CHECK_SIZES, Link, Part
 from fieldspec.model.value import Value
@@ -51,21 +53,27 @@ class FrameLayout:
 
 @dataclass(frozen=True, slots=True)
 class LinkLayout:
-    """The frames of a link in both directions."""
+    """The frames of a link in both directions, and the messages that are sent on it."""
 
     link: Link
     name: str
     request: FrameLayout
     response: FrameLayout
+    messages: Mapping[str, MessageLayout]
+
+    def message_with_code(self, code: int) -> MessageLayout | None:
+        """The message with a function or command code."""
+        return next((laid for laid in self.messages.values() if laid.message.code == code), None)
 
     def frame(self, direction: str) -> FrameLayout:
         """The frame in one direction."""
         return self.request if direction == "request" else self.response
 
 
-def link_layout(link: Link) -> LinkLayout:
-    """The layout of a link."""
-    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"))
+def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
+    """The layout of a link, given all messages of the device."""
+    sent = {name: laid for name, laid in messages.items() if not laid.message.links or link.name in laid.message.links}
+    return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
 
 
 def _frame(link: Link, direction: str) -> FrameLayout:

@@ -43,22 +43,23 @@ def raw_values(layout: DeviceLayout, example: Example) -> dict[str, Raw]:
     Raises MeaningError.
     """
     parts = layout.links[example.link].frame(example.direction).head
-    body: tuple[FieldLayout, ...] = ()
+    body: RecordLayout | None = None
     if example.message or example.error:
-        body = body_of(layout, example.link, example.direction, example.message, example.error).fields
+        body = body_of(layout, example.link, example.direction, example.message, example.error)
     return raw_of(layout.device, parts, body, example.values)
 
 
 def raw_of(
     device: Device,
     parts: Iterable[PartLayout],
-    fields: Iterable[FieldLayout],
+    body: RecordLayout | None,
     written: Mapping[str, object],
 ) -> dict[str, Raw]:
     """Raw values by name, of the parts of a head and the fields of a record, from what is written.
 
     Raises MeaningError for a name that neither has, and for a value that cannot be understood.
     """
+    fields = _decided(device, body, written).fields if body is not None else ()
     known_parts = {part.name: part for part in parts}
     known_fields = {field.name: field for field in fields}
     raw: dict[str, Raw] = {}
@@ -71,6 +72,19 @@ def raw_of(
             have = ", ".join([*known_parts, *known_fields])
             raise MeaningError(name, f"there is no such field; there are {have}")
     return raw
+
+
+def _decided(device: Device, body: RecordLayout, written: Mapping[str, object]) -> RecordLayout:
+    """The record itself, or the one that the written value of its selector chooses."""
+    by = body.selector
+    if by is None:
+        return body
+    if by.name not in written:
+        raise MeaningError(by.name, f"is needed: it decides what {body.fields[-1].name} holds")
+    chosen = body.of_number(_field(device, by.name, by, written[by.name]))
+    if chosen is None:
+        raise MeaningError(by.name, f"`{written[by.name]}` leaves open what {body.fields[-1].name} holds")
+    return chosen
 
 
 def _field(device: Device, path: str, field: FieldLayout, held: object) -> Raw:

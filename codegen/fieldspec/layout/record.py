@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal
 
+from fieldspec.model.enum import Enum
 from fieldspec.model.primitive import Primitive
-from fieldspec.model.record import Field, Record
+from fieldspec.model.record import Case, Choice, Field, Record
 from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class CaseLayout:
+    """What lies in a field where the field that decides it has one of `numbers`; `order` and `swapped` as there."""
+
+    case: Case
+    name: str
+    numbers: frozenset[int]
+    value: Value
+    order: str
+    swapped: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,8 +30,9 @@ class FieldLayout:
     """A field at `offset` bytes from the start of its record.
 
     `size` is that of one element in bytes. `count` is how many elements there are, None where they go on to
-    the end of the data. Exactly one of `value` and `record` is given. `order` is the order of the bytes;
-    `swapped` says that the 16-bit words of the value lie the least significant one first.
+    the end of the data. Exactly one of `value` and `record` is given, or there are `cases`; `size` is then that of
+    the smallest one. `order` is the order of the bytes; `swapped` says that the 16-bit words of the value lie the
+    least significant one first.
     """
 
     field: Field
@@ -28,6 +44,7 @@ class FieldLayout:
     record: RecordLayout | None
     order: str
     swapped: bool
+    cases: tuple[CaseLayout, ...] = ()
 
     @property
     def primitive(self) -> Primitive:
@@ -50,7 +67,8 @@ class FieldLayout:
 class RecordLayout:
     """Fields one behind the other. `size` is in bytes, None where the last field is repeated to the end.
 
-    `least` and `most` bound the size; `most` is None where nothing bounds it.
+    `least` and `most` bound the size; `most` is None where nothing bounds it. Where the last field has cases,
+    `chosen` holds the record of each value of the `selector`: the same one, with the field that it decides.
     """
 
     record: Record
@@ -59,10 +77,27 @@ class RecordLayout:
     size: int | None
     least: int
     most: int | None
+    selector: FieldLayout | None = None
+    chosen: Mapping[int, RecordLayout] = dataclasses.field(default_factory=dict)
 
     def named(self, name: str) -> FieldLayout | None:
         """The field with a name."""
         return next((field for field in self.fields if field.name == name), None)
+
+    def of_data(self, data: bytes) -> RecordLayout | None:
+        """The record that lies in some data: this one, or the one that its selector chooses. None if it chooses none."""
+        if self.selector is None:
+            return self
+        at = self.selector.offset
+        held = data[at : at + self.selector.size]
+        order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
+        return self.chosen.get(int.from_bytes(held, order)) if len(held) == self.selector.size else None
+
+    def of_number(self, number: object) -> RecordLayout | None:
+        """The same for a value of the selector."""
+        if self.selector is None:
+            return self
+        return self.chosen.get(number) if isinstance(number, int) else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,8 +113,56 @@ class Orders:
         return byte, bool(value and value.size > 2 and value.type.letter not in "s" and self.word != byte)
 
 
-def record_layout(record: Record, records: Mapping[str, RecordLayout], orders: Orders) -> RecordLayout:
+def record_layout(
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
+) -> RecordLayout:
     """The layout of a record whose inner records are laid out already."""
+    last = record.fields[-1] if record.fields else None
+    if last is None or last.choice is None:
+        return _fixed(record, records, orders)
+    return _choosing(record, last, last.choice, records, orders, enums)
+
+
+def _choosing(
+    record: Record,
+    last: Field,
+    choice: Choice,
+    records: Mapping[str, RecordLayout],
+    orders: Orders,
+    enums: Mapping[str, Enum],
+) -> RecordLayout:
+    """The layout of a record whose last field has cases."""
+    by = record.named(choice.by)
+    enum = enums.get(by.value.enum) if by is not None and by.value is not None else None
+    assert enum is not None
+    cases = []
+    chosen: dict[int, RecordLayout] = {}
+    for case in choice.cases:
+        numbers = frozenset(member.value for name in case.when if (member := enum.named(name)) is not None)
+        cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
+        decided = replace(last, value=case.value, choice=None)
+        laid = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
+        chosen |= {number: laid for number in sorted(numbers)}
+    shapes = list(chosen.values())
+    first = shapes[0]
+    sizes = {laid.size for laid in shapes}
+    smallest = min((laid.fields[-1] for laid in shapes), key=lambda field: field.size)
+    field = replace(smallest, field=last, value=None, cases=tuple(cases))
+    bounds = [laid.most for laid in shapes]
+    return RecordLayout(
+        record,
+        record.name,
+        (*first.fields[:-1], field),
+        sizes.pop() if len(sizes) == 1 else None,
+        min(laid.least for laid in shapes),
+        None if None in bounds else max(most for most in bounds if most is not None),
+        first.named(choice.by),
+        chosen,
+    )
+
+
+def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) -> RecordLayout:
+    """The layout of a record without cases."""
     at = 0
     fields = []
     repeated: FieldLayout | None = None

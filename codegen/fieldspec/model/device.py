@@ -19,6 +19,7 @@ from fieldspec.model.parameter import ParameterSet
 from fieldspec.model.place import Place
 from fieldspec.model.record import Record
 from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.signal import Conversion, Signal
 from fieldspec.model.table import Table
 
 
@@ -76,6 +77,8 @@ class Device:
     groups: tuple[RegisterGroup, ...]
     tables: Mapping[str, Table]
     parameters: Mapping[str, ParameterSet]
+    signals: Mapping[str, Signal]
+    conversions: Mapping[str, Conversion]
     lookups: tuple[Lookup, ...]
     limits: tuple[Limit, ...]
     notes: tuple[Note, ...]
@@ -90,6 +93,18 @@ class Device:
     def register(self, name: str) -> Register | None:
         """The register with a name."""
         return next((register for register in self.registers() if register.name == name), None)
+
+    def sets(self, name: str) -> list[ParameterSet]:
+        """The set of parameters with a name, or all sets of the space with that name."""
+        found = self.parameters.get(name)
+        return [found] if found is not None else [held for held in self.parameters.values() if held.space == name]
+
+    def parameter_at(self, name: str, wire_number: int) -> tuple[ParameterSet, int] | None:
+        """The set, of those with a name or a space, that has a number on the wire, and the number in the set."""
+        for held in self.sets(name):
+            if held.holds(wire_number - held.base):
+                return held, wire_number - held.base
+        return None
 
     @property
     def byte_order(self) -> str:

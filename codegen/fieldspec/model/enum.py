@@ -18,9 +18,10 @@ class Cause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Member(Fact):
-    """One value, or one code."""
+    """One value, or one code. `number` is another one under which the manual knows it."""
 
     value: int
+    number: int | None
     unavailable: bool
     problem: str
     causes: tuple[Cause, ...]
@@ -29,12 +30,18 @@ class Member(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Enum(Fact):
-    """Values by name. An open enum passes on values that it does not list; a closed one refuses them."""
+    """Values by name. An open enum passes on values that it does not list; a closed one refuses them.
+
+    `printed_as` is the form of its members' printed names, empty where they have none. `derived` names the word of
+    flags, or the enum, that its members follow from; empty where they are listed.
+    """
 
     kind: str
     title: str
     open: bool
     gaps: str
+    printed_as: str
+    derived: str
     members: tuple[Member, ...]
 
     def member(self, value: int) -> Member | None:

@@ -40,7 +40,10 @@ class Claim:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fact:
-    """The name, the print, the sources and the caveats of a fact."""
+    """The name, the print, the sources and the caveats of a fact.
+
+    `since` and `until` have one version for each line that they are about.
+    """
 
     name: str
     place: Place
@@ -52,6 +55,6 @@ class Fact:
     inferred: Mapping[str, str]
     allowed: Mapping[str, str]
     restated: tuple[Claim, ...] = ()
-    since: str = ""
-    until: str = ""
+    since: tuple[str, ...] = ()
+    until: tuple[str, ...] = ()
     only: tuple[str, ...] = ()

@@ -35,13 +35,27 @@ class Bit(Fact):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class State(Fact):
+    """A state that some bits show together: those of `set` are 1 in it, those of `clear` are 0."""
+
+    set: tuple[str, ...]
+    clear: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Flags(Fact):
     """A word and its bits, lowest first."""
 
     type: Primitive
     ranges: Ranges | None
     bits: tuple[Bit, ...]
+    states: tuple[State, ...]
 
     def named(self, name: str) -> Bit | None:
         """The bit, or field of bits, with a name."""
         return next((bit for bit in self.bits if bit.name == name), None)
+
+    def masked(self, state: State) -> tuple[int, int]:
+        """The bits that decide a state, and their values in it."""
+        value = sum(bit.mask for bit in self.bits if bit.name in state.set)
+        return value | sum(bit.mask for bit in self.bits if bit.name in state.clear), value

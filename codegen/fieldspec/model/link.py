@@ -63,7 +63,10 @@ class Serial:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Link(Fact):
-    """A frame: `start`, the encoded parts, `end`. Requests go to the device, responses come from it."""
+    """A frame: `start`, the encoded parts, `end`. Requests go to the device, responses come from it.
+
+    `message_name`, `request_name` and `response_name` are what the manual calls a message and the two directions.
+    """
 
     title: str
     encoding: str
@@ -73,6 +76,9 @@ class Link(Fact):
     word_order: str
     request: tuple[Part, ...]
     response: tuple[Part, ...]
+    message_name: str
+    request_name: str
+    response_name: str
     error: ErrorReply | None
     stations: Stations | None
     serial: Serial | None
@@ -83,3 +89,7 @@ class Link(Fact):
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""
         return self.request if direction == "request" else self.response
+
+    def direction_name(self, direction: str) -> str:
+        """What the manual calls a direction."""
+        return self.request_name if direction == "request" else self.response_name

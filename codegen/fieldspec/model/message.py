@@ -23,14 +23,24 @@ class RegisterAccess:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Message(Fact):
-    """A code, the data of its request and of its response. The lengths are the frame's, as printed, in bytes."""
+    """A code, the data of its request and of its response.
+
+    A message without a code may have a `number` by which people know it. It is sent on `links`, which are all
+    of the device's where they are empty, and never without one of those that it `supplements`. The lengths are
+    the frame's in bytes, and the words those of the data, as printed.
+    """
 
     title: str
     group: str
     code: int | None
+    number: int | None
+    links: tuple[str, ...]
+    supplements: tuple[str, ...]
     request: Record
     response: Record
     request_length: int | None
     response_length: int | None
+    request_words: int | None
+    response_words: int | None
     broadcast: bool
     accesses: RegisterAccess | None

@@ -18,15 +18,33 @@ class Measure:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Case(Fact):
+    """What lies in a field for some members of the enum of another one."""
+
+    when: tuple[str, ...]
+    value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """That the type of a field depends on the value of an earlier field of its record, which has an enum."""
+
+    by: str
+    cases: tuple[Case, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Field(Fact):
     """A value or a record at one place, once, `count` times, or repeated to the end of the data.
 
-    Exactly one of `value` and `record` (a name, else empty) is given. `at`, `words` and `span` are what the
-    manual prints.
+    Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
+    places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints.
     """
 
     value: Value | None
     record: str
+    choice: Choice | None
+    signal: str
     count: int | None
     repeat: Ranges | None
     measures: Measure | None
@@ -34,6 +52,7 @@ class Field(Fact):
     at: int | None
     words: int | None
     span: tuple[int, int] | None
+    word_span: tuple[int, int] | None
     access: str
     restart: bool | None
     same_as: str

@@ -14,12 +14,15 @@ from fieldspec.model.value import Value
 class Register(Fact):
     """One register, or `count` equal ones that are `stride` words apart, numbered from `index_from`.
 
-    `words` and `decimal` are what the manual prints; `access` is empty, and `restart` None, where it does not
+    `words`, `decimal` and `number` are what the manual prints; `copy_of` names the register of which this one is a
+    copy, else empty; `access` is empty, and `restart` None, where it does not
     say. `element_lines` has the place of each element, where they have rows of their own.
     """
 
     address: int
     decimal: int | None
+    number: int | None
+    copy_of: str
     words: int | None
     value: Value
     access: str

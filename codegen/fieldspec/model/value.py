@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from decimal import Decimal
+from decimal import Context, Decimal
+from fractions import Fraction
 
 from fieldspec.model.fact import Citation
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges
+
+
+# Wide enough for the product of a 64-bit count and any scale that the language takes.
+_EXACT = Context(prec=120)
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +27,7 @@ class Sentinel:
 
 @dataclass(frozen=True, slots=True)
 class ParameterPart:
-    """That a value is the number, the value, or all values, of a set of numbered parameters."""
+    """That a value is the number, the value, or all values, of a set of numbered parameters, or of a space of sets."""
 
     set: str
     part: str
@@ -33,7 +38,7 @@ class ParameterPart:
 class Value:
     """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
 
-    `ranges`, `default` and `const` are raw counts. `enum` and `flags` are names, empty where there is none.
+    `scale_text` is the scale as the spec writes it. `ranges`, `default` and `const` are raw counts. `enum` and `flags` are names, empty where there is none.
     """
 
     type: Primitive
@@ -41,6 +46,7 @@ class Value:
     characters: int | None
     byte_order: str
     scale: Decimal
+    scale_text: str
     offset: Decimal
     unit: str
     ranges: Ranges | None
@@ -58,9 +64,9 @@ class Value:
 
     def in_unit(self, raw: int) -> Decimal:
         """A raw count in the unit, exactly."""
-        return raw * self.scale + self.offset
+        return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)
 
     def from_unit(self, number: Decimal) -> int | None:
         """The raw count of a value in the unit, or None where it is no whole number of counts."""
-        raw = (number - self.offset) / self.scale
-        return int(raw) if raw == raw.to_integral_value() else None
+        raw = (Fraction(number) - Fraction(self.offset)) / Fraction(self.scale)
+        return raw.numerator if raw.denominator == 1 else None

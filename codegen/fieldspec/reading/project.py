@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.reading.building.device import built
+from fieldspec.reading.expanding import expanded
 from fieldspec.reading.findings import bounded, near, quoted
 from fieldspec.reading.joining import joined, laid_over
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
@@ -127,7 +128,8 @@ class _Reader:
             span = Span(whole.file, 0, 1)
             self.found.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
             return None
-        whole = self._with_protocols(whole, ())
+        whole, found = expanded(self._with_protocols(whole, ()))
+        self.found += bounded(found)
         lines = Lines(whole)
         self.found += bounded(lines.found) + bounded(lines.unknown(whole))
         self._placed(whole, head, folder, _NOT_OF_A_DEVICE)

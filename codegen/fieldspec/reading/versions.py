@@ -51,27 +51,22 @@ class Lines:
         if version not in self.place:
             return True
         line, order = self.place[version]
-        since, until, only = (node.values.get(key) for key in ("since", "until", "only"))
-        for bound, wrong in ((since, 1), (until, -1)):
-            if isinstance(bound, Scalar) and bound.text in self.place:
-                other, at = self.place[bound.text]
+        for key, wrong in (("since", 1), ("until", -1)):
+            for bound in named(node.values.get(key)):
+                other, at = self.place.get(bound.text, (None, 0))
                 if other == line and (at - order) * wrong > 0:
                     return False
-        if isinstance(only, Sequence):
-            named = [item.text for item in only.items if isinstance(item, Scalar)]
-            same = [v for v in named if self.place.get(v, (None, 0))[0] == line]
-            return not same or version in same
-        return True
+        listed = [bound.text for bound in named(node.values.get("only"))]
+        same = [other for other in listed if self.place.get(other, (None, 0))[0] == line]
+        return not same or version in same
 
     def unknown(self, node: Node) -> list[Diagnostic]:
         """A finding for every `since`, `until` or `only` that names no declared version."""
         found = []
         if isinstance(node, Mapping):
             for key in ("since", "until", "only"):
-                bound = node.values.get(key)
-                named = bound.items if isinstance(bound, Sequence) else (bound,)
-                for item in named:
-                    if isinstance(item, Scalar) and item.text not in self.place:
+                for item in named(node.values.get(key)):
+                    if item.text not in self.place:
                         text = f"the device declares no version {quoted(item.text)}"
                         hint = near(item.text, self.place)
                         found.append(Diagnostic("version_unknown", text, item.span, help=hint))
@@ -79,6 +74,12 @@ class Lines:
             if step not in _FREE:
                 found += self.unknown(inner)
         return found
+
+
+def named(bound: Node | None) -> list[Scalar]:
+    """The versions that a bound names: one, or a list of them."""
+    items = bound.items if isinstance(bound, Sequence) else (bound,)
+    return [item for item in items if isinstance(item, Scalar)]
 
 
 def selected(node: Node, version: str, lines: Lines) -> Node:

@@ -8,8 +8,9 @@ from typing import Any
 
 import construct
 
-from fieldspec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.reference.checksums import ALGORITHMS
 from fieldspec.reference.error import CodecError
@@ -104,15 +105,15 @@ class FrameCodec:
         part = shape.role("code")
         error = self.link.link.error
         if part is None:
-            laid = self.layout.messages.get(message)
+            laid = self.link.messages.get(message)
             if laid is None:
                 raise CodecError("unknown_code", "the frame carries no code: say which message it belongs to")
             return laid, laid.data(shape.direction), False
         code = head[part.name]
         if error is not None and shape.direction == "response" and code & error.flag:
             head[part.name] = code & ~error.flag
-            return self.layout.message_with_code(code & ~error.flag), self.layout.records[error.record], True
-        laid = self.layout.message_with_code(code)
+            return self.link.message_with_code(code & ~error.flag), self.layout.records[error.record], True
+        laid = self.link.message_with_code(code)
         if laid is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", part.offset)
         if message and laid.name != message:
@@ -129,7 +130,7 @@ class FrameCodec:
         For an error reply, `code` may stand in for a message that the device does not know. Raises CodecError.
         """
         shape = self.link.frame(direction)
-        laid = self.layout.messages.get(message)
+        laid = self.link.messages.get(message)
         if laid is None and not (error and code is not None):
             raise CodecError("unknown_code", f"there is no message {message!r}")
         refusal = self.link.link.error

@@ -33,10 +33,22 @@ def record_struct(record: RecordLayout) -> construct.Struct:
 
 
 def _construct(field: FieldLayout) -> construct.Construct:
-    element = record_struct(field.record) if field.record else value_construct(field.value, field.order, field.swapped)
+    element = _element(field)
     if field.field.repeat is not None:
         return construct.GreedyRange(element)
     return element[field.count] if field.listed else element
+
+
+def _element(field: FieldLayout) -> construct.Construct:
+    if field.record:
+        return record_struct(field.record)
+    if not field.cases:
+        return value_construct(field.value, field.order, field.swapped)
+    by = field.field.choice.by if field.field.choice else ""
+    cases = {
+        number: value_construct(case.value, case.order, case.swapped) for case in field.cases for number in case.numbers
+    }
+    return construct.Switch(construct.this[by], cases, default=construct.Error)
 
 
 def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
@@ -65,6 +77,13 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
 
     Raises CodecError; `offset` is where the data start in the frame.
     """
+    if record.selector is not None:
+        _check_length(record, len(data), offset)
+        by = record.selector
+        chosen = record.of_data(data)
+        if chosen is None:
+            raise CodecError("unknown_value", f"{by.name} chooses nothing that may follow", offset + by.offset)
+        record = chosen
     _check_length(record, len(data), offset)
     parsed = record_struct(record).parse(data)
     values: Values = {}
@@ -83,7 +102,7 @@ def _check_length(record: RecordLayout, length: int, offset: int) -> None:
             "wrong_length", f"{record.name} has at most {record.most} bytes, not {length}", offset + record.most
         )
     last = record.fields[-1] if record.fields else None
-    if last is not None and last.count is None and (length - last.offset) % last.size:
+    if last is not None and last.count is None and not last.cases and (length - last.offset) % last.size:
         raise CodecError(
             "wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length
         )
@@ -159,6 +178,12 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
     unknown = sorted(set(values) - {field.name for field in record.fields})
     if unknown:
         raise CodecError("unknown_field", f"{record.name} has no field {unknown[0]}")
+    if record.selector is not None:
+        by = record.selector
+        chosen = record.of_number(_encoded_field(by, values, device))
+        if chosen is None:
+            raise CodecError("unknown_value", f"{by.name} is {values[by.name]}, which chooses nothing that may follow")
+        record = chosen
     raw: Values = {}
     for field in record.fields:
         if field.field.measures is None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeAlias
 
-from fieldspec.layout.device import DeviceLayout, MessageLayout, TableLayout
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum

@@ -17,8 +17,8 @@ Details = Iterator[tuple[str, str]]
 def fact_details(device: Device, fact: Fact) -> Details:
     """What every fact has: its text, the versions that it holds for, its places in the manual, and the caveats."""
     yield "doc", fact.doc
-    yield "since", fact.since
-    yield "until", fact.until
+    yield "since", ", ".join(fact.since)
+    yield "until", ", ".join(fact.until)
     yield "only", ", ".join(fact.only)
     yield "source", citations(fact.sources)
     for claim in fact.restated:

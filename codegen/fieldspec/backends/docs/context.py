@@ -52,9 +52,9 @@ class Context:
         if fact.doc:
             yield (plain(fact.doc),)
         if fact.since:
-            yield (styled(f"since {fact.since}", "badge"),)
+            yield (styled(f"since {', '.join(fact.since)}", "badge"),)
         if fact.until:
-            yield (styled(f"until {fact.until}", "badge"),)
+            yield (styled(f"until {', '.join(fact.until)}", "badge"),)
         if fact.only:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
         yield from (_note(note) for note in fact.notes)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from fieldspec.backends.docs.context import Context, cited, many
 from fieldspec.backends.docs.document import Facts, Line, Section, Table, code, joined, plain
 from fieldspec.backends.docs.frames import FrameTable, length_text
-from fieldspec.layout.device import MessageLayout
 from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
 
 DIRECTIONS = ("request", "response")
 

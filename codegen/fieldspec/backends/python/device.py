@@ -14,7 +14,8 @@ from fieldspec.backends.python.registers import parameter_set_view, register_vie
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.python.words import enum_view, flags_view
-from fieldspec.layout.device import DeviceLayout, MessageLayout
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.names import Name
 
 

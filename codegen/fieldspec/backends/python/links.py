@@ -13,8 +13,8 @@ from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
 from fieldspec.backends.python.writing import pairs, tuple_of, within
-from fieldspec.layout.device import MessageLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name

@@ -34,7 +34,7 @@ class Body:
     ) -> None:
         self.layout, self.outer, self.spot, self.asked = layout, outer, spot, asked
         self.data, self.start, self.end = data, start, end
-        self.record = record
+        self.record = record.of_data(data[start:end]) or record
         self.values: dict[str, Raw] = {}
         self.rows = list(self._rows())
 

@@ -167,19 +167,22 @@ class Entry:
             "inferred": self.reasons("inferred"),
             "allowed": self.reasons("allow"),
             "restated": tuple(self._claims()),
-            "since": self.text("since"),
-            "until": self.text("until"),
+            "since": self.texts("since"),
+            "until": self.texts("until"),
             "only": self.texts("only"),
         }
 
     def _claims(self) -> Iterator[Claim]:
         for entry in self.entries("restated"):
-            values = {
-                key: value.value
-                for key, value in entry.node.values.items()
-                if isinstance(value, Scalar) and key not in _CLAIM_META
-            }
+            values = {key: _claimed(value) for key, value in entry.node.values.items() if key not in _CLAIM_META}
             yield Claim(entry.place(), entry.sources, values)
+
+
+def _claimed(node: Node) -> Plain:
+    """What a claim says under a key; a list of names as one text."""
+    if isinstance(node, Sequence):
+        return ", ".join(item.text for item in node.items if isinstance(item, Scalar))
+    return node.value if isinstance(node, Scalar) else None
 
 
 def free(node: Node | None) -> dict[str, object]:

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
-from fieldspec.reading.building import links, records, registers, texts, words
+from fieldspec.reading.building import links, records, registers, signals, texts, words
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.nodes import Mapping
 
@@ -21,6 +21,8 @@ def built(tree: Mapping, version: str) -> tuple[Device, list[Diagnostic]]:
     head = root.entry("device")
     if head is None:
         raise ValueError("a device's tree has the section `device`")
+    placed = _by_name(root, "signals", signals.signal)
+    types = {name: one.value.type.name for name, one in placed.items()}
     return (
         Device(
             id=head.text("id"),
@@ -40,6 +42,8 @@ def built(tree: Mapping, version: str) -> tuple[Device, list[Diagnostic]]:
             groups=tuple(registers.group(entry) for entry in root.named("registers", "registers", name="group")),
             tables=_by_name(root, "tables", registers.table),
             parameters=_by_name(root, "parameters", registers.parameter_set),
+            signals=placed,
+            conversions=_by_name(root, "conversions", lambda entry: signals.conversion(entry, types)),
             lookups=tuple(_by_name(root, "lookups", texts.lookup).values()),
             limits=tuple(_by_name(root, "limits", texts.limit).values()),
             notes=tuple(_by_name(root, "notes", texts.note).values()),

@@ -11,7 +11,7 @@ _VALUED = ("station", "code", "length", "plain")
 
 def link(entry: Entry) -> Link:
     """A link."""
-    error, silence = entry.entry("error"), entry.entry("silence")
+    error, silence, names = entry.entry("error"), entry.entry("silence"), entry.entry("direction_names")
     return Link(
         **entry.fact(),
         title=entry.text("title"),
@@ -22,6 +22,9 @@ def link(entry: Entry) -> Link:
         word_order=entry.text("word_order"),
         request=tuple(_part(inner) for inner in entry.entries("request")),
         response=tuple(_part(inner) for inner in entry.entries("response")),
+        message_name=entry.text("message_name") or "message",
+        request_name=names.text("request") if names and names.text("request") else "request",
+        response_name=names.text("response") if names and names.text("response") else "response",
         error=ErrorReply(error.integer("flag") or 0, error.text("record"), error.sources) if error else None,
         stations=_stations(entry),
         serial=_serial(entry),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.model.message import Message, RegisterAccess
-from fieldspec.model.record import Field, Measure, Record
+from fieldspec.model.record import Case, Choice, Field, Measure, Record
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.values import value
 
@@ -19,9 +19,14 @@ def record(entry: Entry) -> Record:
 
 
 def _field(entry: Entry) -> Field:
+    if not entry.text("name"):
+        entry.refuse("missing_key", "name", "the key `name` is missing", "a field has a `name`, or that of its `signal`")
     name = entry.text("record")
-    if name and entry.get("type"):
-        entry.refuse("type_given", "type", "the field has a `type` and a `record`", "keep one of them")
+    choice = entry.entry("choice")
+    given = [key for key in ("type", "record", "choice") if entry.get(key)]
+    if len(given) > 1:
+        text = f"the field has a `{given[0]}` and a `{given[1]}`"
+        entry.refuse("type_given", given[1], text, "keep one of them")
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None
@@ -30,22 +35,32 @@ def _field(entry: Entry) -> Field:
         measure = Measure(of, measures.text(of))
     return Field(
         **entry.fact(),
-        value=None if name else value(entry, words=words),
+        value=None if name or choice else value(entry, words=words),
         record=name,
+        choice=_choice(choice) if choice and not name else None,
+        signal=entry.text("signal"),
         count=entry.integer("count"),
         repeat=entry.whole_ranges("repeat"),
         measures=measure,
         reserved=entry.flag("reserved"),
         at=entry.integer("at"),
         words=words,
-        span=_byte_span(entry.text("span")),
+        span=_span(entry.text("span")),
+        word_span=_span(entry.text("word_span")),
         access=entry.text("access"),
         restart=entry.maybe("restart"),
         same_as=entry.text("same_as"),
     )
 
 
-def _byte_span(text: str) -> tuple[int, int] | None:
+def _choice(entry: Entry) -> Choice:
+    cases = tuple(
+        Case(**inner.fact(), when=inner.texts("when"), value=value(inner)) for inner in entry.entries("cases")
+    )
+    return Choice(entry.text("by"), cases)
+
+
+def _span(text: str) -> tuple[int, int] | None:
     if not text:
         return None
     first, _, last = text.partition("-")
@@ -54,17 +69,22 @@ def _byte_span(text: str) -> tuple[int, int] | None:
 
 def message(entry: Entry) -> Message:
     """A message. Its data are records that are named after it."""
-    lengths = entry.entry("frame_length")
+    lengths, words = entry.entry("frame_length"), entry.entry("data_words")
     access = entry.entry("accesses")
     return Message(
         **entry.fact(),
         title=entry.text("title"),
         group=entry.text("group"),
         code=entry.integer("code"),
+        number=entry.integer("number"),
+        links=entry.texts("links"),
+        supplements=entry.texts("supplements"),
         request=_data(entry, "request"),
         response=_data(entry, "response"),
         request_length=lengths.integer("request") if lengths else None,
         response_length=lengths.integer("response") if lengths else None,
+        request_words=words.integer("request") if words else None,
+        response_words=words.integer("response") if words else None,
         broadcast=entry.flag("broadcast"),
         accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values")))
         if access

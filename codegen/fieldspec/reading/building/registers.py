@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.model.fact import Citation
-from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.register import Gap, Register, RegisterGroup
 from fieldspec.model.table import PrintedElement, Table
@@ -55,6 +55,8 @@ def _register(entry: Entry) -> Register:
         **entry.fact(),
         address=address or 0,
         decimal=entry.integer("decimal"),
+        number=entry.integer("number"),
+        copy_of=entry.text("copy_of"),
         words=words,
         value=content,
         access=entry.text("access"),
@@ -115,6 +117,15 @@ def _printed_element(entry: Entry) -> PrintedElement:
     )
 
 
+def _subindex(entry: Entry, type_name: str) -> Subindex:
+    return Subindex(
+        **entry.fact(),
+        indices=entry.whole_ranges("index") or Ranges(()),
+        value=value(entry, type_name),
+        reserved=entry.flag("reserved"),
+    )
+
+
 def parameter_set(entry: Entry) -> ParameterSet:
     """A set of numbered parameters."""
     held = entry.node.values.get("defaults")
@@ -123,6 +134,10 @@ def parameter_set(entry: Entry) -> ParameterSet:
     return ParameterSet(
         **entry.fact(),
         title=entry.text("title"),
+        space=entry.text("space") or entry.text("name"),
+        base=entry.integer("base") or 0,
+        numbers=entry.whole_ranges("numbers"),
+        printed_as=entry.text("printed_as"),
         parameters=tuple(_parameter(inner, entry.text("type")) for inner in rows),
     )
 
@@ -131,7 +146,13 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
     return Parameter(
         **entry.fact(),
         number=entry.integer("number") or 0,
+        wire_number=entry.integer("wire_number"),
+        count=entry.integer("count") or 1,
         value=value(entry, type_name),
+        elements=entry.integer("elements"),
+        subindices=tuple(_subindex(inner, entry.text("type") or type_name) for inner in entry.entries("subindices")),
+        applies_to=entry.texts("applies_to"),
+        messages=entry.texts("messages"),
         access=entry.text("access"),
         restart=entry.maybe("restart"),
         reserved=entry.flag("reserved"),

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
+from decimal import Context, Decimal
+from fractions import Fraction
 
+from fieldspec.model.fact import Plain
 from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import ParameterPart, Sentinel, Value
@@ -18,7 +20,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     if primitive is None:
         entry.refuse("type_given", "type", "nothing says how this value lies on the wire", "give it a `type`")
         primitive = UNTYPED
-    scale = entry.decimal("scale")
+    scale = _scale(entry)
     if scale == 0:
         entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "give the worth of one count")
         scale = None
@@ -30,6 +32,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         characters=entry.integer("characters"),
         byte_order=entry.text("byte_order"),
         scale=scale if scale is not None else Decimal(1),
+        scale_text=scale_text(entry.value("scale")),
         offset=offset,
         unit=entry.text("unit"),
         ranges=_ranges(entry, scale or Decimal(1), offset),
@@ -43,6 +46,39 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
             for inner in entry.entries("sentinels")
         ),
     )
+
+
+def _scale(entry: Entry) -> Decimal | None:
+    """The scale as an exact number; a fraction that is none is a finding."""
+    given = entry.value("scale")
+    if not isinstance(given, str):
+        return entry.decimal("scale")
+    scale = exact_scale(given)
+    if scale is None:
+        help = "its divisor must be made of twos and fives, so that the scale is an exact decimal number"
+        entry.refuse("wrong_form", "scale", f"`{given}` is no exact decimal number", help)
+    return scale
+
+
+def exact_scale(text: str) -> Decimal | None:
+    """`100/2^14` as an exact number, or None where it is none with at most 60 decimals."""
+    above, _, below = text.partition("/")
+    base, _, power = below.partition("^")
+    divisor = int(base) ** int(power or "1")
+    if divisor == 0:
+        return None
+    number = Fraction(above) / divisor
+    for places in range(61):
+        if (number * 10**places).denominator == 1:
+            return Decimal((number * 10**places).numerator).scaleb(-places, Context(prec=120))
+    return None
+
+
+def scale_text(given: Plain) -> str:
+    """A scale as the spec writes it; empty where it gives none."""
+    if isinstance(given, Decimal):
+        return f"{given:f}"
+    return "" if given is None else str(given)
 
 
 def _size(entry: Entry, primitive: Primitive, words: int | None) -> int:
@@ -63,8 +99,8 @@ def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
         return entry.whole_ranges("range")
     counts = []
     for low, high in in_unit:
-        raw = sorted(((low - offset) / scale, (high - offset) / scale))
-        if any(bound != bound.to_integral_value() for bound in raw):
+        raw = sorted((Fraction(bound) - Fraction(offset)) / Fraction(scale) for bound in (low, high))
+        if any(bound.denominator != 1 for bound in raw):
             entry.refuse("wrong_form", "unit_range", "a bound is no whole number of counts", "compare it with `scale`")
         counts.append((int(raw[0]), int(raw[1])))
     return Ranges(tuple(counts))
@@ -75,7 +111,7 @@ def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
     if in_unit is None:
         given = entry.value("default")
         return given if isinstance(given, int | str) else None
-    raw = (in_unit - offset) / scale
-    if raw != raw.to_integral_value():
+    raw = (Fraction(in_unit) - Fraction(offset)) / Fraction(scale)
+    if raw.denominator != 1:
         entry.refuse("wrong_form", "unit_default", "it is no whole number of counts", "compare it with `scale`")
     return int(raw)

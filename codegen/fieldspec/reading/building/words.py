@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from fieldspec.model.enum import Cause, Enum, Member
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.flags import Bit, Flags, State
 from fieldspec.model.primitive import PRIMITIVES
 from fieldspec.reading.building.context import Entry
 
 
 def enum(entry: Entry) -> Enum:
     """An enum or a table of codes."""
+    derived = entry.entry("derived")
+    if not entry.get("members"):
+        entry.refuse("missing_key", "name", "an enum needs members", "list them under `members`")
     return Enum(
         **entry.fact(),
         kind=entry.text("kind") or "enum",
         title=entry.text("title"),
         open=entry.flag("open"),
         gaps=entry.text("gaps"),
+        printed_as=entry.text("printed_as"),
+        derived=(derived.text("flags") or derived.text("enum")) if derived else "",
         members=tuple(_member(inner) for inner in entry.named("members", entry.path)),
     )
 
@@ -24,6 +29,7 @@ def _member(entry: Entry) -> Member:
     return Member(
         **entry.fact(),
         value=entry.integer("value") or 0,
+        number=entry.integer("number"),
         unavailable=entry.flag("unavailable"),
         problem=entry.text("problem"),
         causes=tuple(
@@ -41,6 +47,10 @@ def flags(entry: Entry) -> Flags:
         type=primitive,
         ranges=entry.whole_ranges("range"),
         bits=tuple(_bit(inner) for inner in entry.named("bits", entry.path)),
+        states=tuple(
+            State(**inner.fact(), set=inner.texts("set"), clear=inner.texts("clear"))
+            for inner in entry.entries("states")
+        ),
     )
 
 
