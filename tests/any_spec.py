@@ -22,6 +22,10 @@ FORMS: dict[str, tuple[str, ...]] = {
     "hex_bytes": ("00", "01 06 20 1E 00 03 A2 0D", "3A", "FF\nFF", "01 03 00 00 00 02 C4 0B"),
     "version": ("1", "2.0", "V1"),
     "span": ("1", "1-4", "4-1", "99999"),
+    "word_span": ("1", "2-3"),
+    "scale": ("100/2^14", "1/3", "1/0", "0.5/10", "1/7^99", "0/2"),
+    "bound": ("1", "2.0"),
+    "device_id": ("gadget",),
     "bits": ("0..1", "3..2", "9..99"),
     "at": ("0x9010", "0x0..0xFFFFFFFF"),
     "gaps": ("16: nothing", "0..99999999: all", "x: y"),
@@ -61,6 +65,10 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
     form = next((form for name, form in FORMS.items() if part is schema()["$defs"].get(name)), None)
     if form is None and "pattern" in part:
         form = FORMS[key]
+    if form is not None and part.get("type") == ["string", "array"] and chance.random() < 0.5:
+        return [chance.choice(form)]
+    if form is not None and part.get("type") == ["number", "string"] and chance.random() < 0.5:
+        return Written(chance.choice(PLAIN))
     if form is not None:
         return chance.choice(form)
     if "enum" in part:

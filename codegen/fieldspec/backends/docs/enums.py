@@ -30,6 +30,7 @@ VALUES = (
 CODES = (
     Column("Code", "number", kept=True),
     Column("Name", kept=True),
+    Column("Number", "number"),
     Column("Problem", "wide"),
     Column("Causes and remedies", "wide"),
     Column("Source", "source"),
@@ -105,6 +106,7 @@ def _code(context: Context, member: Member, marks: Inferences) -> Row:
         (
             cell(*_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
+            cell("" if member.number is None else str(member.number)),
             cell(*problem, *_gone(member), *context.about(member)),
             cell(items=causes),
             sources(member),

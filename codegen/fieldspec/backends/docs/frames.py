@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fieldspec.backends.docs.context import Context, many, names, sources
-from fieldspec.backends.docs.document import Cell, Column, Line, Row, Table, cell, code, plain, styled, table
+from fieldspec.backends.docs.document import Cell, Column, Item, Line, Row, Table, cell, code, plain, styled, table
 from fieldspec.backends.docs.inferences import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 from fieldspec.layout.frame import LinkLayout, PartLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 
 CHECKS = {
@@ -194,7 +194,9 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
     if field.field.reserved:
         more.append((styled("reserved", "badge"),))
     more += _relations(field)
-    if field.record is not None:
+    if field.cases:
+        cells = (cell(items=[_case(field, case) for case in field.cases]), Cell(), Cell())
+    elif field.record is not None:
         record = field.record.name
         cells = (cell((code(record, f"#records/{record}"), plain(f" of {many(field.size, 'byte')}"))), Cell(), Cell())
     else:
@@ -206,6 +208,13 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
         meaning_cell(context, field.field, field.value, *more),
         sources(field.field),
     )
+
+
+def _case(field: FieldLayout, case: CaseLayout) -> Item:
+    """The type in one case, and for which values of the other field it is so."""
+    by = field.field.choice.by if field.field.choice else ""
+    when = f" where {by} is {', '.join(case.case.when)}"
+    return Item((code(case.value.type.name), plain(when)))
 
 
 def _relations(field: FieldLayout) -> Iterator[Line]:
@@ -229,6 +238,9 @@ def length_text(around: int, record: RecordLayout) -> str:
     """`8 bytes`, or `5 + 2n bytes, n = 1 to 3`: the length of a frame with a record in its body."""
     if record.size is not None:
         return many(around + record.size, "byte")
+    if record.chosen:
+        most = f" to {around + record.most}" if record.most is not None else " or more"
+        return f"{around + record.least}{most} bytes"
     last = record.fields[-1]
     step = f"{last.size}n" if last.size > 1 else "n"
     repeat = last.field.repeat

@@ -11,6 +11,7 @@ from fieldspec.model.fact import Claim, Fact
 from fieldspec.model.link import Stations
 from fieldspec.model.lookup import Row
 from fieldspec.model.note import Note
+from fieldspec.model.record import Record
 from fieldspec.model.table import PrintedElement
 
 Holder: TypeAlias = Fact | Claim | Example | Note | Stations | PrintedElement | Row
@@ -45,9 +46,13 @@ def _facts(device: Device) -> Iterator[Fact]:
         yield message
         yield from message.request.fields
         yield from message.response.fields
+        yield from _cases(message.request)
+        yield from _cases(message.response)
     for record in device.records.values():
         yield record
         yield from record.fields
+    yield from device.signals.values()
+    yield from device.conversions.values()
     for group in device.groups:
         yield group
         yield from group.registers
@@ -55,11 +60,20 @@ def _facts(device: Device) -> Iterator[Fact]:
     for parameters in device.parameters.values():
         yield parameters
         yield from parameters.parameters
+        for parameter in parameters.parameters:
+            yield from parameter.subindices
     for enum in device.enums.values():
         yield enum
         yield from enum.members
     for flags in device.flags.values():
         yield flags
         yield from flags.bits
+        yield from flags.states
     yield from device.lookups
     yield from device.limits
+
+
+def _cases(record: Record) -> Iterator[Fact]:
+    for field in record.fields:
+        if field.choice is not None:
+            yield from field.choice.cases

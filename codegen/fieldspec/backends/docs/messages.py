@@ -14,14 +14,14 @@ DIRECTIONS = ("request", "response")
 
 
 def messages(context: Context) -> Section:
-    """All messages by code, those without a code behind them."""
+    """All messages by code, those without a code by their numbers behind them."""
     inner = tuple(_message(context, laid) for laid in sorted(context.layout.messages.values(), key=_by_code))
     return Section("messages", (plain("Messages"),), (), inner)
 
 
 def _by_code(laid: MessageLayout) -> tuple[bool, int]:
     code = laid.message.code
-    return code is None, code or 0
+    return code is None, (laid.message.number if code is None else code) or 0
 
 
 def _message(context: Context, laid: MessageLayout) -> Section:
@@ -29,7 +29,8 @@ def _message(context: Context, laid: MessageLayout) -> Section:
     path = message.place.path
     blocks = context.opening(message)
     blocks.append(Facts(tuple(_facts(context, laid))))
-    for number, link in enumerate(context.layout.links.values()):
+    sent = [link for link in context.layout.links.values() if laid.name in link.messages]
+    for number, link in enumerate(sent):
         for direction in DIRECTIONS:
             blocks.append(_frame(context, laid, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
@@ -48,7 +49,7 @@ def _frame(context: Context, laid: MessageLayout, link: LinkLayout, direction: s
     anchor = f"{laid.message.place.path}/{link.name}-{direction}"
     record = laid.data(direction)
     shape = link.frame(direction)
-    title = "Request" if direction == "request" else "Response"
+    title = link.link.direction_name(direction).capitalize()
     length = length_text(shape.head_size + shape.tail_size, record)
     if link.link.encoding == "hex_ascii":
         length += ", as two characters each"
@@ -59,6 +60,13 @@ def _frame(context: Context, laid: MessageLayout, link: LinkLayout, direction: s
 def _facts(context: Context, laid: MessageLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
     message = laid.message
     yield "Name", ((code(message.name),),)
+    if message.number is not None:
+        yield "Number", ((code(str(message.number)),),)
+    if message.links:
+        yield "Sent on", (joined((code(name, f"#links/{name}"),) for name in message.links),)
+    if message.supplements:
+        beside = joined((code(name, f"#messages/{name}"),) for name in message.supplements)
+        yield "Sent beside", ((*beside, plain(", never alone")),)
     if message.group:
         yield "Group", ((plain(" ".join(message.group.split("_"))),),)
     if message.code is not None:
@@ -70,6 +78,13 @@ def _facts(context: Context, laid: MessageLayout) -> Iterator[tuple[str, tuple[L
     ]
     if printed:
         yield "Frame length as printed", ((plain(", ".join(printed)),),)
+    words = [
+        f"{direction} {many(number, 'word')}"
+        for direction, number in zip(DIRECTIONS, (message.request_words, message.response_words), strict=True)
+        if number is not None
+    ]
+    if words:
+        yield "Words of data as printed", ((plain(", ".join(words)),),)
     if message.broadcast:
         yield "Broadcast", ((plain("may be sent to all stations at once"),),)
     if message.accesses is not None:

@@ -17,7 +17,9 @@ from fieldspec.backends.docs.messages import messages
 from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.places import places
 from fieldspec.backends.docs.registers import registers
+from fieldspec.backends.docs.signals import conversions, signals
 from fieldspec.backends.docs.tables import records, tables
+from fieldspec.backends.docs.telegrams import telegrams
 from fieldspec.backends.docs.words import words
 from fieldspec.layout.device import DeviceLayout
 
@@ -26,7 +28,10 @@ SECTIONS = (
     links,
     registers,
     tables,
+    telegrams,
     messages,
+    signals,
+    conversions,
     parameters,
     records,
     words,

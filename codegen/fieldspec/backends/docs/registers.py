@@ -32,6 +32,7 @@ from fieldspec.backends.docs.value_cells import (
 from fieldspec.model.register import Gap, Register, RegisterGroup
 
 COLUMNS = (
+    Column("No.", "number"),
     Column("Address", "number", kept=True),
     Column("Words", "number", kept=True),
     Column("Name", kept=True),
@@ -60,7 +61,7 @@ def _group(context: Context, group: RegisterGroup) -> Section:
     restart = any(register.restart is not None for register in group.registers)
     rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
     title = group.title or group.name
-    blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=2))
+    blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=3))
     if group.gaps:
         blocks.append(Facts(tuple(_gaps(group.gaps))))
     if group.sources:
@@ -81,6 +82,7 @@ def _rows(context: Context, register: Register, marks: Inferences, restart: bool
     kind, unit, bounds = value_cells(register.value, inferred, marks)
     yield Row(
         (
+            cell("" if register.number is None else str(register.number)),
             _address(register),
             cell(str(register.width)),
             names(register, register.name, mark=marks.marks(inferred)),
@@ -117,6 +119,8 @@ def _special(register: Register) -> Iterator[Line]:
         yield (styled("trigger", "badge"), plain(text))
     if register.atomic:
         yield (styled("atomic", "badge"), plain(" All of its words are to be accessed in one request."))
+    if register.copy_of:
+        yield (plain("Another copy of "), code(register.copy_of, f"#registers/{register.copy_of}"))
     if register.same_as:
         yield (plain("The same as "), code(register.same_as, f"#registers/{register.same_as}"))
 
@@ -130,6 +134,7 @@ def _element(register: Register, number: int) -> Row:
     blank = (Cell(),) * 7
     return Row(
         (
+            Cell(),
             cell(code(address(at)), styled(str(at), "quiet")),
             Cell(),
             cell((code(f"{register.name}[{index}]"),), (label(printed),)),

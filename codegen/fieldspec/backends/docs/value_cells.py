@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.backends.docs.context import Context, many
-from fieldspec.backends.docs.document import UNKNOWN, Cell, Column, Item, Line, cell, code, label, plain, styled
+from fieldspec.backends.docs.document import (
+    UNKNOWN,
+    Cell,
+    Column,
+    Item,
+    Line,
+    cell,
+    code,
+    joined,
+    label,
+    plain,
+    styled,
+)
 from fieldspec.backends.docs.inferences import Inferences
 from fieldspec.layout.explaining.worded import decimal_text, in_unit, range_in_unit
 from fieldspec.model.enum import Enum, Member
@@ -61,7 +73,8 @@ def unit_lines(value: Value) -> list[Line]:
     """`0.01 mm`: the worth of one count."""
     if not value.scaled:
         return [(plain(value.unit),)] if value.unit else []
-    lines: list[Line] = [(plain(f"{decimal_text(value.scale)} {value.unit}".strip()),)]
+    scale = value.scale_text if "/" in value.scale_text else decimal_text(value.scale)
+    lines: list[Line] = [(plain(f"{scale} {value.unit}".strip()),)]
     if value.offset:
         lines.append((plain(f"plus {decimal_text(value.offset)} {value.unit}".strip()),))
     return lines
@@ -112,10 +125,10 @@ def meaning_cell(context: Context, fact: Fact, value: Value | None, *more: Line)
     about = list(context.about(fact))
     if value is None:
         return cell(*more, *about)
-    return cell(*more, *about, *_named_by(value), items=tuple(_meanings(context, value)))
+    return cell(*more, *about, *_named_by(context, value), items=tuple(_meanings(context, value)))
 
 
-def _named_by(value: Value) -> Iterator[Line]:
+def _named_by(context: Context, value: Value) -> Iterator[Line]:
     """The enum, the word of flags and the parameters that a value refers to."""
     if value.enum:
         yield (styled("Values: ", "quiet"), code(value.enum, f"#enums/{value.enum}"))
@@ -123,7 +136,8 @@ def _named_by(value: Value) -> Iterator[Line]:
         yield (styled("Bits: ", "quiet"), code(value.flags, f"#flags/{value.flags}"))
     if value.parameter is not None:
         name = value.parameter.set
-        yield (styled(PARTS[value.parameter.part], "quiet"), code(name, f"#parameters/{name}"))
+        links = [code(held.name, f"#parameters/{held.name}") for held in context.device.sets(name)]
+        yield (styled(PARTS[value.parameter.part], "quiet"), *joined((link,) for link in links))
 
 
 def _meanings(context: Context, value: Value) -> Iterator[Item]:

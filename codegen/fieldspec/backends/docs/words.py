@@ -14,12 +14,13 @@ from fieldspec.backends.docs.document import (
     Section,
     cell,
     code,
+    joined,
     plain,
     styled,
     table,
 )
 from fieldspec.backends.docs.inferences import Inferences
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.flags import Bit, Flags, State
 
 COLUMNS = (
     Column("Bit", "number", kept=True),
@@ -27,6 +28,14 @@ COLUMNS = (
     Column("Name", kept=True),
     Column("0 means"),
     Column("1 means"),
+    Column("Meaning", "wide"),
+    Column("Source", "source"),
+)
+STATES = (
+    Column("State", kept=True),
+    Column("Bits that are 1"),
+    Column("Bits that are 0"),
+    Column("Word and mask", "number", kept=True),
     Column("Meaning", "wide"),
     Column("Source", "source"),
 )
@@ -56,6 +65,9 @@ def _word(context: Context, word: Flags) -> Section:
     marks = Inferences(path)
     rows = [_row(context, word, bit, marks) for bit in word.bits]
     blocks.append(table(f"Bits of {word.name}", COLUMNS, rows, marks.footnotes(), heading=2))
+    if word.states:
+        rows = [_state(word, state) for state in word.states]
+        blocks.append(table(f"States that {word.name} shows", STATES, rows, heading=0))
     return Section(path, (code(word.name), *context.section_title("", word)[1:]), tuple(blocks))
 
 
@@ -83,6 +95,22 @@ def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> Row:
             sources(bit),
         ),
         bit.place.path,
+    )
+
+
+def _state(word: Flags, state: State) -> Row:
+    mask, held = word.masked(state)
+    digits = 2 * word.type.size
+    return Row(
+        (
+            names(state, state.name),
+            cell(joined((code(name),) for name in state.set)),
+            cell(joined((code(name),) for name in state.clear)),
+            cell(code(f"word & 0x{mask:0{digits}X} = 0x{held:0{digits}X}")),
+            cell(state.doc),
+            sources(state),
+        ),
+        state.place.path,
     )
 
 

@@ -1,0 +1,169 @@
+"""What a spec states once and places several times stands in the model as if it had been written out."""
+
+from __future__ import annotations
+
+import pytest
+
+from fieldspec.model.device import Device
+from reading import DEVICE, codes, gadget, pointed_at, project, unmarked
+
+BLOCK = """
+registers:
+  - group: settings
+    defaults: {type: u32, words: 2}
+    rows:
+      - {at: 10, decimal: 10, number: 0, name: speed, unit: rpm, scale: 0.1, default: 5, access: rw, label: 速度, doc: How fast.}
+      - {at: 12, name: mode, type: u16, words: 1, access: wo, trigger: true, restart: true, same_as: speed}
+    copies:
+      - group: stored
+        prefix: stored
+        base: 100
+        access: ro
+        trigger: false
+        section: "4"
+        rows: [{of: speed, at: 100, decimal: 0x64, words: 2, label: 速, source: L7}]
+"""
+
+SIGNALS = """
+signals:
+  - {name: speed, printed_name: NSET, label: 速度, type: i32, range: -5..5, scale: 100/2^30, unit: "%", direction: request}
+messages:
+  - name: telegram
+    request:
+      - {signal: speed, source: 2 L1}
+      - {signal: speed, name: speed_again, range: 0..5, label: 再}
+    response: []
+records:
+  - {name: row, fields: [{signal: speed}]}
+"""
+
+ENUMS = """
+flags:
+  - {name: inputs, type: u32, bits: [{bit: 0, name: stop, label: 停, source: 3 L9}, {bit: 1, name: x, reserved: true}, {bit: 31, name: go}, {bits: "4..5", name: path}, {bit: 7, reserved: true}]}
+enums:
+  - {name: function, derived: {flags: inputs}, members: [{value: 0, name: none}]}
+  - {name: internal, derived: {enum: alarm}}
+  - {name: alarm, members: [{value: 0x24, number: 4, name: system, printed_name: AL.024}, {value: 0x25, name: unnumbered}]}
+"""
+
+
+def device(text: str) -> Device:
+    built, found = gadget(text).at("1")
+    assert codes(found) == []
+    return built
+
+
+def test_a_copy_is_a_group_of_its_own_at_other_addresses() -> None:
+    settings, stored = device(BLOCK).groups
+    assert (settings.name, stored.name, stored.section) == ("settings", "stored", "4")
+    assert [(row.name, row.address, row.copy_of) for row in stored.registers] == [
+        ("stored_speed", 100, "speed"),
+        ("stored_mode", 102, "mode"),
+    ]
+
+
+def test_a_copied_register_has_the_value_of_its_original() -> None:
+    settings, stored = device(BLOCK).groups
+    assert [row.value for row in stored.registers] == [row.value for row in settings.registers]
+    assert [row.doc for row in stored.registers] == ["How fast.", ""]
+
+
+def test_a_copied_register_has_what_is_printed_for_it() -> None:
+    speed, mode = device(BLOCK).groups[1].registers
+    assert (speed.decimal, speed.words, speed.label, speed.sources[0].text()) == (100, 2, "速", "4 L7")
+    assert (mode.decimal, mode.words, mode.label, mode.sources) == (None, 1, "", ())
+
+
+def test_a_copied_register_is_accessed_as_its_block_says() -> None:
+    speed, mode = device(BLOCK).groups[1].registers
+    assert [(row.access, row.trigger, row.restart, row.same_as, row.number) for row in (speed, mode)] == [
+        ("ro", False, None, "", None),
+        ("ro", False, None, "", None),
+    ]
+
+
+def test_a_field_has_what_its_signal_gives_and_it_does_not_give_itself() -> None:
+    first, second = device(SIGNALS).messages["telegram"].request.fields
+    assert (first.name, first.printed_name, first.label, first.signal) == ("speed", "NSET", "速度", "speed")
+    assert (second.name, second.printed_name, second.label, second.signal) == ("speed_again", "NSET", "再", "speed")
+    assert first.value is not None and second.value is not None
+    assert (first.value.scale_text, first.value.unit, first.value.ranges.text() if first.value.ranges else "") == (
+        "100/2^30",
+        "%",
+        "-5..5",
+    )
+    assert second.value.ranges is not None and second.value.ranges.text() == "0..5"
+    assert first.sources[0].text() == "2 L1"
+
+
+def test_a_field_of_a_record_may_place_a_signal() -> None:
+    assert [field.name for field in device(SIGNALS).records["row"].fields] == ["speed"]
+
+
+def test_masks_of_named_bits_are_members_behind_those_that_are_listed() -> None:
+    members = device(ENUMS).enums["function"].members
+    assert [(one.value, one.name, one.label) for one in members] == [
+        (0, "none", ""),
+        (1, "stop", "停"),
+        (1 << 31, "go", ""),
+    ]
+    assert members[1].sources[0].text() == "3 L9"
+
+
+def test_numbers_of_members_are_the_members_of_another_enum() -> None:
+    assert [(one.value, one.name, one.printed_name) for one in device(ENUMS).enums["internal"].members] == [
+        (4, "system", "AL.024")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("messages: [{name: a, request: [{signal: «speed»}]}]\n", "there is no signal `speed`"),
+        ("enums: [{name: a, derived: {flags: «b»}}]\n", "there is no word of flags `b`"),
+        ("enums: [{name: a, derived: {enum: «b»}}]\n", "there is no enum `b`"),
+        (
+            "registers: [{group: a, rows: [{at: 1, name: x, type: u8}], "
+            "copies: [{group: b, prefix: c, base: 9, rows: [{of: «y»}]}]}]\n",
+            "there is no register in this group `y`",
+        ),
+    ],
+)
+def test_a_reference_to_what_is_not_there_is_found(text: str, message: str) -> None:
+    clean, start, end = unmarked(DEVICE + text)
+    found = project(clean.removeprefix(DEVICE)).found
+    assert (found[0].code, found[0].message) == ("references_resolve", message)
+    assert pointed_at(found[0].span) == clean[start:end]
+
+
+@pytest.mark.parametrize(
+    ("scale", "exact"), [("100/2^14", "0.006103515625"), ("1/1000", "0.001"), ("0.5/5", "0.1"), ("3/1", "3")]
+)
+def test_a_fraction_is_an_exact_scale(scale: str, exact: str) -> None:
+    text = f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n"
+    value = device(text).records["a"].fields[0].value
+    assert value is not None and f"{value.scale:f}" == exact
+
+
+@pytest.mark.parametrize("scale", ["1/3", "1/0", "1/7^50"])
+def test_a_fraction_that_is_no_exact_decimal_is_found(scale: str) -> None:
+    found = gadget(f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n").at("1")[1]
+    assert codes(found) == ["wrong_form"]
+
+
+def test_a_value_in_the_unit_is_exact_for_long_scales() -> None:
+    value = device(SIGNALS).signals["speed"].value
+    for raw in (1, -1, 2**31 - 1, -(2**31), 123456789):
+        assert value.from_unit(value.in_unit(raw)) == raw
+
+
+def test_bounds_of_several_lines_count_for_their_own_line() -> None:
+    lines = """
+versions:
+  - {line: two, builds: true, members: [{id: "2.8"}, {id: "2.12"}]}
+  - {line: three, members: [{id: "3.8"}, {id: "3.12"}]}
+limits:
+  - {name: late, value: 1, since: ["2.12", "3.12"]}
+"""
+    spec = gadget(lines)
+    assert [[limit.name for limit in spec.at(version)[0].limits] for version in ("2.8", "2.12")] == [[], ["late"]]
