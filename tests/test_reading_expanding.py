@@ -12,7 +12,7 @@ registers:
   - group: settings
     defaults: {type: u32, words: 2}
     rows:
-      - {at: 10, decimal: 10, number: 0, name: speed, unit: rpm, scale: 0.1, default: 5, access: rw, label: 速度, doc: How fast.}
+      - {at: 10, decimal: 10, number: 0, name: speed, unit: rpm, scale: 0.1, default: 5, access: rw, doc: How fast.}
       - {at: 12, name: mode, type: u16, words: 1, access: wo, trigger: true, restart: true, same_as: speed}
     copies:
       - group: stored
@@ -26,7 +26,7 @@ registers:
 
 SIGNALS = """
 signals:
-  - {name: speed, printed_name: NSET, label: 速度, type: i32, range: -5..5, scale: 100/2^30, unit: "%", direction: request}
+  - {name: speed, printed_name: NSET, label: 速度, type: i32, range: -5..5, scale: 100/2^30, unit: "%"}
 messages:
   - name: telegram
     request:
@@ -39,11 +39,19 @@ records:
 
 ENUMS = """
 flags:
-  - {name: inputs, type: u32, bits: [{bit: 0, name: stop, label: 停, source: 3 L9}, {bit: 1, name: x, reserved: true}, {bit: 31, name: go}, {bits: "4..5", name: path}, {bit: 7, reserved: true}]}
+  - name: inputs
+    type: u32
+    bits:
+      - {bit: 0, name: stop, label: 停, source: 3 L9}
+      - {bit: 1, name: x, reserved: true}
+      - {bits: "4..5", name: path}
+      - {bit: 7, reserved: true}
+      - {bit: 31, name: go}
 enums:
   - {name: function, derived: {flags: inputs}, members: [{value: 0, name: none}]}
   - {name: internal, derived: {enum: alarm}}
-  - {name: alarm, members: [{value: 0x24, number: 4, name: system, printed_name: AL.024}, {value: 0x25, name: unnumbered}]}
+  - name: alarm
+    members: [{value: 0x24, number: 4, name: system, printed_name: AL.024}, {value: 0x25, name: unnumbered}]
 """
 
 
@@ -86,13 +94,15 @@ def test_a_field_has_what_its_signal_gives_and_it_does_not_give_itself() -> None
     first, second = device(SIGNALS).messages["telegram"].request.fields
     assert (first.name, first.printed_name, first.label, first.signal) == ("speed", "NSET", "速度", "speed")
     assert (second.name, second.printed_name, second.label, second.signal) == ("speed_again", "NSET", "再", "speed")
-    assert first.value is not None and second.value is not None
+    assert first.value is not None
+    assert second.value is not None
     assert (first.value.scale_text, first.value.unit, first.value.ranges.text() if first.value.ranges else "") == (
         "100/2^30",
         "%",
         "-5..5",
     )
-    assert second.value.ranges is not None and second.value.ranges.text() == "0..5"
+    assert second.value.ranges is not None
+    assert second.value.ranges.text() == "0..5"
     assert first.sources[0].text() == "2 L1"
 
 
@@ -142,7 +152,8 @@ def test_a_reference_to_what_is_not_there_is_found(text: str, message: str) -> N
 def test_a_fraction_is_an_exact_scale(scale: str, exact: str) -> None:
     text = f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n"
     value = device(text).records["a"].fields[0].value
-    assert value is not None and f"{value.scale:f}" == exact
+    assert value is not None
+    assert f"{value.scale:f}" == exact
 
 
 @pytest.mark.parametrize("scale", ["1/3", "1/0", "1/7^50"])

@@ -65,5 +65,9 @@ def test_every_key_is_asked_for() -> None:
                 built(tree, version)
     assert len(given) > 350
     # What another place says is taken key by key, whatever the keys are.
-    passed_over = {(name, key) for name, key in given - asked if not name.startswith(("claim", "copy")) and key not in SETTLED_BEFORE}
+    passed_over = {
+        (name, key)
+        for name, key in given - asked
+        if not name.startswith(("claim", "copy")) and key not in SETTLED_BEFORE
+    }
     assert passed_over == set()

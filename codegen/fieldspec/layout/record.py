@@ -85,7 +85,7 @@ class RecordLayout:
         return next((field for field in self.fields if field.name == name), None)
 
     def of_data(self, data: bytes) -> RecordLayout | None:
-        """The record that lies in some data: this one, or the one that its selector chooses. None if it chooses none."""
+        """The record that lies in some data: this one, or the one that its selector chooses, None if it has none."""
         if self.selector is None:
             return self
         at = self.selector.offset
@@ -142,7 +142,7 @@ def _choosing(
         cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
         decided = replace(last, value=case.value, choice=None)
         laid = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
-        chosen |= {number: laid for number in sorted(numbers)}
+        chosen |= dict.fromkeys(sorted(numbers), laid)
     shapes = list(chosen.values())
     first = shapes[0]
     sizes = {laid.size for laid in shapes}

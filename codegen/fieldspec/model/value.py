@@ -10,7 +10,6 @@ from fieldspec.model.fact import Citation
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges
 
-
 # Wide enough for the product of a 64-bit count and any scale that the language takes.
 _EXACT = Context(prec=120)
 
@@ -38,7 +37,8 @@ class ParameterPart:
 class Value:
     """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
 
-    `scale_text` is the scale as the spec writes it. `ranges`, `default` and `const` are raw counts. `enum` and `flags` are names, empty where there is none.
+    `scale_text` is the scale as the spec writes it. `ranges`, `default` and `const` are raw counts. `enum` and `flags`
+    are names, empty where there is none.
     """
 
     type: Primitive

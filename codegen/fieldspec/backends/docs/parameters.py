@@ -76,10 +76,15 @@ def _numbering(held: ParameterSet) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "On the wire", ((plain("its number + "), code(f"0x{held.base:X}")),)
     if held.numbers is not None:
         first, last = held.written(held.numbers.low), held.written(held.numbers.high)
-        yield "All numbers", ((code(first), plain(" to "), code(last), plain("; the table has those that are described")),)
+        yield (
+            "All numbers",
+            ((code(first), plain(" to "), code(last), plain("; the table has those that are described")),),
+        )
 
 
-def _rows(context: Context, held: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool) -> Iterator[Row]:
+def _rows(
+    context: Context, held: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool
+) -> Iterator[Row]:
     inferred, value = parameter.inferred, parameter.value
     kind, unit, bounds = value_cells(value, inferred, marks)
     last = parameter.number + parameter.count - 1

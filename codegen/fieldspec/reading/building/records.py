@@ -20,7 +20,9 @@ def record(entry: Entry) -> Record:
 
 def _field(entry: Entry) -> Field:
     if not entry.text("name"):
-        entry.refuse("missing_key", "name", "the key `name` is missing", "a field has a `name`, or that of its `signal`")
+        entry.refuse(
+            "missing_key", "name", "the key `name` is missing", "a field has a `name`, or that of its `signal`"
+        )
     name = entry.text("record")
     choice = entry.entry("choice")
     given = [key for key in ("type", "record", "choice") if entry.get(key)]
