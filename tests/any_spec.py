@@ -43,7 +43,8 @@ def spec(seed: int) -> str:
     """The text of one random spec file with the section `device`."""
     chance = random.Random(seed)
     data = _mapping(schema(), "", chance, 5)
-    data.pop("protocol", None)
+    for key in ("protocol", "overlay", "adds", "changes", "removes", "renames"):
+        data.pop(key, None)
     data["device"] = _of(schema()["properties"]["device"], "", chance, 5) | {"id": "gadget"}
     data["uses"] = [{"protocol": "wire"}] if chance.random() < 0.3 else []
     for line in data.get("versions", ())[1:]:

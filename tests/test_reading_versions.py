@@ -177,10 +177,9 @@ def test_a_version_that_is_not_declared_has_a_hint() -> None:
     [
         "versions: [{line: a, builds: true, members: [{id: '1'}, {id: «'1'»}]}]\n",
         "versions: [{line: a, members: [{id: '1'}]}, {line: b, members: [{id: «'1'»}]}]\n",
-        "versions: [{line: a, builds: true, members: [{id: '1'}]}, {line: b, builds: «true», members: [{id: '2'}]}]\n",
     ],
 )
-def test_versions_are_declared_once_and_one_line_builds(text: str) -> None:
+def test_versions_are_declared_once(text: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
     (found,) = project(clean.removeprefix(DEVICE)).found
     assert (found.code, found.span.start, found.span.end) == ("version_twice", start, end)

@@ -12,7 +12,7 @@ from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
-from fieldspec.reading.project import MAIN, PROTOCOLS, DeviceSpec, Project, read
+from fieldspec.reading.project import JOINT, MAIN, PROTOCOLS, VERSIONS, DeviceSpec, Project, read
 
 FOLDER = "specs"
 VARIABLE = "FIELDSPEC_SPECS"
@@ -41,10 +41,11 @@ def files(path: Path, only: frozenset[str] = frozenset()) -> dict[str, bytes]:
     """The spec files below a folder by relative path; of all devices' folders, or of `only` some."""
     found: dict[str, bytes] = {}
     try:
-        for file in sorted(path.glob("*/*.yaml")):
+        for file in sorted([*path.glob("*/*.yaml"), *path.glob(f"*/{VERSIONS}/*.yaml")]):
+            inner = file.relative_to(path)
             hidden = file.name.startswith(".")  # what editors leave beside a file
-            if not hidden and (not only or file.parent.name in only or file.parent.name == PROTOCOLS):
-                found[f"{file.parent.name}/{file.name}"] = file.read_bytes()
+            if not hidden and (not only or inner.parts[0] in only or inner.parts[0] == PROTOCOLS):
+                found[inner.as_posix()] = file.read_bytes()
     except OSError as error:
         raise UsageError(f"cannot read {error.filename}: {error.strerror}") from None
     return found
@@ -81,8 +82,9 @@ def picked(spec: DeviceSpec, version: str) -> str:
     known = spec.versions()
     if not version:
         return known[-1]
-    if version not in known:
-        raise unknown(f"version of {spec.id}", version, known)
+    for one in version.split(JOINT):
+        if one not in spec.lines.place and version not in known:
+            raise unknown(f"version of {spec.id}", one, spec.lines.place)
     return version
 
 

@@ -97,6 +97,13 @@ def identity(node: Node) -> str | None:
     return None
 
 
+def mappings(node: Node | None) -> Iterator[Mapping]:
+    """The mappings of a list."""
+    for item in node.items if isinstance(node, Sequence) else ():
+        if isinstance(item, Mapping):
+            yield item
+
+
 def plain(node: Node) -> object:
     """The node as plain Python data; decimals become floats, for validation only."""
     if isinstance(node, Scalar):

@@ -22,6 +22,66 @@ def find(node: Node, path: str) -> Node | None:
     return at
 
 
+def keys(node: Node, path: str) -> list[str | int] | None:
+    """The keys and numbers that lead to the node at a path, or None where it leads nowhere."""
+    at: Node = node
+    found: list[str | int] = []
+    for step in path.split("/"):
+        steps = _keys(at, step)
+        if steps is None:
+            return None
+        at = node_at(at, steps)
+        found += steps
+    return found
+
+
+def _keys(node: Node, step: str) -> list[str | int] | None:
+    """The keys of one step; one that skips a group or a list of rows has several."""
+    if isinstance(node, Sequence):
+        number = _index(node, step)
+        if number is None:
+            return None
+        item = node.items[number]
+        if identity(item) != step and isinstance(item, Mapping) and "group" in item.values:
+            inner = _keys(item, step)
+            return None if inner is None else [number, *inner]
+        return [number]
+    if isinstance(node, Mapping):
+        held = _inner(node, step)
+        if held is None:
+            return None
+        key, below = held
+        inner = [] if key == step else _keys(below, step)
+        return None if inner is None else [key, *inner]
+    return None
+
+
+def node_at(node: Node, at: list[str | int]) -> Node:
+    """The node at some keys."""
+    for key in at:
+        node = node.items[key] if isinstance(node, Sequence) else node.values[key]  # type: ignore[index, union-attr]
+    return node
+
+
+def put(node: Node, at: list[str | int], new: Node | None) -> Node:
+    """The tree with another node at some keys, or without the item of a list that is there."""
+    if not at:
+        assert new is not None
+        return new
+    key, *rest = at
+    if isinstance(node, Sequence) and isinstance(key, int):
+        if new is None and not rest:
+            items = (*node.items[:key], *node.items[key + 1 :])
+        else:
+            items = (*node.items[:key], put(node.items[key], rest, new), *node.items[key + 1 :])
+        return Sequence(node.file, node.start, node.end, items)
+    assert isinstance(node, Mapping)
+    assert isinstance(key, str)
+    if new is None and not rest:
+        return node.without(key)
+    return node.with_value(key, put(node.values[key], rest, new))
+
+
 def changed(node: Node, path: str, change: Change) -> Node | None:
     """The tree with the node at a path changed, or None where the path leads nowhere."""
     return _changed(node, path.split("/"), change)

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
+from fieldspec.reading.applying import applied
 from fieldspec.reading.building.device import built
 from fieldspec.reading.expanding import expanded
 from fieldspec.reading.findings import bounded, near, quoted
 from fieldspec.reading.joining import joined, laid_over
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.reading.overlays import overlays
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.versions import Lines, selected
 from fieldspec.reading.yaml_reader import decoded, parsed
@@ -19,18 +21,29 @@ from fieldspec.source import Span
 
 PROTOCOLS = "protocols"
 MAIN = "device.yaml"
+VERSIONS = "versions"
 
-_NOT_OF_A_DEVICE = ("protocol",)
-_NOT_OF_A_PROTOCOL = ("device", "versions")
+_OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
+_NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
+_NOT_OF_A_PROTOCOL = ("device", "versions", *_OF_A_VERSION)
+
+
+JOINT = "+"
+"""What stands between versions of different lines that are picked together."""
 
 
 @dataclass(frozen=True, slots=True)
 class DeviceSpec:
-    """The joined tree of a device, with its protocols, before a version is picked."""
+    """The joined tree of a device, with its protocols, before a version is picked.
+
+    `trees` are those of the versions that are written as changes of others. A version is the identifier of one, or
+    of several of different lines with a `+` between them.
+    """
 
     id: str
     tree: Mapping
     lines: Lines
+    trees: Table[str, Mapping]
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
@@ -43,7 +56,8 @@ class DeviceSpec:
 
     def tree_at(self, version: str) -> Mapping:
         """The tree with the facts of one version."""
-        tree = selected(self.tree, version, self.lines)
+        picked = tuple(version.split(JOINT))
+        tree = selected(next((self.trees[one] for one in picked if one in self.trees), self.tree), picked, self.lines)
         assert isinstance(tree, Mapping)
         return tree
 
@@ -75,7 +89,8 @@ class _Reader:
         folders: dict[str, list[str]] = {}
         for path in sorted(self.files):
             folder, _, name = path.partition("/")
-            if name.endswith(".yaml") and "/" not in name and folder != PROTOCOLS:
+            within, _, file = name.rpartition("/")
+            if name.endswith(".yaml") and within in ("", VERSIONS) and folder != PROTOCOLS and file:
                 folders.setdefault(folder, []).append(path)
         devices: dict[str, DeviceSpec] = {}
         for folder, paths in folders.items():
@@ -116,9 +131,11 @@ class _Reader:
     def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
         main = f"{folder}/{MAIN}"
         paths = sorted(paths, key=lambda path: (path != main, path))
-        trees = [self._tree(path) for path in paths]
+        own = [path for path in paths if not path.startswith(f"{folder}/{VERSIONS}/")]
+        trees = [self._tree(path) for path in own]
+        others = {path: self._tree(path) for path in paths if path not in own}
         usable = [tree for tree in trees if tree is not None]
-        if len(usable) < len(trees):
+        if len(usable) < len(trees) or None in others.values() or not usable:
             return None
         whole, found = joined(usable)
         self.found += found
@@ -128,14 +145,21 @@ class _Reader:
             span = Span(whole.file, 0, 1)
             self.found.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
             return None
-        whole, found = expanded(self._with_protocols(whole, ()))
-        self.found += bounded(found)
+        files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
+        versions, whole = overlays(files, self._with_protocols(whole, ()))
+        self.found += bounded(versions.found)
         lines = Lines(whole)
         self.found += bounded(lines.found) + bounded(lines.unknown(whole))
+        layers: dict[str, Mapping] = {}
+        for version, overlay in versions.trees.items():
+            layers[version], found = applied(layers.get(versions.bases[version], whole), overlay)
+            self.found += bounded(found + lines.unknown(overlay))
+        whole, found = expanded(whole)
+        self.found += bounded(found)
         self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
-        return DeviceSpec(identity.text, whole, lines)
+        return DeviceSpec(identity.text, whole, lines, {version: expanded(tree)[0] for version, tree in layers.items()})
 
     def _placed(self, tree: Mapping, head: Mapping, name: str, foreign: tuple[str, ...]) -> None:
         """Finds an id that is not the name of the folder or file, and sections that mean nothing there."""

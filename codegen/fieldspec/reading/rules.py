@@ -115,6 +115,46 @@ Example: a file that was saved as GB 18030.
 
 Cure: Save the file as UTF-8.
 """,
+    "overlay_base_differs": """What the file of a version says was so, was so in the version that it is based on.
+
+Why: the base has been changed since the file was written, and its author did not know what it is now.
+
+Example: `range: {was: 1..100, is: 1..120}` where the base has 1..90.
+
+Cure: Look at both places, decide what holds now, and put `was` right.
+""",
+    "overlay_changes_nothing": """Every entry in the file of a version changes something.
+
+Why: an entry without effect is a slip, or a change that the base has taken over.
+
+Example: `unit: {was: mm, is: mm}`.
+
+Cure: Give the new value, or remove the entry.
+""",
+    "overlay_cycle": """No version is based on itself, directly or by way of others.
+
+Why: there would be nothing to start from.
+
+Example: 2.1 is based on 2.2, and 2.2 on 2.1.
+
+Cure: Base one of them on a version that does not need it.
+""",
+    "overlay_fact_missing": """The facts that the file of a version changes are in the version that it is based on.
+
+Why: an entry that matches nothing would silently do nothing.
+
+Example: `fact: registers/sped`, or a register that only another line of versions has.
+
+Cure: Put the path right, or base the version on the one that has the fact.
+""",
+    "overlay_name_taken": """What the file of a version adds or renames gets a name that is free.
+
+Why: two facts of one list with one name could not be told apart.
+
+Example: a register renamed to `speed` where there is a register `speed`.
+
+Cure: Give another name; what is there already is changed under `changes`.
+""",
     "section_twice": """A section that is no list stands in one file of a device.
 
 Why: lists are joined; of two other sections only one could count.

@@ -7,6 +7,7 @@ truth value only where the schema wants one and the text is one.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any
@@ -22,11 +23,26 @@ _INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})")
 _NUMBER = re.compile(r"[-+]?(0|[1-9][0-9]{0,19})(\.[0-9]{1,20})?")
 
 
-@lru_cache(maxsize=1)
-def _validator() -> Any:
+@lru_cache(maxsize=64)
+def _validator(path: tuple[str, ...]) -> Any:
     import jsonschema_rs
 
-    return jsonschema_rs.Draft202012Validator(schema())
+    whole = schema()
+    return jsonschema_rs.Draft202012Validator({**part_at(path), "$defs": whole["$defs"]} if path else whole)
+
+
+def part_at(path: Iterable[str]) -> Schema:
+    """The part of the schema at some keys, with all references followed."""
+    part: Any = schema()
+    for key in path:
+        part = resolved(part)[key] if isinstance(part, dict) else part[int(key)]
+    return resolved(part)
+
+
+def typed_at(node: Node, path: tuple[str, ...]) -> tuple[Node, list[Diagnostic]]:
+    """A node typed by the part of the schema at some keys, and what that part has against it."""
+    result = _typed(node, part_at(path))
+    return result, violations(result, path)
 
 
 def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
@@ -35,11 +51,11 @@ def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     return result, violations(result)
 
 
-def violations(node: Node) -> list[Diagnostic]:
-    """What the schema has against a typed tree; little more than `MOST_FINDINGS` findings."""
+def violations(node: Node, path: tuple[str, ...] = ()) -> list[Diagnostic]:
+    """What the schema, or its part at some keys, has against a tree; little more than `MOST_FINDINGS` findings."""
     found: list[Diagnostic] = []
-    for error in _validator().iter_errors(plain(node)):
-        found += _findings(error, node)
+    for error in _validator(path).iter_errors(plain(node)):
+        found += _findings(error, node, path)
         if len(found) > MOST_FINDINGS:
             break
     return found
@@ -81,10 +97,10 @@ def _value(node: Scalar, part: Schema) -> Plain:
     return text
 
 
-def _findings(error: Any, root: Node) -> list[Diagnostic]:
+def _findings(error: Any, root: Node, path: tuple[str, ...]) -> list[Diagnostic]:
     """A validation error of the library: one finding, or one for each unknown key."""
     node = _at(root, error.instance_path)
-    part = _schema_part(error.schema_path)
+    part = _schema_part(error.schema_path, path)
     if error.schema_path[-1] == "additionalProperties" and isinstance(node, Mapping):
         unknown = error.kind.as_dict()["unexpected"]
         return [_unknown_key(node, key, part) for key in unknown[: MOST_FINDINGS + 1]]
@@ -153,9 +169,9 @@ def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", node.keys[key].span, help=hint)
 
 
-def _schema_part(path: list[str | int]) -> Schema:
-    """The part of the schema that holds the last keyword of a schema path."""
-    part: Any = schema()
+def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:
+    """The part of the schema that holds the last keyword of a schema path, which starts at a root."""
+    part: Any = schema() if "$defs" in path[:1] else part_at(root)
     for key in path[:-1]:
         part = resolved(part) if isinstance(part, dict) and key != "$ref" else part
         part = resolved(part) if key == "$ref" else part[key]

@@ -37,17 +37,17 @@ class Lines:
             self.place[node.text] = (number, order)
         builds = line.values.get("builds")
         if isinstance(builds, Scalar) and builds.value is True:
-            if self.built:
-                text = "two lines of versions are to be built"
-                self.found.append(Diagnostic("version_twice", text, builds.span, help="build one of them"))
-            self.built = [node.text for node in ids]
+            self.built += [node.text for node in ids]
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
         return self.built or [LONE_VERSION]
 
-    def holds(self, node: Mapping, version: str) -> bool:
-        """Whether a fact holds for a version that is built. Another line's versions decide nothing here."""
+    def holds(self, node: Mapping, versions: tuple[str, ...]) -> bool:
+        """Whether a fact holds for a version, or for several of different lines. Other lines decide nothing here."""
+        return all(self._holds(node, version) for version in versions)
+
+    def _holds(self, node: Mapping, version: str) -> bool:
         if version not in self.place:
             return True
         line, order = self.place[version]
@@ -82,16 +82,16 @@ def named(bound: Node | None) -> list[Scalar]:
     return [item for item in items if isinstance(item, Scalar)]
 
 
-def selected(node: Node, version: str, lines: Lines) -> Node:
-    """The tree without the facts that do not hold for a version."""
+def selected(node: Node, versions: tuple[str, ...], lines: Lines) -> Node:
+    """The tree without the facts that do not hold for a version, or for several of different lines."""
     if isinstance(node, Sequence):
         items = tuple(
-            selected(item, version, lines)
+            selected(item, versions, lines)
             for item in node.items
-            if not isinstance(item, Mapping) or lines.holds(item, version)
+            if not isinstance(item, Mapping) or lines.holds(item, versions)
         )
         return Sequence(node.file, node.start, node.end, items)
     if isinstance(node, Mapping):
-        values = {key: selected(value, version, lines) for key, value in node.values.items()}
+        values = {key: selected(value, versions, lines) for key, value in node.values.items()}
         return Mapping(node.file, node.start, node.end, node.keys, values)
     return node

@@ -12,7 +12,7 @@ from fieldspec.schema import Schema, described, resolved, schema
 ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
-_MARK = re.compile(r"^<!-- keys: ([a-z_.]+) -->$", re.MULTILINE)
+_MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -28,7 +28,7 @@ _KINDS = {
 def manual() -> str:
     """The manual as Markdown. The template says where the keys of which part of the schema stand."""
     text = resources.files(__name__.rpartition(".")[0]).joinpath("language.md").read_text("utf-8")
-    return _MARK.sub(lambda mark: "\n".join(_section(mark[1])), text)
+    return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
 
 
 @cache

@@ -1,0 +1,293 @@
+"""Applies an overlay to the tree of the version that it is based on. An entry that does not fit is a finding."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.reading.findings import near, quoted
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact, identity, mappings
+from fieldspec.reading.paths import keys, node_at, put
+from fieldspec.reading.scalars import part_at, typed_at
+from fieldspec.schema import schema
+
+# The keys by which the rows of lists are in order.
+_ORDERED_BY = ("at", "number", "value", "bit", "base")
+# Where a name of each section is referred to, besides paths.
+_REFERENCES = {
+    "enums": ("enum",),
+    "flags": ("flags",),
+    "records": ("record",),
+    "signals": ("signal", "signals"),
+    "messages": ("message", "messages", "supplements"),
+    "links": ("link", "links"),
+    "registers": ("same_as", "copy_of", "of"),
+    "parameters": ("set",),
+}
+_PATHS = ("fact", "about", "references")
+
+
+def applied(tree: Mapping, overlay: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The tree of the version that an overlay makes of another one's, and what does not fit.
+
+    All paths are those of the other version: names change last.
+    """
+    work = _Application(tree)
+    for part, apply in (
+        ("changes", work.change),
+        ("removes", work.remove),
+        ("adds", work.add),
+        ("renames", work.rename),
+    ):
+        for entry in mappings(overlay.values.get(part)):
+            apply(entry)
+    return work.tree, work.found
+
+
+class _Application:
+    """A tree while the entries of an overlay are applied to it, one after the other."""
+
+    def __init__(self, tree: Mapping) -> None:
+        self.tree = tree
+        self.found: list[Diagnostic] = []
+
+    def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
+        self.found.append(Diagnostic(code, text, node.span, labels, help))
+
+    def _at(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
+        """The keys of the fact that an entry is about, and the fact; what is not there is a finding."""
+        path = entry.values[key]
+        assert isinstance(path, Scalar)
+        at = keys(self.tree, path.text)
+        if at is None:
+            self._refuse(
+                "overlay_fact_missing",
+                f"there is no fact {quoted(path.text)} in the version that this one is based on",
+                path,
+                "see `fieldspec facts` for the paths",
+            )
+            return None
+        return at, node_at(self.tree, at)
+
+    def _put(self, at: list[str | int], new: Node | None) -> None:
+        tree = put(self.tree, at, new)
+        assert isinstance(tree, Mapping)
+        self.tree = tree
+
+    def change(self, entry: Mapping) -> None:
+        """Sets keys of a fact that have the values that they should have had."""
+        held = self._at(entry)
+        if held is None:
+            return
+        at, fact = held
+        if not isinstance(fact, Mapping):
+            self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name a fact, not a list")
+            return
+        keys_set = entry.values["set"]
+        assert isinstance(keys_set, Mapping)
+        new, sound = fact, True
+        for key, pair in keys_set.values.items():
+            assert isinstance(pair, Mapping)
+            was, now = pair.values["was"], pair.values["is"]
+            old = fact.values.get(key)
+            if not self._was(key, was, old, fact, at):
+                sound = False
+            elif _same(was, now):
+                text = f"`{key}` is what it was"
+                self._refuse("overlay_changes_nothing", text, pair, "give another value, or remove the entry")
+                sound = False
+            elif _absent(now):
+                new = new.without(key)
+            else:
+                new = Mapping(
+                    new.file,
+                    new.start,
+                    new.end,
+                    {**new.keys, key: keys_set.keys[key]},
+                    {**new.values, key: now},
+                )
+        if sound:
+            self._typed(at, new)
+
+    def _was(self, key: str, was: Node, old: Node | None, fact: Node, at: list[str | int]) -> bool:
+        """Whether a key had the value that an entry says; if not, both places are shown."""
+        if _absent(was) and old is None:
+            return True
+        part = _part(at)
+        known = key in part_at(part).get("properties", {})
+        if not known:
+            return True  # the schema says that there is no such key
+        if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
+            return True
+        have = f"is {quoted(_shown(old))}" if old is not None else "is not given"
+        text = f"`{key}` {have} in the version that this one is based on, not {quoted(_shown(was))}"
+        label = Label((old or fact).span, "what it is there")
+        self._refuse(
+            "overlay_base_differs", text, was, "the base has changed: look at both, and put `was` right", label
+        )
+        return False
+
+    def _typed(self, at: list[str | int], new: Mapping) -> None:
+        """Puts a mapping in its place, typed as the schema wants it there."""
+        node, found = typed_at(new, _part(at))
+        self.found += found
+        if not found:
+            self._put(at, node)
+
+    def remove(self, entry: Mapping) -> None:
+        """Takes a fact out of its list."""
+        held = self._at(entry)
+        if held is None:
+            return
+        if not isinstance(held[0][-1], int):
+            self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name an item of a list")
+            return
+        self._put(held[0], None)
+
+    def rename(self, entry: Mapping) -> None:
+        """Gives a fact another name, wherever the spec refers to it."""
+        held = self._at(entry)
+        if held is None:
+            return
+        at, fact = held
+        to, path = entry.values["to"], entry.values["fact"]
+        assert isinstance(to, Scalar)
+        assert isinstance(path, Scalar)
+        if not isinstance(fact, Mapping) or "name" not in fact.values:
+            self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
+            return
+        around = node_at(self.tree, at[:-1])
+        taken = next((item for item in mappings(around) if identity(item) == to.text), None)
+        if taken is not None:
+            text = f"there is a {quoted(to.text)} already"
+            same = taken is fact
+            code = "overlay_changes_nothing" if same else "overlay_name_taken"
+            self._refuse(code, text, to, "give another name", Label(taken.span, "this one"))
+            return
+        old = path.text.rpartition("/")[2]
+        self._put(at, fact.with_value("name", to))
+        tree = _referring(self.tree, _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(at) == 2))
+        assert isinstance(tree, Mapping)
+        self.tree = tree
+
+    def add(self, entry: Mapping) -> None:
+        """Puts a new fact into a list."""
+        path, item = entry.values["in"], entry.values["item"]
+        assert isinstance(path, Scalar)
+        assert isinstance(item, Mapping)
+        at = keys(self.tree, path.text)
+        if at is None and "/" not in path.text and path.text in _LISTS:
+            empty = Sequence(path.file, path.start, path.end, ())
+            self.tree = self.tree.with_value(path.text, empty)
+            at = [path.text]
+        if at is None:
+            self._at(entry, "in")
+            return
+        node = node_at(self.tree, at)
+        if isinstance(node, Mapping):
+            inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
+            if inner is None:
+                self._refuse("overlay_fact_missing", "nothing can be added to this", path, "name a list of facts")
+                return
+            at, node = [*at, inner], node.values[inner]
+        assert isinstance(node, Sequence)
+        name = identity(item)
+        taken = next((one for one in node.items if name is not None and identity(one) == name), None)
+        if taken is not None:
+            label = Label(taken.span, "this one")
+            help = "change it under `changes`, or give another name"
+            self._refuse("overlay_name_taken", f"there is a {quoted(name or '')} already", item, help, label)
+            return
+        new, found = typed_at(item, (*_part(at), "items"))
+        self.found += found
+        place = self._behind(entry, node, new)
+        if not found and place is not None:
+            self._put(at, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:])))
+
+    def _behind(self, entry: Mapping, held: Sequence, new: Node) -> int | None:
+        """The number that a new item gets in its list."""
+        after = entry.values.get("after")
+        if isinstance(after, Scalar):
+            names = [identity(item) for item in held.items]
+            if after.text not in names:
+                text = f"there is no {quoted(after.text)} in this list"
+                hint = near(after.text, [name for name in names if name])
+                self._refuse("overlay_fact_missing", text, after, hint)
+                return None
+            return names.index(after.text) + 1
+        for key in _ORDERED_BY:
+            own = _number(new, key)
+            if own is not None:
+                later = (n for n, item in enumerate(held.items) if (_number(item, key) or 0) > own)
+                return next(later, len(held.items))
+        return len(held.items)
+
+
+_LISTS = frozenset(key for key, part in schema()["properties"].items() if part["type"] == "array")
+
+
+@dataclass(frozen=True, slots=True)
+class _Renaming:
+    """That the fact at a path, which stands in a section, has another name; `whole` if it is an item of the section."""
+
+    path: str
+    section: str
+    old: str
+    new: str
+    whole: bool
+
+    @property
+    def referred(self) -> bool:
+        """Whether others refer to it by its name alone."""
+        return self.whole or self.section == "registers"
+
+    def path_of(self, text: str) -> str:
+        """A path under the new name."""
+        if text == self.path or text.startswith(f"{self.path}/"):
+            return f"{self.path.rpartition('/')[0]}/{self.new}{text[len(self.path) :]}"
+        return text
+
+
+def _referring(node: Node, renaming: _Renaming, key: str = "") -> Node:
+    """The tree with every reference to a fact under its new name."""
+    if isinstance(node, Sequence):
+        items = tuple(_referring(item, renaming, key) for item in node.items)
+        same = all(new is old for new, old in zip(items, node.items, strict=True))
+        return node if same else Sequence(node.file, node.start, node.end, items)
+    if isinstance(node, Mapping):
+        values = {name: _referring(value, renaming, name) for name, value in node.values.items()}
+        same = all(values[name] is node.values[name] for name in values)
+        return node if same else Mapping(node.file, node.start, node.end, node.keys, values)
+    text = node.text
+    if key in _PATHS:
+        text = renaming.path_of(text)
+    elif text == renaming.old and renaming.referred and key in _REFERENCES.get(renaming.section, ()):
+        text = renaming.new
+    return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
+
+
+def _part(at: list[str | int]) -> tuple[str, ...]:
+    """The keys of the schema that say what stands at some keys of a tree."""
+    part: list[str] = []
+    for key in at:
+        part += ["items"] if isinstance(key, int) else ["properties", key]
+    return tuple(part)
+
+
+def _number(node: Node, key: str) -> int | None:
+    held = node.values.get(key) if isinstance(node, Mapping) else None
+    return held.value if isinstance(held, Scalar) and isinstance(held.value, int) else None
+
+
+def _absent(node: Node) -> bool:
+    return isinstance(node, Scalar) and node.value is None
+
+
+def _same(was: Node, now: Node) -> bool:
+    return exact(was) == exact(now)
+
+
+def _shown(node: Node | None) -> str:
+    if isinstance(node, Scalar):
+        return node.text
+    return "a list" if isinstance(node, Sequence) else "a mapping"
