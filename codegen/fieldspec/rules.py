@@ -1,12 +1,13 @@
-"""Every rule by its code, with its documentation: those of reading, of checks and of proofs."""
+"""Every rule by its code, with its documentation: those of findings, and those of changes between versions."""
 
 from __future__ import annotations
 
 import sys
 import textwrap
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
 from fieldspec.proofs.rules import RULES as OF_PROOFS
@@ -27,10 +28,26 @@ Every finding has the code of its rule. `fieldspec rule CODE` shows one of these
 of them. A fact that may break a rule of the second part says so: `allow: {<code>: <reason>}`.
 """
 
+_CHANGES = """\
+<!-- Written by `fieldspec.rules.changes_page`; a test keeps it fresh. -->
+
+# Changes
+
+`fieldspec diff` names every difference between two versions of a device by one of these rules; `fieldspec rule CODE`
+shows one of them. A change has a class, by who is hurt:
+
+- `wire`: bytes mean something else. Programs read and write wrong values without noticing.
+- `source`: generated names or types change. Programs must be changed.
+- `behaviour`: limits, defaults or access change, or there is more than there was.
+- `docs`: people read something else.
+
+`wire` and `source` are breaking. Where a rule has several classes, a change has the gravest that applies to it.
+"""
+
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule's documentation. `stage` is `reading`, `checks` or `proofs`."""
+    """A rule's documentation. `stage` is `reading`, `checks`, `proofs` or `changes`; `classes` are those of changes."""
 
     code: str
     stage: str
@@ -38,20 +55,29 @@ class Rule:
     why: str
     example: str
     cure: str
+    classes: tuple[str, ...] = ()
 
 
 def all_rules() -> tuple[Rule, ...]:
-    """All rules, by code."""
+    """All rules of findings, by code."""
     return tuple(sorted(_rules(), key=lambda rule: rule.code))
+
+
+def change_rules() -> tuple[Rule, ...]:
+    """All rules of changes, by code."""
+    return tuple(
+        replace(_parsed(code, "changes", _text(function)), classes=tuple(effect.value for effect in effects))
+        for code, function, effects in OF_CHANGES
+    )
 
 
 def rule(code: str) -> Rule | None:
     """The rule with a code."""
-    return next((rule for rule in _rules() if rule.code == code), None)
+    return next((rule for rule in (*_rules(), *change_rules()) if rule.code == code), None)
 
 
 def page() -> str:
-    """The documentation of all rules, as Markdown."""
+    """The documentation of all rules of findings, as Markdown."""
     blocks = [_INTRODUCTION]
     for stage, title in _TITLES.items():
         blocks.append(f"## {title}\n")
@@ -61,8 +87,15 @@ def page() -> str:
     return "\n".join(blocks)
 
 
-def _entry(held: Rule) -> Iterator[str]:
-    yield f"### {held.code}\n"
+def changes_page() -> str:
+    """The documentation of all rules of changes, as Markdown."""
+    return "\n".join([_CHANGES, *(line for held in change_rules() for line in _entry(held, "##"))])
+
+
+def _entry(held: Rule, heading: str = "###") -> Iterator[str]:
+    yield f"{heading} {held.code}\n"
+    if held.classes:
+        yield f"**Class:** {', '.join(f'`{name}`' for name in held.classes)}\n"
     texts = (held.what, f"**Why:** {held.why}", f"**Example:** {held.example}", f"**Cure:** {held.cure}")
     for text in texts:
         yield textwrap.fill(text, 118, break_long_words=False, break_on_hyphens=False) + "\n"
@@ -72,9 +105,14 @@ def _rules() -> Iterator[Rule]:
     for code, text in OF_READING.items():
         yield _parsed(code, "reading", text)
     for code, check in (*CHECKS, ("allowances_used", allowances_used)):
-        yield _parsed(code, "checks", sys.modules[check.__module__].__doc__ or "")
+        yield _parsed(code, "checks", _text(check))
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
+
+
+def _text(function: object) -> str:
+    """The docstring of the module that is named after a function."""
+    return sys.modules[function.__module__].__doc__ or ""
 
 
 def _parsed(code: str, stage: str, text: str) -> Rule:

@@ -1,4 +1,4 @@
-"""`fieldspec rule`: what a rule says, why, an example, and the cure."""
+"""`fieldspec rule`: what a rule of findings or of changes says, why, an example, and the cure."""
 
 from __future__ import annotations
 
@@ -11,15 +11,26 @@ from fieldspec.render.blocks import Line, Table
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints one rule, or a list of all."""
-    from fieldspec.rules import all_rules
+    from fieldspec.rules import all_rules, change_rules
 
-    rules = {rule.code: rule for rule in all_rules()}
+    findings, changes = all_rules(), change_rules()
     if arguments.code is None:
-        print_blocks([Table(("rule", "what holds"), tuple((rule.code, rule.what) for rule in rules.values()))])
+        print_blocks(
+            [
+                Table(("rule", "what holds"), tuple((rule.code, rule.what) for rule in findings)),
+                Line(""),
+                Table(
+                    ("change", "class", "what happened"),
+                    tuple((rule.code, ", ".join(rule.classes), rule.what) for rule in changes),
+                ),
+            ]
+        )
         return 0
+    rules = {rule.code: rule for rule in (*findings, *changes)}
     if arguments.code not in rules:
         raise unknown("rule", arguments.code, rules)
     rule = rules[arguments.code]
-    texts = (rule.what, f"Why: {rule.why}", f"Example: {rule.example}", f"Cure: {rule.cure}")
+    classes = (f"Class: {', '.join(rule.classes)}",) if rule.classes else ()
+    texts = (rule.what, *classes, f"Why: {rule.why}", f"Example: {rule.example}", f"Cure: {rule.cure}")
     print_blocks([Line(rule.code, "bold"), *(line for text in texts for line in (Line(""), Line(text)))])
     return 0

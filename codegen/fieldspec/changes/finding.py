@@ -1,0 +1,87 @@
+"""What rules share to say what they have found. Places come from the facts, never from counting."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias
+
+from fieldspec.changes.change import Change, Effect
+from fieldspec.changes.comparing import Comparison, Pair, Values
+from fieldspec.changes.nouns import NOUNS
+from fieldspec.changes.spelling import quoted, spelled
+from fieldspec.model.device import Device, Version, VersionLine
+from fieldspec.model.place import Place
+from fieldspec.source import Span
+
+Rule: TypeAlias = Callable[[Comparison], Iterator[Change]]
+
+
+def change(
+    rule: str,
+    effect: Effect,
+    pair: Pair[Any] | Values,
+    key: str,
+    message: str,
+    old: object = None,
+    new: object = None,
+    outputs: tuple[str, ...] = (),
+) -> Change:
+    """A change of what a key of a fact says; `message` goes on from the name of the fact."""
+    held = pair.of if isinstance(pair, Values) else pair
+    return Change(
+        rule,
+        effect,
+        kind(held.new),
+        path(held.new, held.holder[1]),
+        message,
+        spelled(old),
+        spelled(new),
+        span(held.old, key, held.holder[0]),
+        span(held.new, key, held.holder[1]),
+        outputs,
+    )
+
+
+def kind(item: Any) -> str:
+    """What users call a thing."""
+    return NOUNS[type(item)].kind
+
+
+def named(item: Any) -> str:
+    """The name by which users know a thing."""
+    return str(NOUNS[type(item)].key(item))
+
+
+def path(item: Any, holder: Any) -> str:
+    """The path of a thing."""
+    if isinstance(item, VersionLine):
+        return f"versions/{item.name}"
+    if isinstance(item, Version):
+        return f"versions/{holder.name}/{item.id}"
+    held: Place = item.place
+    return held.path.lstrip("/")
+
+
+def span(item: Any, key: str, holder: Any) -> Span | None:
+    """The place of the value of a key; None for what has no place of its own."""
+    held = getattr(item, "place", None)
+    return _given(held, key) if isinstance(held, Place) else None
+
+
+_SPELT = {"range": "unit_range", "default": "unit_default"}
+"""Keys that may be written in two ways."""
+
+
+def _given(held: Place, key: str) -> Span:
+    other = _SPELT.get(key, key)
+    return held[other] if other in held else held[key]
+
+
+def around(holder: Any, key: str) -> Span | None:
+    """The place of what holds a thing, on the side where the thing is not; None where that is the whole device."""
+    return None if isinstance(holder, Device) else span(holder, key, None)
+
+
+def turned(what: str, old: object, new: object) -> str:
+    """`the unit is mm, and was nothing`"""
+    return f"{what} is {quoted(new)}, and was {quoted(old)}"

@@ -1,0 +1,106 @@
+"""The values that may be, on both sides: of numbers, of texts, and of how often something is repeated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from fieldspec.changes.comparing import Comparison, Pair, Values
+from fieldspec.changes.finding import named
+from fieldspec.model.flags import Flags
+from fieldspec.model.link import Link
+from fieldspec.model.parameter import ParameterSet
+from fieldspec.model.primitive import Kind, Primitive
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.record import Field
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Bounded:
+    """Something with bounds on both sides. `key` is where the spec has them."""
+
+    pair: Pair[Any] | Values
+    name: str
+    what: str
+    key: str
+    old: Ranges
+    new: Ranges
+
+
+def bounded(both: Comparison) -> Iterator[Bounded]:
+    """Everything whose bounds differ. Where a type differs, its own bounds are no further change."""
+    for held in both.values:
+        name = named(held.of.new)
+        old, new = _of_values(held)
+        if old is not None and new is not None:
+            yield Bounded(held, name, "the range", "range", old, new)
+        old, new = _length(held.old), _length(held.new)
+        if old != new and held.old.size == held.new.size:
+            yield Bounded(held, name, "the number of characters", "characters", old, new)
+    for field in both.of(Field):
+        before, after = field.old.repeat, field.new.repeat
+        if before is not None and after is not None:
+            yield Bounded(field, named(field.new), "the number of elements", "repeat", before, after)
+    for link in both.of(Link):
+        before, after = (side.stations.ranges if side.stations else None for side in (link.old, link.new))
+        if before is not None or after is not None:
+            yield Bounded(link, named(link.new), "the address of a station", "stations", before or ANY, after or ANY)
+    for word in both.of(Flags):
+        if word.old.type == word.new.type and (word.old.ranges is not None or word.new.ranges is not None):
+            whole = _whole(word.new.type)
+            before, after = word.old.ranges or whole, word.new.ranges or whole
+            yield Bounded(word, named(word.new), "the range", "range", before, after)
+    for numbered in both.of(ParameterSet):
+        before, after = numbered.old.numbers or NONE, numbered.new.numbers or NONE
+        yield Bounded(numbered, named(numbered.new), "the numbers that there are", "numbers", before, after)
+
+
+NONE = Ranges(())
+ANY = Ranges(((0, 0xFFFFFFFF),))
+
+
+def _of_values(held: Values) -> tuple[Ranges | None, Ranges | None]:
+    old, new = held.old, held.new
+    if old.ranges is None and new.ranges is None:
+        return None, None
+    if old.type.kind not in _COUNTED or new.type.kind not in _COUNTED:
+        return old.ranges, new.ranges
+    if old.type != new.type and (old.ranges is None or new.ranges is None):
+        return None, None
+    return old.ranges or _whole(old.type), new.ranges or _whole(new.type)
+
+
+_COUNTED = (Kind.INTEGER, Kind.BOOLEAN)
+
+
+def _whole(primitive: Primitive) -> Ranges:
+    """All numbers that a type holds."""
+    return Ranges(((primitive.low, primitive.high),))
+
+
+def _length(value: Value) -> Ranges:
+    return Ranges(((0, value.size if value.characters is None else value.characters),))
+
+
+def without(some: Ranges, others: Ranges) -> Ranges:
+    """The numbers of some intervals that lie in none of the others, in order."""
+    left: list[tuple[int, int]] = []
+    taken = sorted(others.intervals)
+    for low, high in sorted(some.intervals):
+        at = low
+        for first, last in taken:
+            if last < at or first > high:
+                continue
+            if first > at:
+                left.append((at, first - 1))
+            at = max(at, last + 1)
+        if at <= high:
+            left.append((at, high))
+    return Ranges(tuple(dict.fromkeys(left)))
+
+
+def text(ranges: Ranges) -> str:
+    """The intervals as the spec writes them."""
+    return "anything" if ranges == ANY else ranges.text()

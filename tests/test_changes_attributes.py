@@ -1,0 +1,263 @@
+"""Nothing of the model can be forgotten by the diff.
+
+Every attribute of every class of the model is changed, in every kind of place where the class stands: some rule has to
+notice it, or the attribute is listed here with the reason why none does.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import types
+import typing
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
+from enum import Enum
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from pkgutil import iter_modules
+from typing import Any
+
+import pytest
+
+import fieldspec.model
+from fieldspec.changes import changes
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Claim
+from fieldspec.model.place import Place
+from fieldspec.model.primitive import PRIMITIVES, Primitive
+from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import ParameterPart, Sentinel, Value
+from fieldspec.reading.project import read
+from fieldspec.source import SourceFile, Span
+from reading import gadget
+
+MADE_UP = Path(__file__).parent / "specs"
+
+# What the made-up devices have not.
+MORE = """
+registers:
+  - group: all
+    rows:
+      - {at: 1, name: speed, type: u16, range: 0..9, source: L1, restated: [{source: L2, label: Speed, range: 0..9}]}
+errata:
+  - id: misprint
+    fact: registers/speed
+    printed: {range: 0..8}
+    literal: 0-8
+    reason: It goes to 9.
+    confidence: certain
+    effect: range
+    proof: judgement
+    source: L3
+"""
+
+SAMPLES: dict[Any, Any] = {
+    str: "other",
+    int: 1,
+    Claim: Claim(Place("", Span(SourceFile("", ""), 0, 0), {}), (), {"label": "Speed"}),
+    Sentinel: Sentinel(3, "none", "", ()),
+    ParameterPart: ParameterPart("servo", "value", "number"),
+}
+
+IGNORED = {
+    "Device.id": "only versions of one device are compared",
+    "Device.version": "it is what is compared",
+    "RegisterGroup.ascending": "it says how the table is checked, nothing about the device",
+    "*.allowed": "it is for checks, no output shows it",
+    "*.place": "a place in the spec says nothing about the device",
+    "Message/Record.name": "it is made from the name of the message",
+    "Message/Record.printed_name": "it is that of the message",
+    "Message/Record.label": "it is that of the message",
+    "Message/Record.doc": "data of messages have no text of their own",
+    "Message/Record.sources": "they are those of the message",
+    "Message/Record.notes": "data of messages have no text of their own",
+    "Message/Record.inferred": "it is that of the message",
+    "Message/Record.restated": "data of messages have no text of their own",
+    "Message/Record.since": "it is that of the message",
+    "Message/Record.until": "it is that of the message",
+    "Message/Record.only": "it is that of the message",
+    "Message/Record.size": "it is printed for records alone",
+    "Message/Record.words": "it is printed for records alone",
+}
+"""`Class.attribute`, `Holder/Class.attribute`, or `*.attribute` for all classes, and why no rule looks at it."""
+
+
+@cache
+def devices() -> tuple[Device, ...]:
+    """The newest versions of the made-up devices, which use every feature of the language."""
+    files = {path.relative_to(MADE_UP).as_posix(): path.read_bytes() for path in MADE_UP.rglob("*.yaml")}
+    project = read(files)
+    specs = (*project.devices.values(), gadget(MORE))
+    return tuple(spec.at(spec.versions()[-1])[0] for spec in specs)
+
+
+def classes() -> Iterator[type]:
+    """All dataclasses of the model."""
+    for module in iter_modules(fieldspec.model.__path__, "fieldspec.model."):
+        for held in vars(import_module(module.name)).values():
+            if dataclasses.is_dataclass(held) and isinstance(held, type) and held.__module__ == module.name:
+                yield held
+
+
+Step = tuple[str, Any]
+Held = tuple[Device, str, Any, tuple[Any, ...]]
+
+
+def walk(holder: Any, item: Any, path: tuple[Any, ...]) -> Iterator[tuple[str, Any, tuple[Any, ...]]]:
+    """All dataclasses below one, with the name of the class that holds each, and the way to it."""
+    if dataclasses.is_dataclass(item) and not isinstance(item, type | Primitive):
+        yield type(holder).__name__, item, path
+        for field in dataclasses.fields(item):
+            if field.name != "place":
+                yield from walk(item, getattr(item, field.name), (*path, field.name))
+    elif isinstance(item, Mapping):
+        for key, inner in item.items():
+            yield from walk(holder, inner, (*path, key))
+    elif isinstance(item, tuple):
+        for number, inner in enumerate(item):
+            yield from walk(holder, inner, (*path, number))
+
+
+@cache
+def found() -> dict[tuple[str, type], list[Held]]:
+    """The places of every class, by the class that holds it."""
+    places: dict[tuple[str, type], list[Held]] = {}
+    for device in devices():
+        for holder, item, path in walk(None, device, ()):
+            places.setdefault((holder, type(item)), []).append((device, holder, item, path))
+    return places
+
+
+def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
+    """A copy of a device where something else stands at the end of a way."""
+    if not path:
+        return value
+    step, *rest = path
+    if isinstance(item, Mapping):
+        return {key: with_changed(inner, tuple(rest), value) if key == step else inner for key, inner in item.items()}
+    if isinstance(item, tuple):
+        return tuple(with_changed(inner, tuple(rest), value) if at == step else inner for at, inner in enumerate(item))
+    return dataclasses.replace(item, **{step: with_changed(getattr(item, step), tuple(rest), value)})
+
+
+def others(value: Any, hint: Any) -> Iterator[Any]:
+    """Other values than one of an attribute."""
+    if isinstance(value, bool):
+        yield not value
+    elif isinstance(value, int | Decimal):
+        yield value + 1
+        yield value * 2 + 3
+    elif isinstance(value, str):
+        yield value + "_x" if value else "other"
+        if value:
+            yield ""
+    elif isinstance(value, bytes):
+        yield value + b"\x01"
+    elif isinstance(value, Enum):
+        yield next(other for other in type(value) if other is not value)
+    elif isinstance(value, Ranges):
+        yield (
+            Ranges(((value.intervals[0][0] + 1, value.intervals[0][1] + 1),)) if value.intervals else Ranges(((0, 1),))
+        )
+    elif isinstance(value, Primitive):
+        yield PRIMITIVES["u32" if value.name != "u32" else "i16"]
+    elif isinstance(value, Mapping):
+        if value:
+            yield dict(list(value.items())[:-1])
+        elif typing.get_args(hint)[-1] is str:
+            yield {"key": "a reason"}
+    elif isinstance(value, tuple) and value:
+        yield value[:-1]
+        if len(value) == 2 and all(isinstance(one, int) for one in value):
+            yield value[0] + 1, value[1] + 1
+    elif value is None or value == ():
+        yield from made(hint)
+    elif type(None) in typing.get_args(hint):
+        yield None
+
+
+def made(hint: Any) -> Iterator[Any]:
+    """Values of a type where there was nothing."""
+    for inner in typing.get_args(hint) if isinstance(hint, types.UnionType) else (hint,):
+        if inner in (int, Decimal, bool):
+            yield inner(1)
+        elif inner is Ranges:
+            yield Ranges(((0, 1),))
+        elif inner in SAMPLES:
+            yield SAMPLES[inner]
+        elif typing.get_origin(inner) is tuple and (sample := SAMPLES.get(typing.get_args(inner)[0])):
+            yield (sample, sample) if typing.get_args(inner)[1:] == (int,) else (sample,)
+
+
+def ignored(holder: str, noun: type, attribute: str) -> bool:
+    names = (f"*.{attribute}", f"{noun.__name__}.{attribute}", f"{holder}/{noun.__name__}.{attribute}")
+    return any(name in IGNORED for name in names)
+
+
+ALWAYS_HELD = {
+    noun.__name__: [
+        name
+        for name, hint in typing.get_type_hints(noun).items()
+        if dataclasses.is_dataclass(hint) and hint is not Primitive and hint is not Place
+    ]
+    for _, noun in found()
+}
+"""Attributes that are never without their dataclass, whose own attributes are changed."""
+
+CASES = [
+    pytest.param(holder, noun, field.name, id=f"{holder}/{noun.__name__}.{field.name}")
+    for holder, noun in found()
+    for field in dataclasses.fields(noun)
+    if field.name not in ALWAYS_HELD.get(noun.__name__, ())
+]
+
+
+def noticed(holder: str, noun: type, attribute: str) -> set[str]:
+    """The rules that notice another value of an attribute, wherever the class stands."""
+    hint = typing.get_type_hints(noun)[attribute]
+    rules: set[str] = set()
+    for device, _, item, path in found()[holder, noun]:
+        for value in others(getattr(item, attribute), hint):
+            if getattr(item, attribute) != value:
+                new = with_changed(device, (*path, attribute), value)
+                rules |= {change.rule for change in changes(device, new)}
+        if rules and not ignored(holder, noun, attribute):
+            break
+    return rules
+
+
+@pytest.mark.parametrize(("holder", "noun", "attribute"), CASES)
+def test_every_attribute_of_the_model_is_compared_or_listed(holder: str, noun: type, attribute: str) -> None:
+    rules = noticed(holder, noun, attribute)
+    assert (rules == set()) is ignored(holder, noun, attribute), rules
+
+
+def test_the_made_up_devices_have_every_class_of_the_model() -> None:
+    missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in found()}
+    assert missing == {"Fact", "Place", "Primitive"}
+
+
+def test_every_reason_to_ignore_an_attribute_is_about_an_attribute() -> None:
+    names = {f"{noun.__name__}.{field.name}" for _, noun in found() for field in dataclasses.fields(noun)}
+    names |= {
+        f"{holder}/{noun.__name__}.{field.name}" for holder, noun in found() for field in dataclasses.fields(noun)
+    }
+    names |= {f"*.{field.name}" for noun in classes() for field in dataclasses.fields(noun)}
+    assert set(IGNORED) - names == set()
+
+
+def test_a_device_does_not_differ_from_itself() -> None:
+    assert [changes(device, device) for device in devices()] == [[] for _ in devices()]
+
+
+def test_values_are_held_by_every_noun_that_has_one() -> None:
+    assert {holder for holder, noun in found() if noun is Value} == {
+        "Case",
+        "Field",
+        "Parameter",
+        "Part",
+        "Register",
+        "Signal",
+        "Subindex",
+    }
