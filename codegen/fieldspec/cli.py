@@ -102,6 +102,21 @@ def parser() -> argparse.ArgumentParser:
     encode.add_argument("--direction", choices=("request", "response"), default="request")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
+    versions = verb("versions", "list the versions of a device, and what depends on them")
+    versions.add_argument("device", metavar="DEVICE[@VERSION]")
+
+    resolve = verb("resolve", "print the whole spec of a version, with the place of each value")
+    resolve.add_argument("device", metavar="DEVICE[@VERSION]")
+
+    blame = verb("blame", "tell which file and line set each attribute of a fact")
+    blame.add_argument("device", metavar="DEVICE[@VERSION]")
+    blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
+
+    matrix = verb("matrix", "list facts by versions")
+    matrix.add_argument("device", metavar="DEVICE")
+    matrix.add_argument("--all", action="store_true", help="facts that are the same in all versions too")
+    matrix.add_argument("--format", choices=("text", "csv", "html"), default="text")
+
     rule = verbs.add_parser("rule", help="explain a rule that a check follows")
     rule.add_argument("code", nargs="?", metavar="CODE", help="left out: list all rules")
 

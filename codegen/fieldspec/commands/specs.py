@@ -88,6 +88,16 @@ def picked(spec: DeviceSpec, version: str) -> str:
     return version
 
 
+def spec_at(given: str | None, text: str) -> tuple[DeviceSpec, str]:
+    """The spec of `DEVICE` or `DEVICE@VERSION` and the version, for verbs that look at the spec as it is written."""
+    name, version = split(text)
+    found = project(given, frozenset([name]))
+    if name not in found.devices:
+        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+    spec = found.devices[name]
+    return spec, picked(spec, version)
+
+
 def layout(given: str | None, text: str) -> DeviceLayout:
     """The layout of `DEVICE` or `DEVICE@VERSION`, for verbs that use a spec and do not judge it."""
     name, version = split(text)
@@ -95,9 +105,14 @@ def layout(given: str | None, text: str) -> DeviceLayout:
     if name not in found.devices or has_errors(found.found):
         raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
     spec = found.devices[name]
-    device, broken = spec.at(picked(spec, version))
+    return laid(spec, picked(spec, version))
+
+
+def laid(spec: DeviceSpec, version: str) -> DeviceLayout:
+    """The layout of a device at a version."""
+    device, broken = spec.at(version)
     if has_errors(broken) or not _sound(device):
-        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+        raise UsageError(f"the spec of {spec.id} has findings; see them with: fieldspec check {spec.id}")
     return device_layout(device)
 
 

@@ -36,14 +36,15 @@ JOINT = "+"
 class DeviceSpec:
     """The joined tree of a device, with its protocols, before a version is picked.
 
-    `trees` are those of the versions that are written as changes of others. A version is the identifier of one, or
-    of several of different lines with a `+` between them.
+    `trees` are those of the versions that are written as changes of others, `bases` the versions that they change. A
+    version is the identifier of one, or of several of different lines with a `+` between them.
     """
 
     id: str
     tree: Mapping
     lines: Lines
     trees: Table[str, Mapping]
+    bases: Table[str, str]
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
@@ -159,7 +160,8 @@ class _Reader:
         self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
-        return DeviceSpec(identity.text, whole, lines, {version: expanded(tree)[0] for version, tree in layers.items()})
+        made = {version: expanded(tree)[0] for version, tree in layers.items()}
+        return DeviceSpec(identity.text, whole, lines, made, versions.bases)
 
     def _placed(self, tree: Mapping, head: Mapping, name: str, foreign: tuple[str, ...]) -> None:
         """Finds an id that is not the name of the folder or file, and sections that mean nothing there."""

@@ -1,0 +1,65 @@
+"""`fieldspec blame`: which file and line set each attribute of a fact."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+
+from fieldspec.commands import specs
+from fieldspec.commands.output import print_blocks
+from fieldspec.commands.usage import UsageError
+from fieldspec.reading.nodes import Mapping, Node, Scalar
+from fieldspec.reading.paths import find, keys, node_at
+from fieldspec.render.blocks import Table
+
+_HEADINGS = ("key", "value", "set in")
+_LONGEST = 60
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints one row for each attribute; those that a group gives its rows are marked."""
+    spec, version = specs.spec_at(arguments.specs, arguments.device)
+    tree = spec.tree_at(version)
+    fact = find(tree, arguments.path)
+    if not isinstance(fact, Mapping):
+        held = "" if fact is None else ", only a list"
+        known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{held}"
+        raise UsageError(f"{known}; `fieldspec facts` lists the paths")
+    rows = [*_rows(fact, ""), *_inherited(tree, arguments.path, fact)]
+    print_blocks([Table(_HEADINGS, tuple(rows))])
+    return 0
+
+
+def _rows(node: Mapping, before: str, beside: str = "") -> Iterator[tuple[str, str, str]]:
+    for key, value in node.values.items():
+        name = f"{before}{key}"
+        if isinstance(value, Scalar):
+            yield name, _shortened(value.text), _place(value) + beside
+        elif isinstance(value, Mapping):
+            yield from _rows(value, f"{name}/", beside)
+        else:
+            texts = [item.text for item in value.items if isinstance(item, Scalar)]
+            shown = ", ".join(texts) if len(texts) == len(value.items) else f"{len(value.items)} entries"
+            yield name, _shortened(shown), _place(value) + beside
+
+
+def _inherited(tree: Mapping, path: str, fact: Mapping) -> Iterator[tuple[str, str, str]]:
+    """What the group around a row gives it."""
+    at = keys(tree, path) or []
+    for end in range(len(at) - 1, 0, -1):
+        holder = node_at(tree, at[:end])
+        defaults = holder.values.get("defaults") if isinstance(holder, Mapping) else None
+        if isinstance(defaults, Mapping):
+            for key, value in defaults.values.items():
+                if key not in fact.values and isinstance(value, Scalar):
+                    yield key, _shortened(value.text), f"{_place(value)}, a default"
+            return
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
+
+
+def _place(node: Node) -> str:
+    line, column = node.span.position()
+    return f"{node.span.file.path}:{line}:{column}"

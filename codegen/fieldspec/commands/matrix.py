@@ -1,0 +1,40 @@
+"""`fieldspec matrix`: facts by versions."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+
+from fieldspec.commands import specs
+from fieldspec.commands.output import print_blocks
+from fieldspec.commands.usage import UsageError
+from fieldspec.commands.versions import each
+from fieldspec.facts import rows
+from fieldspec.facts.matrix import Matrix, matrix
+from fieldspec.render.blocks import Line, Table
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints a row for each fact that is not the same in all versions, or for every fact."""
+    name, version = specs.split(arguments.device)
+    if version:
+        raise UsageError(f"the matrix is of all versions; leave out @{version}")
+    spec, _ = specs.spec_at(arguments.specs, name)
+    found = matrix({version: rows(specs.laid(spec, version)) for version in each(spec)}, arguments.all)
+    if arguments.format == "text":
+        print_blocks([_table(found)] if found.rows else [Line(f"all versions of {name} have the same facts")])
+    elif arguments.format == "csv":
+        writer = csv.writer(sys.stdout, lineterminator="\n")
+        writer.writerow(("path", "kind", *found.versions))
+        writer.writerows((row.path, row.kind, *row.cells) for row in found.rows)
+    else:
+        from fieldspec.render.matrix_html import rendered
+
+        print(rendered(spec.id, found), end="")
+    return 0
+
+
+def _table(found: Matrix) -> Table:
+    cells = tuple((row.path, *(cell or "-" for cell in row.cells)) for row in found.rows)
+    return Table(("fact", *found.versions), cells)

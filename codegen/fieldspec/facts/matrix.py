@@ -1,0 +1,91 @@
+"""Facts by versions: in which versions a fact is there, and what it says there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from fieldspec.facts.row import Cell, Row
+
+SAME = "same"
+# What places a fact in the spec and in the manual, and not what it says.
+_PLACES = ("kind", "path", "section", "line", "printed", "errata")
+_LONGEST = 40
+
+
+@dataclass(frozen=True, slots=True)
+class MatrixRow:
+    """A fact: for each version nothing where it is missing, what it says, or that it says the same as before."""
+
+    path: str
+    kind: str
+    cells: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """Facts by versions."""
+
+    versions: tuple[str, ...]
+    rows: tuple[MatrixRow, ...]
+
+
+def matrix(facts: Mapping[str, Sequence[Row]], everything: bool) -> Matrix:
+    """The matrix of the facts of each version, in their order; of those that differ, or of all."""
+    columns = {version: _by_path(rows) for version, rows in facts.items()}
+    paths: dict[str, None] = {}
+    for held in columns.values():
+        paths |= dict.fromkeys(held)
+    made = []
+    for path in paths:
+        rows = [held.get(path) for held in columns.values()]
+        if everything or len({_said(row) for row in rows}) > 1:
+            kind = next(str(row["kind"]) for row in rows if row is not None)
+            made.append(MatrixRow(path, kind, tuple(_cells(rows))))
+    return Matrix(tuple(facts), tuple(made))
+
+
+def _by_path(rows: Sequence[Row]) -> dict[str, Row]:
+    """The first row of each path; the others are the same fact, printed again."""
+    found: dict[str, Row] = {}
+    for row in rows:
+        found.setdefault(str(row["path"]), row)
+    return found
+
+
+def _said(row: Row | None) -> tuple[tuple[str, str], ...] | None:
+    """What a fact says, as far as two versions may differ in it."""
+    if row is None:
+        return None
+    return tuple((key, _text(cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)
+
+
+def _cells(rows: Sequence[Row | None]) -> list[str]:
+    cells: list[str] = []
+    before: dict[str, str] | None = None
+    for row in rows:
+        said = _said(row)
+        if said is None:
+            cells.append("")
+            continue
+        now = dict(said)
+        if before is None:
+            cells.append(_described(now))
+        elif now == before:
+            cells.append(SAME)
+        else:
+            keys = [key for key in {**before, **now} if before.get(key) != now.get(key)]
+            cells.append(", ".join(f"{key} {now.get(key, 'not given')}" for key in keys))
+        before = now
+    return cells
+
+
+def _described(said: Mapping[str, str]) -> str:
+    """A fact in a few words, where it is there for the first time."""
+    shown = [said[key] for key in ("type", "access", "ranges", "unit", "code") if key in said]
+    return " ".join(shown) or "there"
+
+
+def _text(cell: Cell) -> str:
+    text = str(cell)
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."

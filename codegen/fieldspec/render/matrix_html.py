@@ -1,0 +1,33 @@
+"""A matrix of facts by versions as a page."""
+
+from __future__ import annotations
+
+from html import escape
+
+from fieldspec.facts.matrix import SAME, Matrix
+
+_STYLE = (
+    "body{font:14px/1.4 system-ui,sans-serif;margin:2rem}table{border-collapse:collapse}"
+    "th,td{border:1px solid #ccc;padding:.2rem .5rem;text-align:left;vertical-align:top}"
+    "thead th{position:sticky;top:0;background:#f4f4f4}"
+    ".same{color:#888}.gone{background:#f9ecec}.new{background:#eaf6ea}"
+)
+
+
+def rendered(device: str, matrix: Matrix) -> str:
+    """The page; a fact that is missing in a version is marked, and so is one that says something new."""
+    title = escape(f"{device}: facts by versions")
+    head = "".join(f"<th scope=col>{escape(name)}</th>" for name in ("fact", *matrix.versions))
+    rows = "".join(
+        f"<tr><th scope=row>{escape(row.path)}</th>{''.join(map(_cell, row.cells))}</tr>\n" for row in matrix.rows
+    )
+    return (
+        f'<!doctype html>\n<html lang="en">\n<head><meta charset="utf-8"><title>{title}</title>'
+        f"<style>{_STYLE}</style></head>\n<body><h1>{title}</h1>\n"
+        f"<table><thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table>\n</body></html>\n"
+    )
+
+
+def _cell(text: str) -> str:
+    kind = "gone" if not text else "same" if text == SAME else "new"
+    return f"<td class={kind}>{escape(text)}</td>"
