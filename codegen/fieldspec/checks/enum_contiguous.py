@@ -27,7 +27,7 @@ _INTERVAL = re.compile(r"(-?(?:0x[0-9A-Fa-f]+|[0-9]+))(?:\.\.(-?(?:0x[0-9A-Fa-f]
 def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
     for enum in device.enums.values():
         values = [member.value for member in enum.members]
-        if not values:
+        if not values or enum.derived:
             continue
         declared = _declared(enum)
         if declared is None:

@@ -31,8 +31,10 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, link.place, "byte_order", text, "give `byte_order: big` or `little`")
         for direction in ("request", "response"):
             yield from _of_parts(link, direction, link.parts(direction))
-        if len(device.messages) > 1 and not any(part.role == "code" for part in link.request):
-            text = f"the link {link.name} has no code in its requests, but there are {len(device.messages)} messages"
+        sent = [message for message in device.messages.values() if not message.links or link.name in message.links]
+        unnumbered = [message for message in sent if message.number is None or not message.links]
+        if len(sent) > 1 and unnumbered and not any(part.role == "code" for part in link.request):
+            text = f"the link {link.name} has no code in its requests, but there are {len(sent)} messages"
             yield finding(_CODE, link.place, "request", text, "give the part with the code the role `code`")
         if link.error is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks refusals in the code, but its responses have none"

@@ -14,16 +14,21 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.link import Link
 from fieldspec.model.message import Message
 
 _CODE = "messages_complete"
 
 
 def messages_complete(device: Device) -> Iterator[Diagnostic]:
-    if not any(part.role == "code" for link in device.links.values() for part in link.request):
-        return
+    for link in device.links.values():
+        if any(part.role == "code" for part in link.request):
+            yield from _on(link, [one for one in device.messages.values() if not one.links or link.name in one.links])
+
+
+def _on(link: Link, messages: list[Message]) -> Iterator[Diagnostic]:
     first: dict[int, Message] = {}
-    for message in device.messages.values():
+    for message in messages:
         if message.code is None:
             text = f"{message.name} has no code"
             yield finding(_CODE, message.place, "code", text, "give it as `code`")

@@ -10,10 +10,10 @@ Cure: Put the name right, or define what it names.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.finding import finding, near
-from fieldspec.checks.walking import values
+from fieldspec.checks.walking import facts, values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.example import Example
@@ -28,7 +28,8 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
         yield from _named(fact.place, "flags", "word of flags", value.flags, device.flags)
         if value.parameter is not None:
-            yield from _named(fact.place, "parameter", "parameter set", value.parameter.set, device.parameters)
+            sets = {*device.parameters, *(held.space for held in device.parameters.values())}
+            yield from _named(fact.place, "parameter", "parameter set", value.parameter.set, sets)
     for record in device.records.values():
         yield from _within(device, record, record, None)
     for message in device.messages.values():
@@ -41,9 +42,21 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for flags in device.flags.values():
         for bit in flags.bits:
             yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
+        bits = {bit.name for bit in flags.bits}
+        for state in flags.states:
+            for key, names in (("set", state.set), ("clear", state.clear)):
+                yield from _all(state.place, key, f"bit of {flags.name}", names, bits)
     registers = {register.name for register in device.registers()}
     for register in device.registers():
         yield from _named(register.place, "same_as", "register", register.same_as, registers)
+        yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
+    for held in device.parameters.values():
+        for parameter in held.parameters:
+            yield from _all(parameter.place, "messages", "message", parameter.messages, device.messages)
+    for conversion in device.conversions.values():
+        yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
+        paths = {fact.place.path for fact in facts(device)}
+        yield from _all(conversion.place, "references", "fact", conversion.references, paths)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
     for example in device.examples.values():
@@ -56,7 +69,14 @@ def _named(place: Place, key: str, what: str, name: str, known: Collection[str])
         yield finding("references_resolve", place, key, text, near(name, known))
 
 
+def _all(place: Place, key: str, what: str, names: Iterable[str], known: Collection[str]) -> Iterator[Diagnostic]:
+    for name in names:
+        yield from _named(place, key, what, name, known)
+
+
 def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
+    yield from _all(message.place, "links", "link", message.links, device.links)
+    yield from _all(message.place, "supplements", "message", message.supplements, device.messages)
     yield from _within(device, message.request, message.request, None)
     yield from _within(device, message.response, message.request, message.request)
     if message.accesses is not None:
@@ -80,6 +100,13 @@ def _within(device: Device, layer: Record, echoed: Record, asked: Record | None)
         if field.measures is not None:
             yield from _named(field.place, "measures", "field here", field.measures.field, own)
         yield from _number(field, numbers)
+        if field.choice is not None:
+            yield from _named(field.place, "choice", "field here", field.choice.by, own)
+            by = layer.named(field.choice.by)
+            enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
+            members = {member.name for member in enum.members} if enum is not None else set()
+            for case in field.choice.cases if enum is not None else ():
+                yield from _all(case.place, "when", f"member of {enum.name}" if enum else "", case.when, members)
 
 
 def _number(field: Field, numbers: Collection[str]) -> Iterator[Diagnostic]:

@@ -45,11 +45,17 @@ def values(device: Device) -> Iterator[tuple[Fact, Value]]:
     for field in fields(device):
         if field.value is not None:
             yield field, field.value
+        for case in field.choice.cases if field.choice is not None else ():
+            yield case, case.value
+    for signal in device.signals.values():
+        yield signal, signal.value
     for register in device.registers():
         yield register, register.value
     for held in device.parameters.values():
         for parameter in held.parameters:
             yield parameter, parameter.value
+            for inner in parameter.subindices:
+                yield inner, inner.value
 
 
 def facts(device: Device) -> Iterator[Fact]:
@@ -65,12 +71,17 @@ def facts(device: Device) -> Iterator[Fact]:
     for record in device.records.values():
         yield record
         yield from record.fields
+    for field in fields(device):
+        yield from field.choice.cases if field.choice is not None else ()
+    yield from device.signals.values()
+    yield from device.conversions.values()
     for enum in device.enums.values():
         yield enum
         yield from enum.members
     for flags in device.flags.values():
         yield flags
         yield from flags.bits
+        yield from flags.states
     for group in device.groups:
         yield group
         yield from group.registers
@@ -78,5 +89,7 @@ def facts(device: Device) -> Iterator[Fact]:
     for held in device.parameters.values():
         yield held
         yield from held.parameters
+        for parameter in held.parameters:
+            yield from parameter.subindices
     yield from device.lookups
     yield from device.limits

@@ -17,7 +17,7 @@ from fieldspec.model.value import Value
 
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
-_IN_UNIT = re.compile(r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?) ?([^0-9 ].*)")
+_IN_UNIT = re.compile(r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 _COUNT = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})")
 
 

@@ -87,7 +87,8 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
 
 def _meaning(layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. What a field measures need not be written."""
-    code = layout.links[example.link].frame(example.direction).role("code")
+    head = layout.links[example.link].frame(example.direction).head
+    told = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
     actual = {**decoded.head, **decoded.values}
     for name, value in actual.items():
         if name in written:
@@ -96,7 +97,7 @@ def _meaning(layout: DeviceLayout, example: Example, decoded: Decoded, written: 
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
                 yield Diagnostic("meaning_matches_bytes", text, span, (label,), "put one of them right")
-        elif not (code is not None and name == code.name) and not _implied(decoded, name):
+        elif name not in told and not _implied(decoded, name):
             text = f"the values do not say what {name} is"
             help = f"add `{name}: {_text(value)}` if the manual means that"
             yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)

@@ -78,6 +78,10 @@ class FrameCodec:
         head.pop("_io", None)
         self._check_length(shape, head, data)
         self._check_sum(shape, data)
+        for part in shape.head:
+            const = part.value.const if part.value is not None else None
+            if const is not None and head[part.name] != const:
+                raise CodecError("wrong_const", f"{part.name} is {head[part.name]}, not {const}", part.offset)
         laid, body, error = self._body(shape, head, message)
         inner = data[shape.head_size : len(data) - shape.tail_size]
         values = decoded(body, inner, self.layout.device, shape.head_size)

@@ -11,7 +11,7 @@ from fieldspec.layout.explaining.worded import Meaning, Worded, worded
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
-from fieldspec.model.parameter import Parameter
+from fieldspec.model.parameter import Parameter, ParameterSet
 
 
 class Body:
@@ -142,18 +142,21 @@ class Body:
         part = field.value.parameter if field.value else None
         if part is None:
             return row
-        words = self.layout.device.parameters[part.set]
-        if part.part == "number":
-            named = words.numbered(number) if isinstance(number, int) else None
-            return replace(row, meanings=(*row.meanings, _of(named))) if named else row
         if part.part == "values":
+            (words,) = self.layout.device.sets(part.set)
             parameter = words.parameters[index] if index < len(words.parameters) else None
-        else:
-            asked = self.values.get(part.number, self.asked.get(part.number))
-            parameter = words.numbered(asked) if isinstance(asked, int) else None
-        return self._as_parameter(row, field, parameter) if parameter else row
+            return self._as_parameter(row, field, words, parameter) if parameter else row
+        asked = number if part.part == "number" else self.values.get(part.number, self.asked.get(part.number))
+        found = self.layout.device.parameter_at(part.set, asked) if isinstance(asked, int) else None
+        if found is None:
+            return row
+        words, own = found
+        parameter = words.numbered(own)
+        if part.part == "number":
+            return replace(row, meanings=(*row.meanings, _of(words, own, parameter)))
+        return self._as_parameter(row, field, words, parameter) if parameter else row
 
-    def _as_parameter(self, row: Row, field: FieldLayout, parameter: Parameter) -> Row:
+    def _as_parameter(self, row: Row, field: FieldLayout, words: ParameterSet, parameter: Parameter) -> Row:
         """A row whose bytes are read as a parameter: its unit, members and notes. No codec refuses it for these."""
         value = parameter.value
         if value.size != field.size:
@@ -166,7 +169,7 @@ class Body:
             doc=parameter.doc or row.doc,
             number=read.number,
             value=read.text,
-            meanings=(_of(parameter), *read.meanings),
+            meanings=(_of(words, parameter.number, parameter), *read.meanings),
             verdict=read.verdict,
             reason="out_of_range" if read.reason else "",
             source=citations(parameter.sources) or row.source,
@@ -175,5 +178,7 @@ class Body:
         )
 
 
-def _of(parameter: Parameter) -> Meaning:
-    return Meaning(parameter.name, parameter.label, f"parameter {parameter.number}", "")
+def _of(words: ParameterSet, number: int, parameter: Parameter | None) -> Meaning:
+    """What a parameter of a set is; of one without a row, its number as the manual writes it."""
+    text = f"parameter {words.written(number)}"
+    return Meaning(parameter.name, parameter.label, text, "") if parameter else Meaning(words.name, "", text, "")

@@ -39,7 +39,7 @@ def _field(entry: Entry) -> Field:
         **entry.fact(),
         value=None if name or choice else value(entry, words=words),
         record=name,
-        choice=_choice(choice) if choice and not name else None,
+        choice=_choice(choice, entry) if choice and not name else None,
         signal=entry.text("signal"),
         count=entry.integer("count"),
         repeat=entry.whole_ranges("repeat"),
@@ -55,9 +55,11 @@ def _field(entry: Entry) -> Field:
     )
 
 
-def _choice(entry: Entry) -> Choice:
+def _choice(entry: Entry, field: Entry) -> Choice:
+    """The cases of a field, which have what the field says of all of them."""
     cases = tuple(
-        Case(**inner.fact(), when=inner.texts("when"), value=value(inner)) for inner in entry.entries("cases")
+        Case(**inner.fact(), when=inner.texts("when"), value=value(inner))
+        for inner in entry.entries("cases", defaults=field.node)
     )
     return Choice(entry.text("by"), cases)
 
