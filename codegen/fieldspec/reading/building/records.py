@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.model.message import Message, RegisterAccess
 from fieldspec.model.record import Case, Choice, Field, Measure, Record
 from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.values import value
+from fieldspec.reading.building.values import VALUE_KEYS, value
 
 
 def record(entry: Entry) -> Record:
@@ -56,10 +56,13 @@ def _field(entry: Entry) -> Field:
 
 
 def _choice(entry: Entry, field: Entry) -> Choice:
-    """The cases of a field, which have what the field says of all of them."""
+    """The cases of a field, whose values have what the field says of all of them."""
+    shared = field.node
+    for key in field.node.values.keys() - VALUE_KEYS:
+        shared = shared.without(key)
     cases = tuple(
         Case(**inner.fact(), when=inner.texts("when"), value=value(inner))
-        for inner in entry.entries("cases", defaults=field.node)
+        for inner in entry.entries("cases", defaults=shared)
     )
     return Choice(entry.text("by"), cases)
 

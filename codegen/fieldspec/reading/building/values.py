@@ -10,8 +10,12 @@ from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import ParameterPart, Sentinel, Value
 from fieldspec.reading.building.context import Entry
+from fieldspec.schema import schema
 
 UNTYPED = PRIMITIVES["u16"]
+
+VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
+"""The keys that say how a value lies on the wire and what it means."""
 
 
 def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
