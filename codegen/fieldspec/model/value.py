@@ -70,3 +70,17 @@ class Value:
         """The raw count of a value in the unit, or None where it is no whole number of counts."""
         raw = (Fraction(number) - Fraction(self.offset)) / Fraction(self.scale)
         return raw.numerator if raw.denominator == 1 else None
+
+
+def exact_scale(text: str) -> Decimal | None:
+    """`100/2^14` as an exact number, or None where it is none with at most 60 decimals."""
+    above, _, below = text.partition("/")
+    base, _, power = below.partition("^")
+    divisor = int(base) ** int(power or "1")
+    if divisor == 0:
+        return None
+    number = Fraction(above) / divisor
+    for places in range(61):
+        if (number * 10**places).denominator == 1:
+            return Decimal((number * 10**places).numerator).scaleb(-places, _EXACT)
+    return None

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from decimal import Context, Decimal
+from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.model.fact import Plain
 from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive
 from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import ParameterPart, Sentinel, Value
+from fieldspec.model.value import ParameterPart, Sentinel, Value, exact_scale
 from fieldspec.reading.building.context import Entry
 from fieldspec.schema import schema
 
@@ -62,20 +62,6 @@ def _scale(entry: Entry) -> Decimal | None:
         help = "its divisor must be made of twos and fives, so that the scale is an exact decimal number"
         entry.refuse("wrong_form", "scale", f"`{given}` is no exact decimal number", help)
     return scale
-
-
-def exact_scale(text: str) -> Decimal | None:
-    """`100/2^14` as an exact number, or None where it is none with at most 60 decimals."""
-    above, _, below = text.partition("/")
-    base, _, power = below.partition("^")
-    divisor = int(base) ** int(power or "1")
-    if divisor == 0:
-        return None
-    number = Fraction(above) / divisor
-    for places in range(61):
-        if (number * 10**places).denominator == 1:
-            return Decimal((number * 10**places).numerator).scaleb(-places, Context(prec=120))
-    return None
 
 
 def scale_text(given: Plain) -> str:
