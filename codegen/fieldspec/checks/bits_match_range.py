@@ -30,15 +30,16 @@ def bits_match_range(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         used = device.flags.get(value.flags)
         if used is not None:
-            yield from _compared(fact, used, value.ranges)
+            yield from _compared(device, fact, used, value.ranges)
 
 
-def _compared(fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
+def _compared(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
     if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
         return
     every = _union(bit for bit in word.bits)
     useful = _union(bit for bit in word.bits if not bit.reserved)
-    if ranges.intervals not in (((0, every),), ((0, useful),)):
+    highest = sum(_highest(device, bit) << bit.first for bit in word.bits if not bit.reserved)
+    if ranges.intervals not in (((0, every),), ((0, useful),), ((0, highest),)):
         yield finding(
             "bits_match_range",
             fact.place,
@@ -47,6 +48,13 @@ def _compared(fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagno
             "put the range or the list of bits right",
             label(word.place, "bits", "the bits"),
         )
+
+
+def _highest(device: Device, bit: Bit) -> int:
+    """The greatest value of a field of bits: that of its enum, where it has a closed one."""
+    enum = device.enums.get(bit.enum)
+    full = (1 << bit.width) - 1
+    return full if enum is None or enum.open else max((member.value for member in enum.members), default=full)
 
 
 def _union(bits: Iterable[Bit]) -> int:

@@ -132,7 +132,7 @@ class _Expansion:
         made = Mapping(copy.file, copy.start, copy.end, copy.keys, copy.values)
         for key in _OF_COPY & made.values.keys():
             made = made.without(key)
-        for key in ("defaults", "order"):
+        for key in ("defaults", "order", "allow"):
             if key in group.values:
                 made = made.with_value(key, group.values[key])
         return made.with_value("rows", Sequence(copy.file, copy.start, copy.end, tuple(rows)))
