@@ -6,7 +6,7 @@ is wrong.
 Example: a range of 0..1 for a word with one bit for each of 14 inputs.
 
 Cure: Put the range or the list right, and write an erratum. Bits that are listed as reserved may count
-or not.
+or not; a field of bits with a closed enum may count with the greatest value of that.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _WIDEST = 64
 
 def bits_match_range(device: Device) -> Iterator[Diagnostic]:
     for word in device.flags.values():
-        yield from _compared(word, word, word.ranges)
+        yield from _compared(device, word, word, word.ranges)
     for fact, value in values(device):
         used = device.flags.get(value.flags)
         if used is not None:

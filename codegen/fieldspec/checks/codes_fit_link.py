@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.frames import messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link
@@ -31,7 +32,7 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
             text = f"{part.name} is {part.value.type.name} and cannot hold the bit {link.error.flag:#x}"
             help = "put the bit or the part's type right"
             yield finding(_CODE, link.place, "error", text, help, label(part.place, "type", part.value.type.name))
-        for message in device.messages.values():
+        for message in messages_on(device, link):
             if message.code is not None and message.code > high:
                 text = f"the code {message.code:#x} does not fit {part.name}, which is {part.value.type.name}"
                 help = "put the code or the part's type right"

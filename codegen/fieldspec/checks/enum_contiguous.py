@@ -1,7 +1,8 @@
 """The values between the lowest and the highest member of an enum are all listed, or declared as `gaps`.
 
 Why: a hole in a list is where a line got lost, in print or in transcription. Codes that are sorted into
-blocks, as alarms often are, are looked at if they span at most 64 values.
+blocks, as alarms often are, are looked at if they span at most 64 values; masks of single bits, and lists
+that follow from another one, are not.
 
 Example: alarms 0 to 15 and 17.
 
@@ -21,6 +22,7 @@ from fieldspec.model.enum import Enum
 from fieldspec.model.ranges import Ranges
 
 _WIDEST_BLOCK = 64
+_FEWEST_MASKS = 4
 _INTERVAL = re.compile(r"(-?(?:0x[0-9A-Fa-f]+|[0-9]+))(?:\.\.(-?(?:0x[0-9A-Fa-f]+|[0-9]+)))?")
 
 
@@ -40,8 +42,16 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
                 text = f"the gap {interval(low, high)} of {enum.name} holds a member, or lies outside of the list"
                 yield finding("enum_contiguous", enum.place, "gaps", text, "name the values that are left out")
                 break
+        if _are_masks(values):
+            continue
         if enum.kind == "enum" or span.high - span.low < _WIDEST_BLOCK or declared:
             yield from _holes(enum, span, values, declared)
+
+
+def _are_masks(values: list[int]) -> bool:
+    """Whether each value but 0 has one bit, and there are enough of them to be no accident."""
+    bits = [value for value in values if value]
+    return len(bits) >= _FEWEST_MASKS and all(value > 0 and value & (value - 1) == 0 for value in bits)
 
 
 def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Iterator[Diagnostic]:

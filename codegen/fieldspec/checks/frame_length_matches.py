@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import counted, finding, interval, label
-from fieldspec.checks.frames import Shape, shapes
+from fieldspec.checks.frames import Shape, sent_on, shapes
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -32,7 +32,8 @@ def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
             ("response", message.response_length, message.response),
         ):
             if printed is not None:
-                yield from _compared(message, direction, printed, data, links[direction], sizes)
+                own = [shape for shape in links[direction] if sent_on(shape.link, message)]
+                yield from _compared(message, direction, printed, data, own, sizes)
 
 
 def _compared(

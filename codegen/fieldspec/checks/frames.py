@@ -1,4 +1,4 @@
-"""What a link adds to the data of a message, in bytes."""
+"""Which messages a link carries, and what it adds to their data, in bytes."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from fieldspec.model.device import Device
 from fieldspec.model.link import CHECK_SIZES, Link, Part
+from fieldspec.model.message import Message
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +22,21 @@ class Shape:
         parts = self.around + data
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
         return len(self.link.start) + coded + len(self.link.end)
+
+
+def coded(link: Link) -> bool:
+    """Whether the requests of a link carry the code of their message."""
+    return any(part.role == "code" for part in link.request)
+
+
+def sent_on(link: Link, message: Message) -> bool:
+    """Whether a message is sent on a link."""
+    return not message.links or link.name in message.links
+
+
+def messages_on(device: Device, link: Link) -> list[Message]:
+    """The messages that are sent on a link."""
+    return [message for message in device.messages.values() if sent_on(link, message)]
 
 
 def shapes(device: Device, direction: str) -> list[Shape]:

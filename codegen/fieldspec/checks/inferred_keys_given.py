@@ -17,9 +17,6 @@ from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.record import Field
-from fieldspec.model.register import Register
 from fieldspec.model.value import Value
 
 
@@ -33,9 +30,9 @@ def inferred_keys_given(device: Device) -> Iterator[Diagnostic]:
 
 def _from_defaults(fact: Fact) -> frozenset[str]:
     """The keys that a row may have from its group's defaults."""
-    if not isinstance(fact, Register | Field | Parameter) or fact.value is None:
+    value = getattr(fact, "value", None)
+    if not isinstance(value, Value):
         return frozenset()
-    value: Value = fact.value
     held: dict[str, object] = {
         "type": True,
         "length": True,
@@ -53,8 +50,8 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "flags": bool(value.flags),
         "parameter": value.parameter is not None,
         "sentinels": bool(value.sentinels),
-        "access": bool(fact.access),
-        "restart": fact.restart is not None,
+        "access": bool(getattr(fact, "access", "")),
+        "restart": getattr(fact, "restart", None) is not None,
         "words": getattr(fact, "words", None) is not None,
         "atomic": getattr(fact, "atomic", False),
         "trigger": getattr(fact, "trigger", False),

@@ -11,22 +11,30 @@ one. If both are printed with one text and it is no slip, say `allow: {labels_un
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from fieldspec.checks.finding import finding, label
 from fieldspec.checks.walking import lists
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.register import Register
 
 _WORDS = {"printed_name": "printed name", "label": "label"}
 
 
 def labels_unique(device: Device) -> Iterator[Diagnostic]:
+    originals = {register.name: register for register in device.registers()}
     for rows in lists(device):
-        meant = [row for row in rows if not getattr(row, "reserved", False)]
+        meant = [row for row in rows if not getattr(row, "reserved", False) and not _as_original(row, originals)]
         for key in _WORDS:
             yield from _of_key(meant, key)
+
+
+def _as_original(row: Fact, originals: Mapping[str, Register]) -> bool:
+    """Whether a row is the copy of a register that has the same label, and is looked at there."""
+    original = originals.get(row.copy_of) if isinstance(row, Register) else None
+    return original is not None and original.label == row.label and not row.printed_name
 
 
 def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:

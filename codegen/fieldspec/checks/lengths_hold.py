@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, interval, label
-from fieldspec.checks.frames import shapes
+from fieldspec.checks.frames import messages_on, shapes
 from fieldspec.checks.sizes import Sizes
 from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
@@ -63,7 +63,7 @@ def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnost
         if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
             continue
         high = part.value.type.high if part.value.ranges is None else part.value.ranges.high
-        for message in device.messages.values():
+        for message in messages_on(device, shape.link):
             data: Record = message.request if direction == "request" else message.response
             both = sizes.bounds(data)
             if both is not None and shape.length(both[1]) > high:

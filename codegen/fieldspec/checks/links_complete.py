@@ -6,7 +6,9 @@ whose data have no place, cannot be decoded.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Cure: Give the `byte_order`, or the missing part, or put the parts in the order of the wire.
+Cure: Give the `byte_order`, or the missing part, or put the parts in the order of the wire. Where frames
+really carry no code, name the link under the `links` of each of its messages, which then have none either:
+whoever decodes says which message it is.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.frames import coded, messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
@@ -31,14 +34,22 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, link.place, "byte_order", text, "give `byte_order: big` or `little`")
         for direction in ("request", "response"):
             yield from _of_parts(link, direction, link.parts(direction))
-        sent = [message for message in device.messages.values() if not message.links or link.name in message.links]
-        unnumbered = [message for message in sent if message.number is None or not message.links]
-        if len(sent) > 1 and unnumbered and not any(part.role == "code" for part in link.request):
-            text = f"the link {link.name} has no code in its requests, but there are {len(sent)} messages"
-            yield finding(_CODE, link.place, "request", text, "give the part with the code the role `code`")
+        yield from _told_apart(device, link)
         if link.error is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks refusals in the code, but its responses have none"
             yield finding(_CODE, link.place, "error", text, "give the part with the code the role `code`")
+
+
+def _told_apart(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """A link without codes carries one message, or messages that are known to have none."""
+    sent = messages_on(device, link)
+    odd = next((message for message in sent if message.code is not None or not message.links), None)
+    if len(sent) > 1 and odd is not None and not coded(link):
+        text = f"the link {link.name} has no code in its requests, but there are {len(sent)} messages"
+        what = "has a code" if odd.code is not None else "does not say on which links it is sent"
+        there = label(odd.place, "code" if odd.code is not None else "name", f"{odd.name} {what}")
+        help = "give the part with the code the role `code`, or the messages their `links` and no code"
+        yield finding(_CODE, link.place, "request", text, help, there)
 
 
 def _of_parts(link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:

@@ -1,10 +1,12 @@
-"""Where frames carry a code, every message has one of its own.
+"""Where frames carry a code, every message has one of its own; where they carry none, it has a number of its
+own, or none.
 
-Why: the code is how a decoder knows which message it has.
+Why: the code is how a decoder knows which message it has, and the number is how people know it.
 
-Example: two commands with the code 0x44.
+Example: two commands with the code 0x44 on one link, or a telegram 111 that is listed twice.
 
-Cure: Give the code, or put one of them right and write an erratum if it is printed so.
+Cure: Give the code, or put one of them right and write an erratum if it is printed so. A message that is
+only sent on links without codes names these under `links`.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.frames import coded, messages_on, sent_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link
@@ -22,19 +25,46 @@ _CODE = "messages_complete"
 
 def messages_complete(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
-        if any(part.role == "code" for part in link.request):
-            yield from _on(link, [one for one in device.messages.values() if not one.links or link.name in one.links])
+        yield from _coded(device, link) if coded(link) else _numbered(device, link)
+    for message in device.messages.values():
+        yield from _beside(device, message)
 
 
-def _on(link: Link, messages: list[Message]) -> Iterator[Diagnostic]:
+def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     first: dict[int, Message] = {}
-    for message in messages:
+    for message in messages_on(device, link):
         if message.code is None:
             text = f"{message.name} has no code"
-            yield finding(_CODE, message.place, "code", text, "give it as `code`")
+            help = "give it as `code`, or name the links without codes on which it is sent"
+            yield finding(_CODE, message.place, "code", text, help)
             continue
         other = first.setdefault(message.code, message)
         if other is not message:
             text = f"{message.name} and {other.name} have the code {message.code:#04x}"
             there = label(other.place, "code", other.name)
             yield finding(_CODE, message.place, "code", text, "put one of the codes right", there)
+
+
+def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
+    first: dict[int, Message] = {}
+    for message in messages_on(device, link):
+        other = first.setdefault(message.number, message) if message.number is not None else message
+        if other is not message:
+            text = f"{message.name} and {other.name} have the number {message.number}"
+            there = label(other.place, "number", other.name)
+            yield finding(_CODE, message.place, "number", text, "put one of the numbers right", there)
+
+
+def _beside(device: Device, message: Message) -> Iterator[Diagnostic]:
+    """A message that is sent beside others is no such one itself, and shares a link with each of them."""
+    for name in message.supplements:
+        other = device.messages.get(name)
+        if other is None:
+            continue
+        apart = not any(sent_on(link, message) and sent_on(link, other) for link in device.links.values())
+        if apart or other.supplements:
+            why = "no link carries both" if apart else "that one is never sent alone either"
+            text = f"{message.name} is sent beside {name}, but {why}"
+            there = label(other.place, "supplements" if other.supplements else "name", name)
+            help = "name messages of the same link that are sent alone"
+            yield finding(_CODE, message.place, "supplements", text, help, there)

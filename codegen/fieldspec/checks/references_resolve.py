@@ -1,5 +1,5 @@
-"""Every name that a fact refers to exists: enums, flags, records, fields, parameters, links, messages,
-examples.
+"""Every name that a fact refers to exists: enums, flags, bits, records, fields, signals, parameters, links,
+messages, examples, and the facts at the end of paths.
 
 Why: a reference that leads nowhere leaves a value without a meaning, and nothing can be laid out.
 
@@ -13,14 +13,16 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.finding import finding, near
-from fieldspec.checks.walking import facts, values
+from fieldspec.checks.walking import cases, facts, values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.example import Example
+from fieldspec.model.flags import Flags
 from fieldspec.model.lookup import Lookup
 from fieldspec.model.message import Message
 from fieldspec.model.place import Place
 from fieldspec.model.record import Field, Record
+from fieldspec.model.value import ParameterPart, Value
 
 
 def references_resolve(device: Device) -> Iterator[Diagnostic]:
@@ -28,8 +30,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
         yield from _named(fact.place, "flags", "word of flags", value.flags, device.flags)
         if value.parameter is not None:
-            sets = {*device.parameters, *(held.space for held in device.parameters.values())}
-            yield from _named(fact.place, "parameter", "parameter set", value.parameter.set, sets)
+            yield from _of_part(device, fact.place, value.parameter)
     for record in device.records.values():
         yield from _within(device, record, record, None)
     for message in device.messages.values():
@@ -40,12 +41,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         if link.error is not None:
             yield from _named(link.place, "error", "record", link.error.record, device.records)
     for flags in device.flags.values():
-        for bit in flags.bits:
-            yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
-        bits = {bit.name for bit in flags.bits}
-        for state in flags.states:
-            for key, names in (("set", state.set), ("clear", state.clear)):
-                yield from _all(state.place, key, f"bit of {flags.name}", names, bits)
+        yield from _of_flags(device, flags)
     registers = {register.name for register in device.registers()}
     for register in device.registers():
         yield from _named(register.place, "same_as", "register", register.same_as, registers)
@@ -53,9 +49,9 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for held in device.parameters.values():
         for parameter in held.parameters:
             yield from _all(parameter.place, "messages", "message", parameter.messages, device.messages)
+    paths = {fact.place.path for fact in facts(device)} if device.conversions else set()
     for conversion in device.conversions.values():
         yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
-        paths = {fact.place.path for fact in facts(device)}
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
@@ -72,6 +68,23 @@ def _named(place: Place, key: str, what: str, name: str, known: Collection[str])
 def _all(place: Place, key: str, what: str, names: Iterable[str], known: Collection[str]) -> Iterator[Diagnostic]:
     for name in names:
         yield from _named(place, key, what, name, known)
+
+
+def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diagnostic]:
+    sets = {*device.parameters, *(held.space for held in device.parameters.values())}
+    yield from _named(place, "parameter", "parameter set", part.set, sets)
+    if part.part == "values" and len(device.sets(part.set)) > 1:
+        text = f"the values of {part.set} are those of several sets, whose order nothing says"
+        yield finding("references_resolve", place, "parameter", text, "name one of the sets")
+
+
+def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
+    for bit in flags.bits:
+        yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
+    bits = {bit.name for bit in flags.bits}
+    for state in flags.states:
+        for key, names in (("set", state.set), ("clear", state.clear)):
+            yield from _all(state.place, key, f"bit of {flags.name}", names, bits)
 
 
 def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -97,20 +110,26 @@ def _within(device: Device, layer: Record, echoed: Record, asked: Record | None)
     for field in layer.fields:
         yield from _named(field.place, "record", "record", field.record, device.records)
         yield from _named(field.place, "same_as", "field", field.same_as, origin)
+        yield from _named(field.place, "signal", "signal", field.signal, device.signals)
         if field.measures is not None:
             yield from _named(field.place, "measures", "field here", field.measures.field, own)
-        yield from _number(field, numbers)
+        for value in [field.value, *(case.value for case in cases(field))]:
+            yield from _number(field, value, numbers)
         if field.choice is not None:
             yield from _named(field.place, "choice", "field here", field.choice.by, own)
-            by = layer.named(field.choice.by)
-            enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
-            members = {member.name for member in enum.members} if enum is not None else set()
-            for case in field.choice.cases if enum is not None else ():
-                yield from _all(case.place, "when", f"member of {enum.name}" if enum else "", case.when, members)
+            yield from _of_cases(device, layer.named(field.choice.by), field)
 
 
-def _number(field: Field, numbers: Collection[str]) -> Iterator[Diagnostic]:
-    part = field.value.parameter if field.value is not None else None
+def _of_cases(device: Device, by: Field | None, field: Field) -> Iterator[Diagnostic]:
+    enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
+    if enum is not None:
+        members = {member.name for member in enum.members}
+        for case in cases(field):
+            yield from _all(case.place, "when", f"member of {enum.name}", case.when, members)
+
+
+def _number(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
+    part = value.parameter if value is not None else None
     if part is None or part.part != "value":
         return
     if not part.number:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.checks.finding import hexadecimal, interval
+from fieldspec.checks.finding import hexadecimal, interval, shown
 from fieldspec.checks.occupied import merged
 from fieldspec.checks.sizes import Sizes
 from fieldspec.model.device import Device
@@ -14,14 +14,17 @@ from fieldspec.model.flags import Bit, Flags
 from fieldspec.model.limit import Limit
 from fieldspec.model.link import Link, Part
 from fieldspec.model.message import Message
-from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
 from fieldspec.model.ranges import Ranges, intervals
-from fieldspec.model.record import Field, Record
-from fieldspec.model.register import Register
+from fieldspec.model.record import Case, Field, Record
+from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.signal import Conversion, Signal
 from fieldspec.model.table import Table
-from fieldspec.model.value import Value
+from fieldspec.model.value import Value, exact_scale
 
 _RANGES = ("range", "repeat", "enum_values")
+_ADDRESSES = ("at", "code", "wire_number")
+_NAMES = ("applies_to", "messages")
 
 Intervals = tuple[tuple[Decimal, Decimal], ...]
 
@@ -35,6 +38,10 @@ def claimed(key: str, written: Plain) -> object:
         return tuple(merged((int(low), int(high)) for low, high in pairs))
     if key == "unit_range":
         return tuple(sorted(intervals(str(written))))
+    if key in _NAMES:
+        return frozenset(str(written).split(", "))
+    if key == "scale" and isinstance(written, str):
+        return exact_scale(written)
     return written
 
 
@@ -42,9 +49,13 @@ def told(key: str, held: object) -> str:
     """What a fact or a claim says under a key, as text."""
     if isinstance(held, tuple):
         return ", ".join(interval(low, high) for low, high in held)
+    if isinstance(held, frozenset):
+        return shown(sorted(held))
+    if isinstance(held, Decimal):
+        return f"{held:f}"
     if isinstance(held, bool):
         return str(held).lower()
-    return hexadecimal(held) if key in ("at", "code") and isinstance(held, int) else str(held)
+    return hexadecimal(held) if key in _ADDRESSES and isinstance(held, int) else str(held)
 
 
 def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
@@ -53,6 +64,8 @@ def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
         return {
             **_value(device, fact.value),
             "at": fact.address,
+            "decimal": fact.address,
+            "number": fact.number,
             "words": fact.width,
             "access": fact.access or None,
             "restart": fact.restart,
@@ -61,13 +74,15 @@ def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Field):
         return _field(device, sizes, fact)
     if isinstance(fact, Parameter):
-        number = {"code": fact.number, "access": fact.access or None, "restart": fact.restart}
-        return {**_value(device, fact.value), **number}
+        return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
         return _value(device, fact.value) if fact.value is not None else {}
+    if isinstance(fact, Signal | Case | Subindex):
+        count = {"count": _length(fact.indices)} if isinstance(fact, Subindex) else {}
+        return {**_value(device, fact.value), **count}
     if isinstance(fact, Table):
         words = {"words": _words(fact.words, sizes.named(fact.record)), "access": fact.access or None}
-        return {"at": fact.base, "count": fact.count, **words}
+        return {"at": fact.base, "decimal": fact.base, "count": fact.count, **words}
     if isinstance(fact, Record):
         size = sizes.named(fact.name)
         return {"words": _words(fact.words, size), "length": size, "count": len(fact.fields)}
@@ -76,9 +91,9 @@ def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
 
 def _other(fact: Fact) -> dict[str, object]:
     if isinstance(fact, Message):
-        return {"code": fact.code}
+        return {"code": fact.code, "number": fact.number}
     if isinstance(fact, Member):
-        return {"value": fact.value, "code": fact.value}
+        return {"value": fact.value, "code": fact.value, "number": fact.number}
     if isinstance(fact, Bit):
         return {"bit": fact.first if fact.width == 1 else None}
     if isinstance(fact, Enum):
@@ -87,7 +102,14 @@ def _other(fact: Fact) -> dict[str, object]:
         whole = {"range": _merged(fact.ranges), "type": fact.type.name, "length": fact.type.size}
         return {"count": len(fact.bits), **whole}
     if isinstance(fact, ParameterSet):
-        return {"count": len(fact.parameters)}
+        numbers = {"range": _merged(fact.numbers), "wire_number": fact.base}
+        return {"count": len(fact.parameters), **numbers}
+    if isinstance(fact, RegisterGroup) and fact.registers:
+        first = min(register.address for register in fact.registers)
+        words = max(register.end for register in fact.registers) - first
+        return {"at": first, "decimal": first, "words": words, "count": len(fact.registers)}
+    if isinstance(fact, Conversion):
+        return {"value": fact.full_scale, "type": fact.type.name}
     if isinstance(fact, Limit):
         both: dict[str, object] = {"value": fact.value, "unit": fact.unit or None}
         if fact.low is None or fact.high is None:
@@ -96,6 +118,24 @@ def _other(fact: Fact) -> dict[str, object]:
     if isinstance(fact, Link) and fact.stations is not None:
         return {"range": _merged(fact.stations.ranges)}
     return {}
+
+
+def _parameter(device: Device, parameter: Parameter) -> dict[str, object]:
+    bases = [held.base for held in device.parameters.values() if any(one is parameter for one in held.parameters)]
+    return {
+        "code": parameter.number,
+        "number": parameter.number,
+        "wire_number": bases[0] + parameter.number if bases else None,
+        "count": parameter.elements or parameter.count,
+        "access": parameter.access or None,
+        "restart": parameter.restart,
+        "applies_to": frozenset(parameter.applies_to) or None,
+        "messages": frozenset(parameter.messages) or None,
+    }
+
+
+def _length(ranges: Ranges) -> int:
+    return sum(high - low + 1 for low, high in ranges.intervals)
 
 
 def _value(device: Device, value: Value) -> dict[str, object]:

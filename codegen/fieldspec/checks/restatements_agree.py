@@ -22,17 +22,20 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
 
 _CODE = "restatements_agree"
-_NOT_HERE = ("printed_name", "label", "span")
+_NOT_HERE = ("printed_name", "label", "span", "word_span")
 """Names are shown, not compared; spans are compared with the layout, by spans_match_layout."""
 
 _STANDS_UNDER = {
     "at": ("at", "base"),
+    "decimal": ("decimal", "at", "base"),
+    "wire_number": ("wire_number", "number", "base"),
     "code": ("code", "number", "value"),
-    "range": ("range", "unit_range"),
+    "range": ("range", "unit_range", "numbers"),
     "unit_range": ("unit_range", "range"),
     "default": ("default", "unit_default"),
     "unit_default": ("unit_default", "default"),
-    "value": ("value", "const"),
+    "value": ("value", "const", "full_scale"),
+    "count": ("count", "elements", "rows"),
     "words": ("words", "type", "record"),
     "length": ("length", "type"),
     "enum_values": ("enum", "members"),

@@ -29,14 +29,22 @@ class Sizes:
 
     def element(self, field: Field) -> int | None:
         """The bytes of one element of a field, None where they are not fixed."""
+        sizes = self.elements(field)
+        return sizes[0] if len(sizes) == 1 else None
+
+    def elements(self, field: Field) -> tuple[int, ...]:
+        """The sizes in bytes that the elements of a field may have, the least first; none where they are not fixed."""
+        if field.choice is not None:
+            return tuple(sorted({case.value.size for case in field.choice.cases}))
         if field.value is not None:
-            return field.value.size
+            return (field.value.size,)
         both = self._bounds.get(field.record)
-        return both[0] if both is not None and field.record not in self._open else None
+        return (both[0],) if both is not None and both[0] == both[1] and field.record not in self._open else ()
 
     def field(self, field: Field) -> tuple[int, int] | None:
         """The least and the most bytes of a field, None where nothing decides them."""
-        both = (field.value.size, field.value.size) if field.value is not None else self._bounds.get(field.record)
+        sizes = self.elements(field)
+        both = (sizes[0], sizes[-1]) if sizes else self._bounds.get(field.record)
         if both is None:
             return None
         if field.repeat is not None:

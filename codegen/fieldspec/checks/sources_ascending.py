@@ -1,7 +1,8 @@
 """The rows of a list cite lines of the manual that rise from row to row.
 
-Why: registers, fields, bits and parameters are transcribed in the order of the print. A line that falls
-back is mistyped, or the row stands in the wrong place. The members of enums may be in another order.
+Why: registers, fields, bits, signals and parameters are transcribed in the order of the print. A line that
+falls back is mistyped, or the row stands in the wrong place. Where a table prints several columns side by
+side, each of them begins at the same line again. The members of enums may be in another order.
 
 Example: rows that cite L1160, L1611 and L1162.
 
@@ -26,10 +27,22 @@ def sources_ascending(device: Device) -> Iterator[Diagnostic]:
             if row.sources and "source" in row.place:
                 sections.setdefault(row.sources[0].section, []).append(row)
         for cited in sections.values():
-            yield from _of_section(cited)
+            for column in _columns(cited):
+                yield from _of_column(column)
 
 
-def _of_section(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
+def _columns(rows: Sequence[Fact]) -> list[list[Fact]]:
+    """Rows that stand one below the other: a new column begins where the first line comes again."""
+    columns: list[list[Fact]] = []
+    for row in rows:
+        line = row.sources[0].line()
+        if not columns or line == columns[0][0].sources[0].line() != columns[-1][-1].sources[0].line():
+            columns.append([])
+        columns[-1].append(row)
+    return columns
+
+
+def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
     kept = longest_ascent([row.sources[0].line() for row in rows])
     for number, row in enumerate(rows):
         if number not in kept:

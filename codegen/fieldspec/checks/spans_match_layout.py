@@ -1,9 +1,10 @@
-"""Printed byte positions, counted from 1 in the data, are those that the fields before and the type make.
+"""Printed positions of bytes and words, counted from 1 in the data, are those that the fields before and the
+type make.
 
 Why: the manual prints where each field lies. Where that is not where the fields before it end, one of
 the widths is wrong, a field is missing, or the column holds something else.
 
-Example: `span: "2"` for a field of two bytes that begins with the data.
+Example: `span: "2"` for a field of two bytes that begins with the data; `word_span: 7` for one of 32 bits.
 
 Cure: Put a type or the span right, and write an erratum if it is printed so.
 """
@@ -22,6 +23,11 @@ from fieldspec.model.place import Place
 from fieldspec.model.record import Field
 
 _SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
+_UNITS = {"span": ("byte", 1), "word_span": ("word", 2)}
+"""What is counted under a key, and how many bytes it has."""
+_MOST_ENDS = 65536
+
+_Span = tuple[int, int]
 
 
 def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
@@ -30,10 +36,10 @@ def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         begins = starts[layer.name] if device.records.get(layer.name) is layer else [0]
         for field, offset in sizes.offsets(layer):
-            for place, printed in _printed(field):
-                fitting = [_spans(field, start + offset, sizes) for start in begins]
+            for place, key, printed in _printed(field):
+                fitting = [_spans(field, start + offset, sizes, _UNITS[key][1]) for start in begins]
                 if not any(printed in spans for spans in fitting):
-                    yield _finding(field, place, printed, fitting[0])
+                    yield _finding(field, place, key, printed, fitting[0])
 
 
 def _starts(device: Device, sizes: Sizes) -> dict[str, list[int]]:
@@ -47,40 +53,48 @@ def _starts(device: Device, sizes: Sizes) -> dict[str, list[int]]:
     return starts
 
 
-def _spans(field: Field, offset: int, sizes: Sizes) -> list[tuple[int, int]]:
-    """The first and last byte of a field, counted from 1; those of a repeated one for each number of elements."""
+def _spans(field: Field, offset: int, sizes: Sizes, unit: int) -> list[_Span]:
+    """The first and last unit of a field, counted from 1; those of a repeated one for each number of elements."""
     both = sizes.field(field)
-    if both is None:
+    if both is None or offset % unit:
         return []
-    element = max(1, sizes.element(field) or 1)
-    ends = range(both[0], min(both[1], both[0] + 65536) + 1, element)
-    return [(offset + 1, offset + end) for end in ends]
+    ends: set[int] = set()
+    for element in sizes.elements(field) or (1,):
+        low, high = both
+        if field.repeat is not None:
+            low, high = field.repeat.low * element, field.repeat.high * element
+        elif field.choice is not None:
+            low = high = element
+        ends.update(range(low, min(high, low + _MOST_ENDS) + 1, max(1, element)))
+    return [(offset // unit + 1, (offset + end) // unit) for end in sorted(ends) if end % unit == 0]
 
 
-def _printed(field: Field) -> Iterator[tuple[Place, tuple[int, int]]]:
-    if field.span is not None:
-        yield field.place, field.span
-    for claim in field.restated:
-        span = _read(claim.values.get("span"))
-        if span is not None:
-            yield claim.place, span
+def _printed(field: Field) -> Iterator[tuple[Place, str, _Span]]:
+    for key, own in (("span", field.span), ("word_span", field.word_span)):
+        if own is not None:
+            yield field.place, key, own
+        for claim in field.restated:
+            span = _read(claim.values.get(key))
+            if span is not None:
+                yield claim.place, key, span
 
 
-def _finding(field: Field, place: Place, printed: tuple[int, int], fitting: list[tuple[int, int]]) -> Diagnostic:
-    right = _text(fitting[0]) if fitting else "no fixed place"
+def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list[_Span]) -> Diagnostic:
+    unit = _UNITS[key][0]
+    right = _text(fitting[0], unit) if fitting else f"no fixed {unit}s"
     if len(fitting) > 1:
-        right += f", up to {_text(fitting[-1])}"
-    text = f"{field.name} is printed at {_text(printed)}; it lies at {right}"
-    key = "type" if field.value is not None else "record"
+        right += f", up to {_text(fitting[-1], unit)}"
+    text = f"{field.name} is printed at {_text(printed, unit)}; it lies at {right}"
+    holder = "type" if field.value is not None else "record" if field.record else "choice"
     help = "put a type or the span right"
-    return finding("spans_match_layout", place, "span", text, help, label(field.place, key, "what lies here"))
+    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "what lies here"))
 
 
-def _text(span: tuple[int, int]) -> str:
-    return f"byte {span[0]}" if span[0] == span[1] else f"bytes {span[0]}-{span[1]}"
+def _text(span: _Span, unit: str) -> str:
+    return f"{unit} {span[0]}" if span[0] == span[1] else f"{unit}s {span[0]}-{span[1]}"
 
 
-def _read(written: object) -> tuple[int, int] | None:
-    """`1-4` as its first and last byte; None where nothing is written."""
+def _read(written: object) -> _Span | None:
+    """`1-4` as its first and last number; None where nothing is written."""
     match = _SPAN.fullmatch(str(written)) if written is not None else None
     return (int(match[1]), int(match[2] or match[1])) if match else None

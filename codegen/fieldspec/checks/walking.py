@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.record import Field, Record
+from fieldspec.model.record import Case, Field, Record
 from fieldspec.model.value import Value
 
 
@@ -24,6 +24,11 @@ def fields(device: Device) -> Iterator[Field]:
         yield from layer.fields
 
 
+def cases(field: Field) -> tuple[Case, ...]:
+    """What may lie in a field; nothing where it has a type of its own."""
+    return field.choice.cases if field.choice is not None else ()
+
+
 def lists(device: Device) -> Iterator[Sequence[Fact]]:
     """The rows of every list that is transcribed in the order of the print; enums may be in another order."""
     for group in device.groups:
@@ -32,30 +37,41 @@ def lists(device: Device) -> Iterator[Sequence[Fact]]:
         yield layer.fields
     for word in device.flags.values():
         yield word.bits
+        yield word.states
     for held in device.parameters.values():
         yield held.parameters
+        for parameter in held.parameters:
+            yield parameter.subindices
+    yield tuple(device.signals.values())
 
 
 def values(device: Device) -> Iterator[tuple[Fact, Value]]:
-    """Everything that holds a value, with the value: parts of frames, fields, registers and parameters."""
+    """Everything that states a value, with the value: parts of frames, signals, fields, registers and parameters.
+
+    What a field takes as a whole from its signal, and a register from the one of which it is a copy, is stated there.
+    """
     for link in device.links.values():
         for part in (*link.request, *link.response):
             if part.value is not None:
                 yield part, part.value
-    for field in fields(device):
-        if field.value is not None:
-            yield field, field.value
-        for case in field.choice.cases if field.choice is not None else ():
-            yield case, case.value
     for signal in device.signals.values():
         yield signal, signal.value
+    for field in fields(device):
+        placed = device.signals.get(field.signal)
+        if field.value is not None and (placed is None or placed.value != field.value):
+            yield field, field.value
+        for case in cases(field):
+            yield case, case.value
+    originals = {register.name: register for register in device.registers()}
     for register in device.registers():
-        yield register, register.value
+        original = originals.get(register.copy_of)
+        if original is None or original.value != register.value:
+            yield register, register.value
     for held in device.parameters.values():
         for parameter in held.parameters:
             yield parameter, parameter.value
-            for inner in parameter.subindices:
-                yield inner, inner.value
+            for subindex in parameter.subindices:
+                yield subindex, subindex.value
 
 
 def facts(device: Device) -> Iterator[Fact]:
@@ -66,15 +82,11 @@ def facts(device: Device) -> Iterator[Fact]:
         yield from link.response
     for message in device.messages.values():
         yield message
-        yield from message.request.fields
-        yield from message.response.fields
+        yield from _of_layer(message.request)
+        yield from _of_layer(message.response)
     for record in device.records.values():
         yield record
-        yield from record.fields
-    for field in fields(device):
-        yield from field.choice.cases if field.choice is not None else ()
-    yield from device.signals.values()
-    yield from device.conversions.values()
+        yield from _of_layer(record)
     for enum in device.enums.values():
         yield enum
         yield from enum.members
@@ -88,8 +100,16 @@ def facts(device: Device) -> Iterator[Fact]:
     yield from device.tables.values()
     for held in device.parameters.values():
         yield held
-        yield from held.parameters
         for parameter in held.parameters:
+            yield parameter
             yield from parameter.subindices
+    yield from device.signals.values()
+    yield from device.conversions.values()
     yield from device.lookups
     yield from device.limits
+
+
+def _of_layer(layer: Record) -> Iterator[Fact]:
+    for field in layer.fields:
+        yield field
+        yield from cases(field)
