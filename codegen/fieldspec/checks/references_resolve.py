@@ -130,7 +130,7 @@ def _of_cases(device: Device, by: Field | None, field: Field) -> Iterator[Diagno
 
 def _number(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
     part = value.parameter if value is not None else None
-    if part is None or part.part != "value":
+    if part is None or part.part not in ("value", "subindex"):
         return
     if not part.number:
         text = f"nothing says which parameter {field.name} is"
