@@ -39,7 +39,7 @@ def _compared(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) ->
     every = _union(bit for bit in word.bits)
     useful = _union(bit for bit in word.bits if not bit.reserved)
     highest = sum(_highest(device, bit) << bit.first for bit in word.bits if not bit.reserved)
-    if ranges.intervals not in (((0, every),), ((0, useful),), ((0, highest),)):
+    if ranges.intervals not in (((0, every),), ((0, useful),), ((0, highest),), ((0, word.type.high),)):
         yield finding(
             "bits_match_range",
             fact.place,
