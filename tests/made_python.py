@@ -15,7 +15,7 @@ from types import ModuleType
 from typing import Any
 
 from fieldspec.backends.python.backend import PACKAGE, files, shared
-from fieldspec.backends.python.naming import module_name
+from fieldspec.backends.python.naming import module_name, package_name
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.primitive import Kind
@@ -59,7 +59,8 @@ def runtime(name: str) -> ModuleType:
 
 def made(layout: DeviceLayout) -> ModuleType:
     """The module of a device's version."""
-    return importlib.import_module(f"{package().__name__}.{layout.device.id}.{module_name(layout.device.version)}")
+    device = package_name(layout.device.id)
+    return importlib.import_module(f"{package().__name__}.{device}.{module_name(layout.device.version)}")
 
 
 def codec_error() -> type[Any]:
@@ -102,7 +103,8 @@ def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values
 
 def _made(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
     if field.listed:
-        return [_one(module, layout, field, item) for item in held]
+        made = [_one(module, layout, field, item) for item in held]
+        return tuple(made) if field.cases else made
     return _one(module, layout, field, held)
 
 
@@ -118,7 +120,7 @@ def raw(held: Any) -> Any:
     """A value as the reference has it: numbers, texts, bytes, lists."""
     if isinstance(held, package().Flags):
         return held.raw
-    if isinstance(held, list):
+    if isinstance(held, list | tuple):
         return [raw(item) for item in held]
     return int(held) if isinstance(held, int) and not isinstance(held, bool) else held
 

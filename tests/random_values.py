@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 from hypothesis import strategies as st
 
@@ -24,6 +24,8 @@ def values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[d
 
 
 def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[dict[str, Any]]:
+    if record.selector is not None:
+        return _choosing(layout, record, record.selector)
     return st.fixed_dictionaries(
         {
             field.name: _field(layout, field)
@@ -31,6 +33,18 @@ def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[
             if not (field.field.reserved or field.field.measures or (field.value and field.value.const is not None))
         }
     )
+
+
+def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout) -> st.SearchStrategy[dict[str, Any]]:
+    """Values of the type that the selector says; now and then with another selector."""
+    shapes = {id(shape): shape for shape in record.chosen.values()}
+    each = []
+    for shape in shapes.values():
+        numbers = sorted(number for number, chosen in record.chosen.items() if chosen is shape)
+        right = st.sampled_from(numbers)
+        by = st.one_of(right, right, right, _field(layout, selector))
+        each.append(st.builds(lambda values, by: {**values, selector.name: by}, values_of(layout, shape), by))
+    return st.one_of(*each)
 
 
 def _field(layout: DeviceLayout, field: FieldLayout) -> st.SearchStrategy[Any]:
@@ -73,7 +87,33 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
 
 
 def bytes_of(record: RecordLayout) -> st.SearchStrategy[bytes]:
-    """Bytes of a right length, or of one beside it; often small ones, which more often have a meaning."""
+    """Bytes of a right length, or of one beside it; often small ones, which more often have a meaning.
+
+    Mostly with a right selector, and a right number of elements in the byte that counts them.
+    """
+    return _random_bytes(record) if record.selector is None else _choosing_bytes(record, record.selector)
+
+
+def _choosing_bytes(record: RecordLayout, selector: FieldLayout) -> st.SearchStrategy[bytes]:
+    measures = [field for field in record.fields if field.field.measures and field.size == 1]
+
+    def mended(data: bytes, number: int, mend: bool) -> bytes:
+        chosen = record.chosen[number]
+        decided = chosen.fields[-1]
+        length = len(data) - (len(data) - decided.offset) % decided.size
+        if not mend or len(data) < record.least or length < decided.offset:
+            return data
+        made = bytearray(data[:length])
+        order: Literal["big", "little"] = "big" if selector.order == "big" else "little"
+        made[selector.offset : selector.offset + selector.size] = number.to_bytes(selector.size, order)
+        for field in measures:
+            made[field.offset] = (length - decided.offset) // decided.size
+        return bytes(made)
+
+    return st.builds(mended, _random_bytes(record), st.sampled_from(sorted(record.chosen)), st.booleans())
+
+
+def _random_bytes(record: RecordLayout) -> st.SearchStrategy[bytes]:
     most = record.most if record.most is not None else record.least + 40
     right = st.binary(min_size=record.least, max_size=min(most, record.least + 60))
     drawn = st.one_of(right, right, right, st.binary(max_size=record.least + 3))

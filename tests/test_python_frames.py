@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.meaning import body_of, raw_values
 from fieldspec.model.example import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
@@ -62,7 +63,7 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     )
     station = frame.role("station")
     first = [values[station.name]] if station else []
-    plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if part.role == "plain"}
+    plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if given_part(part)}
     named = {name if name not in KEYWORDS else f"{name}_": held for name, held in plain.items()}
     if example.error:
         made_frame = spoken.encode_error(*first, code, body, **named)
@@ -73,6 +74,11 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
 
 
 KEYWORDS = {"return"}
+
+
+def given_part(part: PartLayout) -> bool:
+    """Whether a part of the head is neither of a special kind nor always the same."""
+    return part.role == "plain" and part.value is not None and part.value.const is None
 
 
 def head_value(module: Any, part: Any, held: int) -> Any:
@@ -86,7 +92,7 @@ def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> di
     for part in layout.links[link].frame(direction).head:
         if part.role == "station":
             found[part.name] = decoded.station
-        elif part.role == "plain":
+        elif given_part(part):
             name = part.name if hasattr(decoded, part.name) else f"{part.name}_"
             found[part.name] = raw(getattr(decoded, name))
     return found
@@ -125,7 +131,7 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     link = data.draw(st.sampled_from(sorted(layout.links)))
     direction = data.draw(st.sampled_from(["request", "response"]))
     coded = layout.links[link].frame(direction).role("code") is not None
-    message = data.draw(st.sampled_from([m.name for m in layout.messages.values()]))
+    message = data.draw(st.sampled_from(sorted(layout.links[link].messages)))
     reference = reference_of(layout).links[link]
     record = layout.messages[message].data(direction)
     values = data.draw(values_of(layout, record))
@@ -142,7 +148,7 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     except (CodecError, UnicodeEncodeError):
         return
     spoiled = bytearray(frame)
-    for _ in range(data.draw(st.integers(0, 2))):
+    for _ in range(data.draw(st.integers(0, 2)) if spoiled else 0):
         spoiled[data.draw(st.integers(0, len(spoiled) - 1))] = data.draw(st.integers(0, 255))
     frame = bytes(spoiled[: data.draw(st.one_of(st.just(len(spoiled)), st.integers(0, len(spoiled))))])
     asked = message if not coded or (direction == "response" and data.draw(st.booleans())) else ""
@@ -170,6 +176,9 @@ def meant_by(layout: DeviceLayout, link: str, direction: str, message: str, fram
     decoded = reference_of(layout).links[link].decode(frame, direction, message)
     coded, head = layout.links[link].frame(direction).role("code"), dict(decoded.head)
     code = head.pop(coded.name) if coded else None
+    for part in layout.links[link].frame(direction).head:
+        if part.role == "plain" and not given_part(part):
+            del head[part.name]
     assert decoded.body is not None
     return decoded.error, code, head, only_stored(decoded.body, decoded.values)
 

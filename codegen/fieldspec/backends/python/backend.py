@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from fieldspec.backends.python.device import device_view, imports
-from fieldspec.backends.python.naming import Scope, module_name
+from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
@@ -15,6 +15,7 @@ PACKAGE = "fieldspec_devices"
 RUNTIME = (
     "__init__",
     "_checks",
+    "_choices",
     "_conversions",
     "_error",
     "_flags",
@@ -38,7 +39,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """A subpackage: a module for each version, the oldest first, and `__init__` with the newest one."""
     scope = Scope()
     device = versions[-1].device
-    folder = f"{PACKAGE}/{Scope().take(device.id)}"
+    folder = f"{PACKAGE}/{package_name(device.id)}"
     modules = [scope.take(module_name(layout.device.version)) for layout in versions]
     texts = {f"{folder}/{module}.py": _module(layout) for module, layout in zip(modules, versions, strict=True)}
     listed = [f" {module}: version {layout.device.version}" for module, layout in zip(modules, versions, strict=True)]

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from fieldspec.backends.python.access import parameter_messages, read_access, write_accesses
-from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, code_literal, link_view
+from fieldspec.backends.python.heads import code_literal
+from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, carries, link_view
 from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scope
-from fieldspec.backends.python.records import RecordView, record_doc, record_view, shape
+from fieldspec.backends.python.record_docs import record_doc
+from fieldspec.backends.python.records import RecordView, record_view, shape
 from fieldspec.backends.python.registers import parameter_set_view, register_view, table_view
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
@@ -35,6 +37,7 @@ class MessageView:
 # Where each private name of a module comes from: what is not used is not imported.
 _IMPORTS = {
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
+    "_choices": "Choice",
     "_conversions": (
         "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members text texts turned"
     ),
@@ -60,12 +63,10 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     words = Words(enums, {name: view.name for name, view in flags.items()}, names)
     records = [_record(layout, name, words) for name in layout.records]
     exchanges = [_exchange(message, words, scope) for message in layout.messages.values()]
-    carried = {
-        link.name: any((one.message.message.code is not None) == _coded(layout, link.name) for one in exchanges)
-        for link in layout.links.values()
-    }
     links = [
-        link_view(link, exchanges, layout.records, words, scope) for link in layout.links.values() if carried[link.name]
+        link_view(link, exchanges, layout.records, words, scope)
+        for link in layout.links.values()
+        if any(carries(link, one.message) for one in exchanges)
     ]
     messages = [view for one in exchanges for view in _messages(one, links)]
     order = device.byte_order
@@ -107,10 +108,6 @@ def imports(body: str) -> list[str]:
     return lines
 
 
-def _coded(layout: DeviceLayout, link: str) -> bool:
-    return layout.links[link].request.role("code") is not None
-
-
 def _class(name: str, kind: str, scope: Scope) -> str:
     pascal = Name.of(name).pascal()
     return scope.take(pascal, pascal + kind)
@@ -118,7 +115,7 @@ def _class(name: str, kind: str, scope: Scope) -> str:
 
 def _record(layout: DeviceLayout, name: str, words: Words) -> RecordView:
     shaped = shape(layout.records[name], words, RECORD)
-    return record_view(shaped, words.records[name], record_doc(shaped, Name.of(name).title()))
+    return record_view(shaped, words.records[name], record_doc(shaped.record, shaped.stored, Name.of(name).title()))
 
 
 def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
@@ -141,7 +138,7 @@ def _messages(one: Exchange, links: list[LinkView]) -> list[MessageView]:
     for direction in ("response", "request"):
         shaped, name = one.side(direction)
         more = f"{code}{group}{sentence(message.doc)}"
-        doc = record_doc(shaped, f"{title}: the {direction}", more.strip())
+        doc = record_doc(shaped.record, shaped.stored, f"{title}: the {direction}", more.strip())
         response = one.response_name if direction == "request" else ""
         sides = [link.request if direction == "request" else link.response for link in links]
         frames = [view for side in sides for view in side.exchanges if view.message == name]

@@ -86,7 +86,7 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]
     measure = next((field for field in record.fields if _measures(field, tail, frame)), None)
-    if measure is None or measure.field.measures is None:
+    if measure is None or measure.field.measures is None or tail.cases:
         return 0, 0, -1, 0
     unit = 1 if measure.field.measures.of == "bytes" else tail.size
     return around + tail.offset, frame.head_size + measure.offset, measure.size, unit

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from fieldspec.backends.python.heads import constant, letter, number, variable
 from fieldspec.backends.python.lines import chained, filled, unpacked
 from fieldspec.backends.python.reading import local, targets
 from fieldspec.backends.python.records import RecordShape, condition, making_lines, writing_lines
@@ -58,25 +59,10 @@ class Fused:
     lines: list[str]
 
 
-def variable(part: PartLayout) -> str:
-    """The variable of a part of the head."""
-    return "station" if part.role == "station" else f"part_{part.name}"
-
-
-def number(part: PartLayout) -> str:
-    """The expression of the number that fills the slot of a part of the head."""
-    return f"{variable(part)}.raw" if part.value is not None and part.value.flags else variable(part)
-
-
-def letter(part: PartLayout) -> str:
-    """The letter of a part of the head."""
-    assert part.value is not None
-    return part.value.type.letter
-
-
 def fuses(shaped: RecordShape, frame: FrameLayout) -> bool:
     """Whether a message's frames are packed and unpacked at once."""
-    if shaped.tail is not None or sum(field.listed and not field.skipped for field in shaped.fields) > 1:
+    lists = sum(field.listed and not field.skipped for field in shaped.fields)
+    if shaped.tail is not None or shaped.selector is not None or lists > 1:
         return False
     orders = {part.order for part in frame.head if part.size > 1}
     if any(field.letters.strip("0123456789sx") not in ("", "B", "b") for field in shaped.fields):
@@ -93,13 +79,15 @@ def fused(
     size = frame.head_size + (shaped.record.size or 0)
     known = {"code": code, "length": size + frame.tail_size}
     constants = {part.name: held for part in frame.head if (held := known.get(part.role)) is not None}
+    always = {part.name: held for part in frame.head if (held := constant(part)) is not None}
+    constants |= always
     algorithm = frame.check.algorithm if frame.check else ""
     looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
-    writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset())
+    writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset(), "")
     letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
     packed = [_slot(part, constants) for part in frame.head] + writing.values
     marked = f"{frames}.marked" if link.link.start or link.link.end or link.link.encoding == "hex_ascii" else ""
-    into = [_target(part, constants, looked_up) for part in frame.head]
+    into = [_target(part, looked_up) for part in frame.head]
     into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
     check: list[str] = []
     compared: list[str] = []
@@ -114,6 +102,7 @@ def fused(
         big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
         appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
         wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
+    wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
     conditions = condition([*tests, *writing.tests])
     return Fused(
         struct=struct,
@@ -154,9 +143,9 @@ def _single(field: Slots) -> bool:
     return field.skipped or (len(field.letters) == 1 and field.letters in "BbHhIiQq")
 
 
-def _target(part: PartLayout, constants: dict[str, int], looked_up: bool) -> str:
-    """What a part of the head is unpacked into. The code has been looked at before; a CRC covers what is constant."""
-    return "_" if part.role == "code" or (looked_up and part.name in constants) else variable(part)
+def _target(part: PartLayout, looked_up: bool) -> str:
+    """What a part of the head is unpacked into. The code has been looked at before; a CRC covers the length."""
+    return "_" if part.role == "code" or (looked_up and part.role == "length") else variable(part)
 
 
 def _shares(

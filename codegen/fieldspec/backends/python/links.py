@@ -6,29 +6,27 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fieldspec.backends.python.framing import framer
-from fieldspec.backends.python.fusing import Fused, fused, fuses, letter, number, variable
+from fieldspec.backends.python.fusing import Fused, fused, fuses
+from fieldspec.backends.python.heads import (
+    PartView,
+    code_literal,
+    constants,
+    head_refusals,
+    head_tests,
+    head_value,
+    letter,
+    plain_views,
+)
 from fieldspec.backends.python.lines import chained, listed, union
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
-from fieldspec.backends.python.writing import pairs, tuple_of, within
+from fieldspec.backends.python.writing import pairs
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.ranges import Ranges
 from fieldspec.names import Name
-
-
-@dataclass(frozen=True, slots=True)
-class PartView:
-    """A plain part of the head: its attribute, its variable, its type, and the lines that make it from `head`."""
-
-    name: str
-    variable: str
-    type: str
-    made: str
-    quickly: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +40,7 @@ class ExchangeView:
     reader: str
     message: str
     key: str
+    known: list[str]
     fused: Fused | None
     parameters: str
     frames: str
@@ -67,10 +66,7 @@ class DirectionView:
     union: list[str]
     exchanges: list[ExchangeView]
     wrapper: str
-    wraps: bool
     plain: list[PartView]
-    init: list[str]
-    slots: str
     before: str
     after: str
     call: str
@@ -85,11 +81,27 @@ class DirectionView:
 class ErrorView:
     """The refusals of a link: the flag in the code, the record, and how such a frame is made."""
 
+    wrapper: str
     flag: str
     mask: str
     record: str
     head: str
+    bind: list[str]
     refusals: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class WrapperView:
+    """A class for what frames of a link carry, where their heads have more parts than the station."""
+
+    name: str
+    base: str
+    doc: list[str]
+    slots: str
+    match_args: str
+    init: list[str]
+    given: str
+    plain: list[PartView]
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +114,7 @@ class LinkView:
     stations: str
     broadcast: str
     marked: bool
+    wrappers: list[WrapperView]
     request: DirectionView
     response: DirectionView
     error: ErrorView | None
@@ -129,12 +142,20 @@ def link_view(
     name = scope.take(link.name)
     pascal = Name.of(link.name).pascal()
     coded = any(part.role == "code" for part in link.request.head)
-    carried = [one for one in exchanges if (one.message.message.code is not None) == coded]
+    carried = [one for one in exchanges if carries(link, one.message)]
     stations = link.link.stations
     views = {
         direction: _direction(link, direction, carried, records, words, pascal, scope)
         for direction in ("request", "response")
     }
+    error = _error(link, words, pascal, scope) if coded else None
+    wrappers = [
+        _wrapper(views[direction].wrapper, direction, ["message: _M"], views[direction].plain)
+        for direction in ("request", "response")
+        if views[direction].plain
+    ]
+    if error is not None and views["response"].plain:
+        wrappers.append(_wrapper(error.wrapper, "error_reply", ["code: int", "exception: _M"], views["response"].plain))
     facts = [f"Stations {stations.ranges.text()}."] if stations and stations.ranges else []
     if stations and stations.broadcast is not None:
         facts.append(f"A request to {stations.broadcast} is for all of them.")
@@ -145,10 +166,51 @@ def link_view(
         stations=pairs(stations.ranges if stations else None) or "()",
         broadcast=str(stations.broadcast) if stations else "None",
         marked=bool(link.link.start or link.link.end or link.link.encoding == "hex_ascii"),
+        wrappers=wrappers,
         request=views["request"],
         response=views["response"],
-        error=_error(link, words) if coded else None,
+        error=error,
     )
+
+
+_KINDS = {
+    "request": ("_Request", "A request on this link, with all parts of its head."),
+    "response": ("_Response", "A response on this link, with all parts of its head."),
+    "error_reply": ("_ErrorReply", "A refusal on this link, with all parts of its head."),
+}
+
+
+def _wrapper(name: str, kind: str, held: list[str], plain: list[PartView]) -> WrapperView:
+    """The class for one kind of frame; `held` are what every frame of its kind has behind the station."""
+    base, text = _KINDS[kind]
+    names = [one.partition(":")[0] for one in held]
+    quoted = "".join(f'"{part.name}", ' for part in plain).rstrip()
+    return WrapperView(
+        name=name,
+        base=base,
+        doc=docstring([text], 4),
+        slots=quoted,
+        match_args=", ".join(["station", *names]).replace(", ", '", "'),
+        init=listed(
+            "def __init__(",
+            ["self", "station: int", *held, *(f"{part.name}: {part.type}" for part in plain)],
+            ") -> None:",
+            4,
+        ),
+        given=", ".join(["station", *names]),
+        plain=plain,
+    )
+
+
+def carries(link: LinkLayout, message: MessageLayout) -> bool:
+    """Whether a message is sent on a link: one with a code where frames have one, one without where they have none.
+
+    A message that names its links is sent on them with its code left out where they have none.
+    """
+    coded = link.request.role("code") is not None
+    if message.name not in link.messages:
+        return False
+    return (message.message.code is not None) == coded or (bool(message.message.links) and not coded)
 
 
 def _direction(
@@ -164,7 +226,7 @@ def _direction(
     upper = Name.of(link.name).upper()
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
-    plain = [_plain(part, place, words) for place, part in enumerate(frame.head) if part.role == "plain"]
+    plain = plain_views(frame, words)
     station = frame.role("station")
     wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
@@ -184,15 +246,7 @@ def _direction(
         union=union(alias, [view.message for view in views]),
         exchanges=views,
         wrapper=wrapper,
-        wraps=bool(plain),
         plain=plain,
-        init=listed(
-            "def __init__(",
-            ["self", "station: int", "message: _M", *(f"{part.name}: {part.type}" for part in plain)],
-            ") -> None:",
-            4,
-        ),
-        slots="".join(f'"{part.name}", ' for part in plain).rstrip(),
         before="station: int, " if station else "",
         after="".join(f", {part.name}: {part.type}" for part in plain).replace(", ", ", *, ", 1),
         call=", ".join(["station"] * bool(station) + [part.name for part in plain]),
@@ -209,17 +263,10 @@ def _quick_key(code: PartLayout | None) -> str:
     return str(code.offset) if code is not None and code.size == 1 else ""
 
 
-def _plain(part: PartLayout, place: int, words: Words) -> PartView:
-    flags = part.value.flags if part.value else ""
-    made = f"{words.flags[flags]}({{}})" if flags else "{}"
-    name = Scope(frozenset({"station", "message", "self", "frame", "request"})).take(part.name)
-    return PartView(
-        name=name,
-        variable=variable(part),
-        type=words.flags[flags] if flags else "int",
-        made=made.format(f"head[{place}]"),
-        quickly=made.format(variable(part)),
-    )
+def _known(message: MessageLayout) -> list[str]:
+    """By what people know a message whose frames have no code: its number and its name."""
+    number = message.message.number
+    return ([] if number is None else [str(number)]) + [literal(message.name)]
 
 
 def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
@@ -240,6 +287,8 @@ def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
     if link.link.encoding == "hex_ascii":
         arguments.append("hexadecimal=True")
+    if constants(frame):
+        arguments.append(f"constants=({', '.join(constants(frame))},)")
     return arguments
 
 
@@ -255,19 +304,20 @@ def _exchange(
     together = fuses(shaped, frame)
     # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.
     reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
-    tests, refusals = _head_tests(link, frame), _head_refusals(link, frame)
+    tests, refusals = head_tests(link, frame), head_refusals(link, frame)
     unfit = f"_unfit({literal(shaped.record.name)})"
     return ExchangeView(
         writer=f"_to_{link.name}",
         reader=f"_from_{link.name}" if reads else "",
         message=name,
         key=code_literal(code) if part is not None else name,
+        known=_known(one.message) if part is None else [],
         fused=fused(shaped, link, direction, code, upper, frames, tests) if together else None,
         parameters="".join(
             [", station: int"] * (station is not None) + [f", {held.variable}: {held.type}" for held in plain]
         ),
         frames=frames,
-        head=f"[{', '.join(_head_value(held, code) for held in frame.head)}]",
+        head=f"[{', '.join(head_value(held, code_literal(code)) for held in frame.head)}]",
         refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
         refuse=chained("raise ", ["self._refused()", *refusals, unfit], "or", "", 8),
         wrapper=wrapper,
@@ -276,69 +326,20 @@ def _exchange(
     )
 
 
-def code_literal(code: int | None) -> str:
-    """A code as Python writes it: `0x03`, `None`."""
-    return "None" if code is None else f"{code:#04x}"
-
-
-def _head_value(part: PartLayout, code: int | None) -> str:
-    if part.role == "length":
-        return "0"
-    return code_literal(code) if part.role == "code" else number(part)
-
-
-def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
-    """The intervals of a part of the head, and values beside them."""
-    assert part.value is not None
-    stations = link.link.stations if part.role == "station" else None
-    if stations is not None and stations.ranges is not None:
-        beside = () if stations.broadcast is None else (stations.broadcast,)
-        return stations.ranges.intervals, beside
-    return (part.value.ranges.intervals if part.value.ranges else ()), ()
-
-
-def _set(frame: FrameLayout) -> list[PartLayout]:
-    """The parts of the head that the caller sets."""
-    return [part for part in frame.head if part.role in ("station", "plain")]
-
-
-def _head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    tests = []
-    for part in _set(frame):
-        intervals, beside = _allowed(link, part)
-        if intervals:
-            tests.append(within(number(part), Ranges(intervals), beside))
-    return tests
-
-
-def _head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    found = []
-    for part in _set(frame):
-        assert part.value is not None
-        intervals, beside = _allowed(link, part)
-        limits = [str(part.value.type.low), str(part.value.type.high)]
-        if intervals:
-            limits.append(pairs(Ranges(intervals)))
-        if part.value.flags:
-            found.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
-            continue
-        if beside:
-            limits.append(tuple_of(beside))
-        found.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
-    return found
-
-
-def _error(link: LinkLayout, words: Words) -> ErrorView | None:
+def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorView | None:
     error, frame = link.link.error, link.response
     code = frame.role("code")
     if error is None or code is None or code.value is None:
         return None
-    head = [f"code | {error.flag:#x}" if part.role == "code" else _head_value(part, None) for part in frame.head]
+    head = [head_value(part, f"code | {error.flag:#x}") for part in frame.head]
     limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
+    plain = plain_views(frame, words)
     return ErrorView(
+        wrapper=scope.take(f"{pascal}ErrorReply") if plain else "_ErrorReply",
         flag=f"{error.flag:#x}",
         mask=f"{~error.flag & code.value.type.high:#x}",
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
-        refusals=chained("error = ", [*_head_refusals(link, frame), limit], "or", "", 8),
+        bind=[f"{part.variable} = {part.name}" for part in plain],
+        refusals=chained("error = ", [*head_refusals(link, frame), limit], "or", "", 8),
     )

@@ -66,6 +66,11 @@ def module_scope() -> Scope:
     return Scope(TYPES, BUILTINS, EXCEPTIONS, SHARED, MODULE)
 
 
+def package_name(device: str) -> str:
+    """The subpackage of a device, by its id: `drive_x`."""
+    return Scope().take(device.replace("-", "_"))
+
+
 def module_name(version: str) -> str:
     """The module of a version: `v2_0`, `before_1_17`."""
     words = "".join(char.lower() if char.isalnum() and char.isascii() else "_" for char in version)

@@ -16,7 +16,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
     """What the slots of a field are unpacked into: an attribute, or locals, always locals where it is to be `bound`."""
     if field.skipped:
         return []
-    star = "*" if field.listed else ""
+    star = "*" if field.listed or field.decided else ""
     if field.field.field.reserved and not field.field.field.measures:
         return [f"{star}_"]
     if field.plain and field.stored and not bound:
@@ -28,7 +28,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
 
 def sources(field: Slots, at: int) -> str:
     """The raw value of a field in a tuple `raws`, from a place on."""
-    if field.repeated:
+    if field.repeated or field.decided:
         return f"raws[{at}:]"
     if field.listed:
         return f"raws[{at}:{at + field.count}]"
@@ -60,9 +60,9 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
         return [f"{owner}.{field.name} = {local(field)}"] if bound else []
     lines, raw = _number(field)
     title = literal(field.title)
-    if field.field.field.measures:
-        return lines
     size = field.field.size
+    if field.field.field.measures and field.constant is None:
+        return lines
     if field.field.record is not None:
         record = field.element_type
         call = "_decoded_each" if field.listed else "_decoded_at"

@@ -1,7 +1,8 @@
 """How the value of one field lies in a Struct: its letters, and the code that reads, tests and writes it.
 
 A field takes one slot of its Struct for each element, and two or four for a number whose words are exchanged.
-A number in another byte order than its Struct is a slot of bytes.
+A number in another byte order than its Struct is a slot of bytes. The slots of a field that another one decides
+are not known before that one is.
 """
 
 from __future__ import annotations
@@ -42,14 +43,19 @@ class Slots:
     big: bool
 
     @property
+    def decided(self) -> bool:
+        """Whether another field decides its type."""
+        return bool(self.field.cases)
+
+    @property
     def value(self) -> Value:
-        """The value; for fields that are not records."""
+        """The value; for fields that are neither records nor decided by others."""
         assert self.field.value is not None
         return self.field.value
 
     @property
     def kind(self) -> Kind | None:
-        """What it holds, None for a record."""
+        """What it holds, None for a record and for what another field decides."""
         return self.field.value.type.kind if self.field.value else None
 
     @property
@@ -127,16 +133,15 @@ class Slots:
         """The type of one element."""
         if self.field.record is not None:
             return self.words.records[self.field.record.name]
-        if self.value.flags:
-            return self.words.flags[self.value.flags]
-        if self.enum is not None:
-            return f"{self.enum.name} | int" if self.sentinels else self.enum.type
-        assert self.kind is not None
-        return _TYPES[self.kind]
+        if self.decided:
+            return " | ".join(dict.fromkeys(value_type(case.value, self.words) for case in self.field.cases))
+        return value_type(self.value, self.words)
 
     @property
     def type(self) -> str:
-        """The type of the attribute."""
+        """The type of the attribute. A tuple takes elements of one of several types, a list only of all of them."""
+        if self.listed and self.decided:
+            return f"tuple[{self.element_type}, ...]"
         return f"list[{self.element_type}]" if self.listed else self.element_type
 
     @property
@@ -148,6 +153,16 @@ class Slots:
         return None if full else self.value.ranges
 
 
+def value_type(value: Value, words: Words) -> str:
+    """The type of the attribute that holds a value."""
+    if value.flags:
+        return words.flags[value.flags]
+    if value.enum and value.const is None:
+        enum = words.enums[value.enum]
+        return f"{enum.name} | int" if value.sentinels else enum.type
+    return _TYPES[value.type.kind]
+
+
 _TYPES = {Kind.INTEGER: "int", Kind.FLOAT: "float", Kind.BOOLEAN: "bool", Kind.TEXT: "str", Kind.BYTES: "bytes"}
 
 
@@ -156,6 +171,8 @@ def native_order(fields: tuple[FieldLayout, ...]) -> str:
     for field in fields:
         if field.value is not None and field.value.type.letter != "s" and field.size > 1:
             return field.order
+        if field.cases:
+            return next((case.order for case in field.cases if case.value.size > 1), "big")
     return "big"
 
 
@@ -167,6 +184,8 @@ def slots(field: FieldLayout, name: str, words: Words, order: str) -> Slots:
 
 def _letters(field: FieldLayout, order: str) -> str:
     value = field.value
+    if field.cases:
+        return ""
     if value is None:
         return f"{field.size}{'x' if field.field.reserved else 's'}"
     reserved = field.field.reserved and not field.field.measures

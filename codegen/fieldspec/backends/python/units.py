@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from decimal import Decimal
 from fractions import Fraction
 from math import lcm
 
 from fieldspec.model.value import Value
 
-_WORDS = {"%": "percent", "0.1%": "tenths_of_percent"}
+_WORDS = {"%": "percent", "0.1%": "tenths_of_percent", "°C": "celsius"}
 
 
 def unit_word(unit: str) -> str:
-    """What a property of a scaled value is called after: `mm`, `percent`; `scaled` where there is no unit."""
-    return _WORDS.get(unit, unit.lower() or "scaled")
+    """What a property of a scaled value is called after: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
+    above, _, below = _WORDS.get(unit, unit.lower() or "scaled").partition("/")
+    words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
+    return re.sub(r"[^a-z0-9]+", "_", words)
 
 
 def ratio(value: Value) -> tuple[int, int, int]:
@@ -44,4 +47,5 @@ def quantity(value: Value) -> str:
         return f"in {value.unit}" if value.unit else ""
     unit = f" {value.unit}" if value.unit else ""
     start = f" from {shown(value.offset)}{unit}" if value.offset else ""
-    return f"in {shown(value.scale)}{unit}{start}"
+    scale = value.scale_text if "/" in value.scale_text else shown(value.scale)
+    return f"in {scale}{unit}{start}"

@@ -11,18 +11,6 @@ from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 from fieldspec.names import Name
 
-_TYPES = {Kind.INTEGER: "int", Kind.FLOAT: "float", Kind.BOOLEAN: "bool", Kind.TEXT: "str", Kind.BYTES: "bytes"}
-
-
-def value_type(value: Value, words: Words) -> str:
-    """The type of the attribute that holds a value."""
-    if value.flags:
-        return words.flags[value.flags]
-    if value.enum and value.const is None:
-        enum = words.enums[value.enum]
-        return f"{enum.name} | int" if value.sentinels else enum.type
-    return _TYPES[value.type.kind]
-
 
 def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
     """The `Value` of a value that lies in `size` bytes, which may be more than its own."""

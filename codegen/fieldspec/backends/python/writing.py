@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.layout.record import FieldLayout
 from fieldspec.model.primitive import Kind
 from fieldspec.model.ranges import Ranges
 
@@ -48,6 +47,8 @@ def conditions(field: Slots, held: str) -> list[str]:
         found.append(within(f"len({held})", lengths))
     elif field.listed:
         found.append(f"len({held}) == {field.count}")
+    if field.decided:
+        return found
     item = "item" if field.listed else held
     each = _one(field, item)
     if field.listed:
@@ -111,14 +112,15 @@ def _item(field: Slots, held: str) -> str:
     return f"_turned({data})" if turned else data
 
 
-def measured(field: Slots, other: FieldLayout, held: str) -> str:
-    """What a field that measures another one holds."""
+def measured(field: Slots, other: Slots, held: str, decided: str) -> str:
+    """What a field that measures another one holds; `decided` is the size of an element that has several types."""
     measure = field.field.field.measures
     assert measure is not None
+    size = decided if other.decided else str(other.field.size)
     if not other.listed:
-        return str(other.size if measure.of == "bytes" else 1)
+        return size if measure.of == "bytes" else "1"
     items = f"len({held})"
-    return f"{items} * {other.size}" if measure.of == "bytes" and other.size != 1 else items
+    return f"{items} * {size}" if measure.of == "bytes" and size != "1" else items
 
 
 def refusal(field: Slots) -> str:

@@ -1,0 +1,127 @@
+"""The parts of a frame before the body: what the caller gives, what is always the same, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.backends.python.naming import Scope
+from fieldspec.backends.python.slots import Words
+from fieldspec.backends.python.text import literal
+from fieldspec.backends.python.writing import pairs, tuple_of, within
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.model.ranges import Ranges
+
+
+@dataclass(frozen=True, slots=True)
+class PartView:
+    """A plain part of the head: its attribute, its variable, its type, and the lines that make it from `head`."""
+
+    name: str
+    variable: str
+    type: str
+    made: str
+    quickly: str
+
+
+def variable(part: PartLayout) -> str:
+    """The variable of a part of the head."""
+    return "station" if part.role == "station" else f"part_{part.name}"
+
+
+def number(part: PartLayout) -> str:
+    """The expression of the number that fills the slot of a part of the head."""
+    return f"{variable(part)}.raw" if part.value is not None and part.value.flags else variable(part)
+
+
+def letter(part: PartLayout) -> str:
+    """The letter of a part of the head."""
+    assert part.value is not None
+    return part.value.type.letter
+
+
+def _plain(part: PartLayout, place: int, words: Words) -> PartView:
+    flags = part.value.flags if part.value else ""
+    made = f"{words.flags[flags]}({{}})" if flags else "{}"
+    name = Scope(frozenset({"station", "message", "self", "frame", "request"})).take(part.name)
+    return PartView(
+        name=name,
+        variable=variable(part),
+        type=words.flags[flags] if flags else "int",
+        made=made.format(f"head[{place}]"),
+        quickly=made.format(variable(part)),
+    )
+
+
+def code_literal(code: int | None) -> str:
+    """A code as Python writes it: `0x03`, `None`."""
+    return "None" if code is None else f"{code:#04x}"
+
+
+def head_value(part: PartLayout, code: str) -> str:
+    """What a part of the head holds before its length is known."""
+    if part.role == "length":
+        return "0"
+    held = constant(part)
+    return code if part.role == "code" else number(part) if held is None else str(held)
+
+
+def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
+    """The intervals of a part of the head, and values beside them."""
+    assert part.value is not None
+    stations = link.link.stations if part.role == "station" else None
+    if stations is not None and stations.ranges is not None:
+        beside = () if stations.broadcast is None else (stations.broadcast,)
+        return stations.ranges.intervals, beside
+    return (part.value.ranges.intervals if part.value.ranges else ()), ()
+
+
+def constant(part: PartLayout) -> int | None:
+    """The one value that a plain part may have."""
+    return part.value.const if part.role == "plain" and part.value is not None else None
+
+
+def given(frame: FrameLayout) -> list[PartLayout]:
+    """The parts of the head that the caller gives."""
+    return [part for part in frame.head if part.role in ("station", "plain") and constant(part) is None]
+
+
+def plain_views(frame: FrameLayout, words: Words) -> list[PartView]:
+    """The parts beside the station that the caller gives."""
+    return [_plain(part, frame.head.index(part), words) for part in given(frame) if part.role == "plain"]
+
+
+def constants(frame: FrameLayout) -> list[str]:
+    """The parts that are always the same: place, name, value and offset of each."""
+    return [
+        f"({place}, {literal(part.name)}, {held}, {part.offset})"
+        for place, part in enumerate(frame.head)
+        if (held := constant(part)) is not None
+    ]
+
+
+def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
+    """What must hold of the parts that the caller gives."""
+    tests = []
+    for part in given(frame):
+        intervals, beside = _allowed(link, part)
+        if intervals:
+            tests.append(within(number(part), Ranges(intervals), beside))
+    return tests
+
+
+def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
+    """The expressions that say what is wrong with them."""
+    found = []
+    for part in given(frame):
+        assert part.value is not None
+        intervals, beside = _allowed(link, part)
+        limits = [str(part.value.type.low), str(part.value.type.high)]
+        if intervals:
+            limits.append(pairs(Ranges(intervals)))
+        if part.value.flags:
+            found.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
+            continue
+        if beside:
+            limits.append(tuple_of(beside))
+        found.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
+    return found

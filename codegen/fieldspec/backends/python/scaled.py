@@ -1,0 +1,74 @@
+"""Properties of a record in the units of its fields, and its sentinels as constants."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fieldspec.backends.python.naming import MESSAGE, Scope
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import docstring, sentence
+from fieldspec.backends.python.units import in_unit, ratio, unit_word
+from fieldspec.backends.python.writing import pairs
+from fieldspec.names import Name
+
+
+@dataclass(frozen=True, slots=True)
+class ScaledView:
+    """A property in the unit: the expressions that read and set it, and its docstring."""
+
+    name: str
+    type: str
+    read: str
+    write: str
+    field: str
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class ConstantView:
+    """A constant of a class."""
+
+    name: str
+    value: str
+    doc: list[str]
+
+
+def sentinel_views(stored: list[Slots]) -> list[ConstantView]:
+    """The sentinels of all fields."""
+    scope = Scope(MESSAGE)
+    return [
+        ConstantView(
+            scope.take((Name.of(field.title) + Name.of(sentinel.name)).upper()),
+            str(sentinel.value),
+            docstring([sentence(f"`{field.title}`: {sentinel.doc or Name.of(sentinel.name).title()}")], 4),
+        )
+        for field in stored
+        if field.field.value is not None
+        for sentinel in field.value.sentinels
+    ]
+
+
+def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
+    """The properties of those fields that count in parts of a unit."""
+    found = []
+    for field in stored:
+        if not field.whole or not field.value.scaled or field.value.enum or field.value.flags:
+            continue
+        held = ratio(field.value)
+        name = scope.take(f"{field.title}_{unit_word(field.value.unit)}")
+        limits = pairs(field.ranges) or f"(({field.value.type.low}, {field.value.type.high}),)"
+        write = f'_counts("{field.title}", {"item" if field.listed else "value"}, {held}, {limits})'
+        read = in_unit("item" if field.listed else f"self.{field.name}", held)
+        unit = f" in {field.value.unit}" if field.value.unit else ""
+        ends = "Setting it takes the nearest count, of two the even one, and refuses what is out of range."
+        found.append(
+            ScaledView(
+                name,
+                "list[float]" if field.listed else "float",
+                f"[{read} for item in self.{field.name}]" if field.listed else read,
+                f"[{write} for item in value]" if field.listed else write,
+                field.name,
+                docstring([f"`{field.name}`{unit}. {ends}"], 8),
+            )
+        )
+    return found
