@@ -19,14 +19,23 @@ from fieldspec.diagnostics import Diagnostic
 def allowances_used(
     given: Iterable[Allowance], used: Collection[Allowance], names: Collection[str]
 ) -> Iterator[Diagnostic]:
-    """Judges the allowances themselves; the runner calls it behind the checks, with what they found."""
+    """Judges the allowances themselves; the runner calls it behind the checks, with what they found.
+
+    What is written once and stands at a block and at its copies is one allowance.
+    """
+    needed = {_written(allowance) for allowance in used}
     for allowance in given:
         if allowance.check not in names:
             text = f"there is no check `{allowance.check}` that could be allowed to fail"
             yield _finding(allowance, text, "`fieldspec rule` lists the checks")
-        elif allowance not in used:
+        elif _written(allowance) not in needed:
             text = f"`{allowance.check}` passes here, so nothing needs to be allowed"
             yield _finding(allowance, text, "remove the allowance")
+
+
+def _written(allowance: Allowance) -> tuple[str, str, int]:
+    span = allowance.fact.place["allow"]
+    return allowance.check, span.file.path, span.start
 
 
 def _finding(allowance: Allowance, text: str, help: str) -> Diagnostic:

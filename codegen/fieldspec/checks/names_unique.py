@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import cases, layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.place import Place
@@ -39,6 +40,8 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
         ("messages", device.messages),
         ("tables", device.tables),
         ("parameter sets", device.parameters),
+        ("signals", device.signals),
+        ("conversions", device.conversions),
     ):
         yield section, ((thing.name, thing.place) for thing in things.values())
     for enum in device.enums.values():
@@ -47,17 +50,24 @@ def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
         yield enum.name, reversed(members.items())
     for word in device.flags.values():
         yield word.name, ((bit.name, bit.place) for bit in word.bits if not bit.when)
+        yield f"the states of {word.name}", ((state.name, state.place) for state in word.states)
     for record in device.records.values():
         yield record.name, ((field.name, field.place) for field in record.fields)
     for message in device.messages.values():
         for layer in (message.request, message.response):
             yield layer.name, ((field.name, field.place) for field in layer.fields)
+    for layer in layers(device):
+        for field in layer.fields:
+            yield f"the cases of {field.name}", ((case.name, case.place) for case in cases(field))
     for link in device.links.values():
         for direction in ("request", "response"):
             parts = link.parts(direction)
             yield f"{link.name} {direction}", ((part.name, part.place) for part in parts)
     for held in device.parameters.values():
         yield held.name, ((parameter.name, parameter.place) for parameter in held.parameters)
+        for parameter in held.parameters:
+            named = [inner for inner in parameter.subindices if inner.name]
+            yield f"the elements of {parameter.name}", ((inner.name, inner.place) for inner in named)
 
 
 def _types(device: Device) -> Iterator[_Named]:

@@ -7,7 +7,7 @@ Example: parameters 12, 13, 15 in a list that otherwise goes from 0 to 31 withou
 
 Cure: Transcribe the missing line, as `reserved` if it has no meaning, or put the number right and write
 an erratum. If the manual leaves numbers out, say `allow: {parameter_numbers_ascending: <reason>}` on the
-parameter behind them.
+parameter behind them. A set that says which `numbers` there are may describe some of them only.
 """
 
 from __future__ import annotations
@@ -26,10 +26,11 @@ _FEW = 4
 def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
     for held in device.parameters.values():
         pairs = list(pairwise(held.parameters))
-        skips = sum(behind.number > before.number + 1 for before, behind in pairs)
+        skips = sum(behind.number > before.number + before.count for before, behind in pairs)
+        holes_meant = held.numbers is not None or skips * _FEW > len(pairs)
         for before, parameter in pairs:
-            number, last = parameter.number, before.number
-            if number == last + 1 or (number > last and skips * _FEW > len(pairs)):
+            number, last = parameter.number, before.number + before.count - 1
+            if number == last + 1 or (number > last and holes_meant):
                 continue
             if number > last:
                 text = f"{held.name} does not list {interval(last + 1, number - 1)}"

@@ -1,53 +1,83 @@
-"""The range of a field that holds the number of a parameter is that of the set's numbers.
+"""The range of a field that holds the number of a parameter is that of the numbers that its set has, and every
+row of a set has one of these.
 
 Why: a number in the list that the field refuses cannot be read; a number that it takes and the list
 lacks is a parameter that nobody described.
 
 Example: a range of 1..63 for the number of one of the parameters 0 to 31.
 
-Cure: Put the range right and write an erratum, or transcribe the missing parameters.
+Cure: Put the range right and write an erratum, or transcribe the missing parameters. A set of which the
+manual describes some parameters only says under `numbers` which there are.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, interval, label, missing, range_key, shown
-from fieldspec.checks.walking import fields
+from fieldspec.checks.finding import counted, finding, interval, label, range_key, shown
+from fieldspec.checks.numbered import wire_numbers
+from fieldspec.checks.occupied import free, merged
+from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
 from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Field
+from fieldspec.model.value import Value
+
+_CODE = "parameter_numbers_within_range"
 
 
 def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
-    for field in fields(device):
-        part = field.value.parameter if field.value is not None else None
-        held = device.parameters.get(part.set) if part is not None else None
-        if part is None or field.value is None or held is None:
+    for held in device.parameters.values():
+        yield from _listed(held)
+    for fact, value in values(device):
+        part = value.parameter
+        sets = device.sets(part.set) if part is not None else []
+        if part is None or not sets:
             continue
-        if part.part == "number" and field.value.ranges is not None:
-            yield from _compared(field, field.value.ranges, held)
-        if part.part == "values" and field.count is not None and field.count != len(held.parameters):
-            text = f"{field.name} has {field.count} values; {held.name} has {len(held.parameters)} parameters"
-            help = "put the number of values, or the list, right"
-            yield finding("parameter_numbers_within_range", field.place, "count", text, help, _list(held))
+        if part.part == "number":
+            yield from _compared(fact, value, part.set, sets)
+        if part.part == "values" and isinstance(fact, Field) and fact.count is not None:
+            yield from _counted(fact, fact.count, sets[0])
 
 
-def _compared(field: Field, ranges: Ranges, held: ParameterSet) -> Iterator[Diagnostic]:
-    numbers = [parameter.number for parameter in held.parameters]
-    refused = [number for number in numbers if number not in ranges]
-    unlisted = missing(ranges, numbers)
+def _listed(held: ParameterSet) -> Iterator[Diagnostic]:
+    for parameter in held.parameters:
+        last = parameter.number + parameter.count - 1
+        inside = merged(held.numbers.intervals) if held.numbers is not None else []
+        if held.numbers is not None and not any(low <= parameter.number and last <= high for low, high in inside):
+            text = f"{held.name} has the numbers {held.numbers.text()}, not {interval(parameter.number, last)}"
+            there = label(held.place, "numbers", "the numbers")
+            yield finding(_CODE, parameter.place, "number", text, "put the number or the set right", there)
+
+
+def _counted(field: Field, count: int, held: ParameterSet) -> Iterator[Diagnostic]:
+    have = sum(parameter.count for parameter in held.parameters)
+    if count != have:
+        text = f"{field.name} has {count} values; {held.name} has {counted(have, 'parameter')}"
+        help = "put the number of values, or the list, right"
+        yield finding(_CODE, field.place, "count", text, help, _list(held))
+
+
+def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
+    """A field's range against the numbers on the wire, or, where it has none, its type."""
+    if value.type.kind is not Kind.INTEGER:
+        return
+    numbers = wire_numbers(sets)
+    taken = merged(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
+    refused = [hole for low, high in numbers for hole in free(low, high, taken)]
+    unlisted = [hole for low, high in taken for hole in free(low, high, numbers)] if value.ranges is not None else []
     if refused or unlisted:
         faults = []
         if refused:
-            faults.append(f"refuses {shown(refused)} of {held.name}")
+            faults.append(f"refuses {shown([interval(*hole) for hole in refused])} of {name}")
         if unlisted:
-            faults.append(f"takes {shown([interval(*hole) for hole in unlisted])}, which {held.name} does not list")
-        text = f"the range of {field.name} {' and '.join(faults)}"
-        help = "put the range or the list right"
-        yield finding("parameter_numbers_within_range", field.place, range_key(field.place), text, help, _list(held))
+            faults.append(f"takes {shown([interval(*hole) for hole in unlisted])}, which {name} does not list")
+        key = range_key(fact.place) if value.ranges is not None else "type"
+        text = f"the {'range' if value.ranges is not None else 'type'} of {fact.name} {' and '.join(faults)}"
+        yield finding(_CODE, fact.place, key, text, "put the range or the list right", _list(sets[0]))
 
 
 def _list(held: ParameterSet) -> Label:

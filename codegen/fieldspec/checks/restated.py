@@ -17,7 +17,7 @@ from fieldspec.model.message import Message
 from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
 from fieldspec.model.ranges import Ranges, intervals
 from fieldspec.model.record import Case, Field, Record
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.register import Register
 from fieldspec.model.signal import Conversion, Signal
 from fieldspec.model.table import Table
 from fieldspec.model.value import Value, exact_scale
@@ -104,10 +104,6 @@ def _other(fact: Fact) -> dict[str, object]:
     if isinstance(fact, ParameterSet):
         numbers = {"range": _merged(fact.numbers), "wire_number": fact.base}
         return {"count": len(fact.parameters), **numbers}
-    if isinstance(fact, RegisterGroup) and fact.registers:
-        first = min(register.address for register in fact.registers)
-        words = max(register.end for register in fact.registers) - first
-        return {"at": first, "decimal": first, "words": words, "count": len(fact.registers)}
     if isinstance(fact, Conversion):
         return {"value": fact.full_scale, "type": fact.type.name}
     if isinstance(fact, Limit):

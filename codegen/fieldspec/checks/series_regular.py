@@ -29,14 +29,17 @@ _Placed = tuple[Fact, str, int, int]
 
 def series_regular(device: Device) -> Iterator[Diagnostic]:
     for group in device.groups:
-        rows = [row for row in group.registers if row.count == 1]
+        # Those of a copy are compared with the others by copies_agree.
+        rows = [row for row in group.registers if row.count == 1 and not row.copy_of]
         yield from _of_list((row, "at", row.address, row.width) for row in rows)
     for word in device.flags.values():
         yield from _of_list((bit, "bit", bit.first, bit.width) for bit in word.bits)
     for enum in device.enums.values():
+        if enum.derived:
+            continue
         yield from _of_list((member, "value", member.value, 1) for member in enum.members)
     for held in device.parameters.values():
-        yield from _of_list((one, "number", one.number, 1) for one in held.parameters)
+        yield from _of_list((one, "number", one.number, 1) for one in held.parameters if one.count == 1)
 
 
 def _of_list(rows: Iterable[_Placed]) -> Iterator[Diagnostic]:

@@ -6,7 +6,8 @@ and a line behind the end of the text is a slip.
 Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.
 
 Cure: Give the section and the line. What a protocol defines is cited in the device's own entry of that
-name. A row may leave the section out where its group has one.
+name. A row may leave the section out where its group has one. Of a block that stands twice, the manual
+prints the rows of the copy too: each of them has its own line, unless no row of the copy is printed.
 """
 
 from __future__ import annotations
@@ -19,14 +20,14 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Member
 from fieldspec.model.fact import Citation
-from fieldspec.model.flags import Bit
+from fieldspec.model.flags import Bit, State
 from fieldspec.model.link import Part
-from fieldspec.model.parameter import Parameter
+from fieldspec.model.parameter import Parameter, Subindex
 from fieldspec.model.place import Place
-from fieldspec.model.record import Field
+from fieldspec.model.record import Case, Field
 from fieldspec.model.register import Register, RegisterGroup
 
-_INHERITING = (RegisterGroup, Part, Field, Member, Bit, Parameter)
+_INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, Subindex)
 """These take the source of what holds them, where a finding says it once; a group need not have one."""
 
 
@@ -41,8 +42,10 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
 
 def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
     """Everything that has sources: what it is, where it stands, the sources, whether there must be some."""
+    copied = _copied_as_blocks(device)
     for fact in facts(device):
-        yield fact.name, fact.place, fact.sources, not isinstance(fact, _INHERITING)
+        needed = not isinstance(fact, _INHERITING) and fact.place.path not in copied
+        yield fact.name, fact.place, fact.sources, needed
         for claim in fact.restated:
             yield fact.name, claim.place, claim.sources, True
         if isinstance(fact, Register):
@@ -68,6 +71,17 @@ def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], b
         yield erratum.id, erratum.place, erratum.sources, True
     for note in device.notes:
         yield note.name, note.place, note.sources, False
+
+
+def _copied_as_blocks(device: Device) -> set[str]:
+    """The paths of the registers of blocks that the manual does not print again row by row."""
+    return {
+        row.place.path
+        for group in device.groups
+        if not any(row.sources for row in group.registers)
+        for row in group.registers
+        if row.copy_of
+    }
 
 
 def _wrong(device: Device, what: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:

@@ -16,8 +16,13 @@ from fieldspec.checks.allowances_used import allowances_used
 from fieldspec.checks.bits_match_range import bits_match_range
 from fieldspec.checks.bits_unique import bits_unique
 from fieldspec.checks.bits_within_width import bits_within_width
+from fieldspec.checks.bounds_ordered import bounds_ordered
 from fieldspec.checks.broadcast_apart import broadcast_apart
+from fieldspec.checks.choices_complete import choices_complete
 from fieldspec.checks.codes_fit_link import codes_fit_link
+from fieldspec.checks.conversions_match_signals import conversions_match_signals
+from fieldspec.checks.copies_agree import copies_agree
+from fieldspec.checks.data_words_match import data_words_match
 from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
 from fieldspec.checks.default_within_range import default_within_range
 from fieldspec.checks.elements_match_table import elements_match_table
@@ -27,6 +32,7 @@ from fieldspec.checks.enum_values_unique import enum_values_unique
 from fieldspec.checks.enum_within_range import enum_within_range
 from fieldspec.checks.examples_fit_registers import examples_fit_registers
 from fieldspec.checks.finding import Check
+from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
@@ -35,13 +41,18 @@ from fieldspec.checks.lengths_hold import lengths_hold
 from fieldspec.checks.limits_ordered import limits_ordered
 from fieldspec.checks.links_complete import links_complete
 from fieldspec.checks.lookups_agree import lookups_agree
+from fieldspec.checks.lookups_regular import lookups_regular
 from fieldspec.checks.measures_match_repeats import measures_match_repeats
+from fieldspec.checks.member_numbers_ascending import member_numbers_ascending
 from fieldspec.checks.messages_complete import messages_complete
 from fieldspec.checks.names_unique import names_unique
+from fieldspec.checks.numbers_regular import numbers_regular
 from fieldspec.checks.offsets_match_layout import offsets_match_layout
 from fieldspec.checks.orders_agree import orders_agree
+from fieldspec.checks.parameter_messages_complete import parameter_messages_complete
 from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascending
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
+from fieldspec.checks.printed_names_match import printed_names_match
 from fieldspec.checks.range_ends_match import range_ends_match
 from fieldspec.checks.range_within_enum import range_within_enum
 from fieldspec.checks.range_within_type import range_within_type
@@ -54,12 +65,16 @@ from fieldspec.checks.restatements_agree import restatements_agree
 from fieldspec.checks.senses_differ import senses_differ
 from fieldspec.checks.series_regular import series_regular
 from fieldspec.checks.siblings_agree import siblings_agree
+from fieldspec.checks.signals_placed import signals_placed
 from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
 from fieldspec.checks.spans_match_layout import spans_match_layout
+from fieldspec.checks.states_disjoint import states_disjoint
+from fieldspec.checks.subindices_match_elements import subindices_match_elements
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.value_within_range import value_within_range
+from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
@@ -72,8 +87,13 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("bits_match_range", bits_match_range),
     ("bits_unique", bits_unique),
     ("bits_within_width", bits_within_width),
+    ("bounds_ordered", bounds_ordered),
     ("broadcast_apart", broadcast_apart),
+    ("choices_complete", choices_complete),
     ("codes_fit_link", codes_fit_link),
+    ("conversions_match_signals", conversions_match_signals),
+    ("copies_agree", copies_agree),
+    ("data_words_match", data_words_match),
     ("decimal_equals_hex", decimal_equals_hex),
     ("default_within_range", default_within_range),
     ("elements_match_table", elements_match_table),
@@ -82,6 +102,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("enum_values_unique", enum_values_unique),
     ("enum_within_range", enum_within_range),
     ("examples_fit_registers", examples_fit_registers),
+    ("flags_forms_agree", flags_forms_agree),
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
     ("inferred_keys_given", inferred_keys_given),
@@ -90,13 +111,18 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("limits_ordered", limits_ordered),
     ("links_complete", links_complete),
     ("lookups_agree", lookups_agree),
+    ("lookups_regular", lookups_regular),
     ("measures_match_repeats", measures_match_repeats),
+    ("member_numbers_ascending", member_numbers_ascending),
     ("messages_complete", messages_complete),
     ("names_unique", names_unique),
+    ("numbers_regular", numbers_regular),
     ("offsets_match_layout", offsets_match_layout),
     ("orders_agree", orders_agree),
+    ("parameter_messages_complete", parameter_messages_complete),
     ("parameter_numbers_ascending", parameter_numbers_ascending),
     ("parameter_numbers_within_range", parameter_numbers_within_range),
+    ("printed_names_match", printed_names_match),
     ("range_ends_match", range_ends_match),
     ("range_within_enum", range_within_enum),
     ("range_within_type", range_within_type),
@@ -109,12 +135,16 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("senses_differ", senses_differ),
     ("series_regular", series_regular),
     ("siblings_agree", siblings_agree),
+    ("signals_placed", signals_placed),
     ("sources_ascending", sources_ascending),
     ("sources_present", sources_present),
     ("spans_match_layout", spans_match_layout),
+    ("states_disjoint", states_disjoint),
+    ("subindices_match_elements", subindices_match_elements),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("value_within_range", value_within_range),
+    ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),
 )
 

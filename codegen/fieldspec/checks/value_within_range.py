@@ -25,9 +25,7 @@ _HELP = "put one of them right, or list the value under `sentinels`"
 
 def value_within_range(device: Device) -> Iterator[Diagnostic]:
     legal = Legal(device)
-    holders = {}
     for fact, value in values(device):
-        holders[id(value)] = fact
         why = legal.objection(value, value.const) if value.const is not None else ""
         if why:
             text = f"{fact.name} is always {value.const}, which {why}"
@@ -35,10 +33,9 @@ def value_within_range(device: Device) -> Iterator[Diagnostic]:
     for example in device.examples.values():
         if example.refused:
             continue
-        for path, value, number in numbers(device, example):
+        for path, fact, value, number in numbers(device, example):
             why = legal.objection(value, number)
             if why:
                 text = f"{path} is {number} in the example {example.id}, which {why}"
-                place = holders[id(value)].place
-                there = label(place, range_key(place), "what it may be")
+                there = label(fact.place, range_key(fact.place), "what it may be")
                 yield finding("value_within_range", example.place, "values", text, _HELP, there)

@@ -8,11 +8,12 @@ from decimal import Decimal
 
 from fieldspec.model.device import Device
 from fieldspec.model.example import Example
-from fieldspec.model.record import Field
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Case, Choice, Field
 from fieldspec.model.value import Value
 
 _COUNT = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|[0-9]{1,20})")
-_QUANTITY = re.compile(r"([-+]?[0-9]{1,20}(?:\.[0-9]{1,20})?) ?([^0-9 ].*)")
+_QUANTITY = re.compile(r"([-+]?[0-9]{1,20}(?:\.[0-9]{1,20})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
 
 def body(device: Device, example: Example) -> tuple[Field, ...]:
@@ -27,32 +28,45 @@ def body(device: Device, example: Example) -> tuple[Field, ...]:
     return message.request.fields if example.direction == "request" else message.response.fields
 
 
-def numbers(device: Device, example: Example) -> Iterator[tuple[str, Value, int]]:
-    """The path, the kind of value and the count of every number that an example is written with."""
+def numbers(device: Device, example: Example) -> Iterator[tuple[str, Fact, Value, int]]:
+    """The path, the fact, its kind of value and the count of every number that an example is written with."""
     link = device.links.get(example.link)
-    heads = {part.name: part.value for part in link.parts(example.direction)} if link is not None else {}
+    heads = {part.name: part for part in link.parts(example.direction)} if link is not None else {}
     for name, held in example.values.items():
-        value = heads.get(name)
-        if value is not None:
-            count = in_counts(value, held)
+        part = heads.get(name)
+        if part is not None and part.value is not None:
+            count = in_counts(part.value, held)
             if count is not None:
-                yield name, value, count
+                yield name, part, part.value, count
     yield from _of_fields(device, body(device, example), "", example.values)
 
 
 def _of_fields(
     device: Device, fields: tuple[Field, ...], path: str, written: Mapping[str, object]
-) -> Iterator[tuple[str, Value, int]]:
+) -> Iterator[tuple[str, Fact, Value, int]]:
     for field in fields:
         held = written.get(field.name)
+        fact: Field | Case | None = field if field.choice is None else _decided(device, fields, field.choice, written)
         for item in held if isinstance(held, list) else [held]:
             record = device.records.get(field.record)
             if record is not None and isinstance(item, dict):
                 yield from _of_fields(device, record.fields, f"{path}{field.name}.", item)
-            elif field.value is not None:
-                count = in_counts(field.value, item)
+            elif fact is not None and fact.value is not None:
+                count = in_counts(fact.value, item)
                 if count is not None:
-                    yield f"{path}{field.name}", field.value, count
+                    yield f"{path}{field.name}", fact, fact.value, count
+
+
+def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, written: Mapping[str, object]) -> Case | None:
+    """The case that the written value of the deciding field chooses."""
+    by = next((field for field in fields if field.name == choice.by), None)
+    enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
+    held = written.get(choice.by)
+    if enum is None or by is None or by.value is None:
+        return None
+    count = in_counts(by.value, held)
+    member = enum.member(count) if count is not None else enum.named(str(held))
+    return next((case for case in choice.cases if member is not None and member.name in case.when), None)
 
 
 def in_counts(value: Value, held: object) -> int | None:

@@ -1,0 +1,58 @@
+"""The default of a lower bound lies below that of the upper bound, unless both are 0.
+
+Why: two bounds that come as one pair leave something between them. Where the lower one is not below the
+upper one, a sign or a digit is misprinted.
+
+Example: soft limits of -2147483648..2147483647, of which both are 2147483647 by default.
+
+Cure: Put one of the defaults right, and write an erratum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TypeAlias
+
+from fieldspec.checks.finding import default_key, finding, label
+from fieldspec.checks.walking import layers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Value
+from fieldspec.names import Name
+
+_PAIRS = {"negative": "positive", "lower": "upper", "minimum": "maximum", "low": "high"}
+"""The word of a lower bound, and that of the upper one."""
+
+_Rows: TypeAlias = Sequence[tuple[Fact, Value]]
+
+
+def bounds_ordered(device: Device) -> Iterator[Diagnostic]:
+    for group in device.groups:
+        yield from _of_list([(row, row.value) for row in group.registers if not row.copy_of])
+    for held in device.parameters.values():
+        yield from _of_list([(row, row.value) for row in held.parameters])
+    for layer in layers(device):
+        yield from _of_list([(field, field.value) for field in layer.fields if field.value is not None])
+
+
+def _of_list(rows: _Rows) -> Iterator[Diagnostic]:
+    named = {Name.of(fact.name).words: (fact, value) for fact, value in rows}
+    for words, (fact, value) in named.items():
+        for at, word in enumerate(words):
+            found = named.get((*words[:at], _PAIRS[word], *words[at + 1 :])) if word in _PAIRS else None
+            if found is not None and _comparable(value, found[1]):
+                yield from _compared(fact, value, *found)
+
+
+def _comparable(value: Value, other: Value) -> bool:
+    """Whether two values lie on one axis: bounds of which each counts in its own direction do not."""
+    return value.type.signed and (value.scale, value.unit, value.ranges) == (other.scale, other.unit, other.ranges)
+
+
+def _compared(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:
+    low, high = value.default, above.default
+    if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
+        text = f"the default of {fact.name} is {low}, that of {other.name} is {high}"
+        there = label(other.place, default_key(other.place), "the upper bound")
+        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "put one of them right", there)

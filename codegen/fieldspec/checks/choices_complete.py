@@ -1,0 +1,100 @@
+"""A field whose type another one decides comes last in its record, and that one decides it: it lies before,
+holds one unsigned number with an enum, and each of its members stands in one case at most.
+
+Why: a decoder reads the deciding field first, and then knows how the rest lies. Members without a case are
+refused, as nothing says what follows them.
+
+Example: `choice: {by: format, cases: [...]}` where two cases have `when: [unsigned16]`, or where the field
+`format` stands behind the values.
+
+Cure: Put the fields in the order of the wire, name a deciding field with an enum, or take the member out of
+one of the cases. A record with a choice is the data of a message or of a refusal, and lies in no other one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import fields, layers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+from fieldspec.model.record import Case, Choice, Field, Record
+from fieldspec.model.table import Table
+from fieldspec.model.value import Value
+
+_CODE = "choices_complete"
+
+
+def choices_complete(device: Device) -> Iterator[Diagnostic]:
+    for layer in layers(device):
+        for field in layer.fields:
+            if field.choice is not None:
+                yield from _placed(layer, field)
+                yield from _decided(device, layer, field, field.choice)
+                yield from _apart(field.choice)
+    choosing = {name: record for name, record in device.records.items() if any(f.choice for f in record.fields)}
+    holders: list[Field | Table] = [*fields(device), *device.tables.values()]
+    for holder in holders:
+        record = choosing.get(holder.record)
+        if record is not None:
+            text = f"{record.name} has a choice, so it cannot lie in {holder.name}"
+            help = "give the choice to the data of a message"
+            there = label(record.place, "fields", record.name)
+            yield finding(_CODE, holder.place, "record", text, help, there)
+
+
+def _placed(layer: Record, field: Field) -> Iterator[Diagnostic]:
+    if field is not layer.fields[-1]:
+        behind = layer.fields[-1]
+        text = f"{behind.name} stands behind {field.name}, whose size depends on another field"
+        there = label(behind.place, "name", "stands behind it")
+        yield finding(_CODE, field.place, "choice", text, "put the fields in the order of the wire", there)
+    if field.count is not None:
+        text = f"{field.name} has a choice and a `count`"
+        yield finding(_CODE, field.place, "count", text, "repeat it to the end of the data, or give it once")
+
+
+def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:
+    names = [other.name for other in layer.fields]
+    by = layer.named(choice.by)
+    if by is None:
+        return
+    if names.index(by.name) >= names.index(field.name):
+        text = f"{by.name} decides {field.name}, but does not lie before it"
+        help = "put the fields in the order of the wire"
+        yield finding(_CODE, field.place, "choice", text, help, label(by.place, "name", by.name))
+    objection = _objection(device, by)
+    if objection:
+        text = f"{by.name} cannot decide {field.name}: {objection}"
+        help = "name one unsigned number that has an enum"
+        yield finding(_CODE, field.place, "choice", text, help, label(by.place, "name", by.name))
+
+
+def _objection(device: Device, by: Field) -> str:
+    """Why a field can decide nothing, or an empty text."""
+    value = by.value
+    if value is None or by.count is not None or by.repeat is not None:
+        return "it is no single value"
+    if value.type.kind is not Kind.INTEGER or value.type.signed:
+        return f"it is {value.type.name}"
+    if not value.enum:
+        return "it has no enum"
+    return "its words lie in another order than its bytes" if _mixed(device, value) else ""
+
+
+def _mixed(device: Device, value: Value) -> bool:
+    return value.size > 2 and device.word_order != (value.byte_order or device.byte_order)
+
+
+def _apart(choice: Choice) -> Iterator[Diagnostic]:
+    first: dict[str, Case] = {}
+    for case in choice.cases:
+        for member in case.when:
+            if member in first:
+                other = first[member]
+                text = f"`{member}` is in the case {case.name} and in {other.name}"
+                there = label(other.place, "when", other.name)
+                yield finding(_CODE, case.place, "when", text, "take it out of one of them", there)
+            first[member] = case

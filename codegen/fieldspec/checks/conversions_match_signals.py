@@ -1,0 +1,46 @@
+"""A conversion holds for signals of its own type, and its full scale is what their scale makes 100 %.
+
+Why: the normalisation of a signal is printed in the list of signals and again in the formula. Where the two
+differ, one of them makes the motor twice as fast.
+
+Example: `full_scale: 0x4000` for a signal with `scale: 100/2^30` and the unit %.
+
+Cure: Put the scale or the full scale right, and write an erratum. Signals of another type get a conversion
+of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.signal import Conversion, Signal
+
+_CODE = "conversions_match_signals"
+_SHARE = "%"
+
+
+def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
+    for conversion in device.conversions.values():
+        if not conversion.type.low <= conversion.full_scale <= conversion.type.high:
+            text = f"the full scale of {conversion.name} is {conversion.full_scale:#x}, which {conversion.type.name}"
+            text += " does not hold"
+            yield finding(_CODE, conversion.place, "full_scale", text, "put the full scale or the type right")
+        for name in conversion.signals:
+            signal = device.signals.get(name)
+            if signal is not None:
+                yield from _compared(conversion, signal)
+
+
+def _compared(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
+    if signal.value.type is not conversion.type:
+        text = f"{signal.name} is {signal.value.type.name}, {conversion.name} is for {conversion.type.name}"
+        there = label(signal.place, "type", signal.name)
+        yield finding(_CODE, conversion.place, "signals", text, "give the signal a conversion of its own", there)
+    whole = signal.value.in_unit(conversion.full_scale)
+    if signal.value.unit == _SHARE and whole != 100:
+        text = f"{conversion.full_scale:#x} is {whole.normalize():f} % of {signal.name}, not 100 %"
+        there = label(signal.place, "scale", "the scale of the signal")
+        yield finding(_CODE, conversion.place, "full_scale", text, "put the full scale or the scale right", there)

@@ -1,0 +1,66 @@
+"""What a block prints of its registers is what the block of which it is a copy makes of them: the distance
+of the addresses, in decimal too, the words, and the label.
+
+Why: a block that stands twice is printed twice, row by row. Where one row differs, one of the two is
+misprinted, and the other one shows what is right.
+
+Example: parameters in memory from 0x1388 and in flash from 0x1450, of which one lies at 0x13BE and at
+0x1488.
+
+Cure: Put the row of one of the blocks right, and write an erratum if it is printed so. Labels that differ
+in blanks only are the same. If a label really differs, say `allow: {copies_agree: <reason>}` on the
+register or on its group.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+
+from fieldspec.checks.finding import counted, finding, hexadecimal, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.register import Register, RegisterGroup
+
+_CODE = "copies_agree"
+
+_Pair = tuple[Register, Register]
+
+
+def copies_agree(device: Device) -> Iterator[Diagnostic]:
+    registers = {register.name: register for register in device.registers()}
+    for group in device.groups:
+        yield from _of_group(group, registers)
+
+
+def _of_group(group: RegisterGroup, registers: Mapping[str, Register]) -> Iterator[Diagnostic]:
+    pairs = [(row, registers[row.copy_of]) for row in group.registers if row.copy_of in registers]
+    if not pairs:
+        return
+    distance, _ = Counter(row.address - original.address for row, original in pairs).most_common(1)[0]
+    for row, original in pairs:
+        if row.address - original.address != distance:
+            right = hexadecimal(original.address + distance)
+            text = f"{row.name} is at {hexadecimal(row.address)}; as {original.name} it belongs to {right}"
+            yield _finding(row, original, "at", text, "put one of the addresses right")
+        if row.decimal is not None and row.decimal != original.address + distance:
+            right = str(original.address + distance)
+            text = f"{row.name} is at {row.decimal} in decimal; as {original.name} it belongs to {right}"
+            yield _finding(row, original, "decimal", text, "put one of the addresses right")
+        yield from _printed(row, original)
+
+
+def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
+    words = original.words or original.width
+    if row.words is not None and row.words != words:
+        text = f"{row.name} is printed with {counted(row.words, 'word')}, {original.name} has {words}"
+        yield _finding(row, original, "words", text, "put one of them right")
+    for key in ("label", "printed_name"):
+        mine, theirs = getattr(row, key), getattr(original, key)
+        if mine and theirs and "".join(mine.split()) != "".join(theirs.split()):
+            text = f"{row.name} is called `{mine}`, and {original.name} `{theirs}`"
+            yield _finding(row, original, key, text, "put one of them right, or allow it with a reason")
+
+
+def _finding(row: Register, original: Register, key: str, text: str, help: str) -> Diagnostic:
+    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"that of {original.name}"))

@@ -1,0 +1,41 @@
+"""The printed number of words of a message's data is that of its fields.
+
+Why: the number is printed in another table than the fields. Where they differ, a field is missing, has
+another width, or is listed twice.
+
+Example: `data_words: {request: 5}` for a telegram with three words and one value of 32 bits, and one word
+more.
+
+Cure: Put a field or the number right, and write an erratum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import counted, finding, label
+from fieldspec.checks.sizes import Sizes
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+
+
+def data_words_match(device: Device) -> Iterator[Diagnostic]:
+    sizes = Sizes(device)
+    for message in device.messages.values():
+        for direction, printed, data in (
+            ("request", message.request_words, message.request),
+            ("response", message.response_words, message.response),
+        ):
+            both = sizes.bounds(data)
+            if printed is None or both is None or both == (2 * printed, 2 * printed):
+                continue
+            held = counted(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
+            text = f"the {direction} of {message.name} is printed with {counted(printed, 'word')}; it has {held}"
+            yield finding(
+                "data_words_match",
+                message.place,
+                "data_words",
+                text,
+                "put a field or the number right",
+                label(message.place, direction, "the fields"),
+            )

@@ -1,0 +1,51 @@
+"""Words of flags that the manual calls by one name have a bit of one name at one place, with one sense.
+
+Why: a control word has several forms, each for some messages, and the manual prints each form whole. A bit
+that moves from one to the other is misprinted in one of them.
+
+Example: the bit fixed_stop in bit 8 of one form of STW2, and in bit 9 of another one.
+
+Cure: Put the bit right, and write an erratum. If it really moves, say `allow: {flags_forms_agree: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.flags import Bit, Flags
+
+_CODE = "flags_forms_agree"
+
+
+def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
+    forms: dict[str, list[Flags]] = {}
+    for word in device.flags.values():
+        if word.printed_name:
+            forms.setdefault(word.printed_name, []).append(word)
+    for words in forms.values():
+        first: dict[str, tuple[Flags, Bit]] = {}
+        for word in words:
+            for bit in word.bits:
+                if not bit.reserved and not bit.when:
+                    other, same = first.setdefault(bit.name, (word, bit))
+                    yield from _compared(word, bit, other, same)
+
+
+def _compared(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagnostic]:
+    for key, mine, theirs in (
+        ("bits" if "bits" in bit.place else "bit", _place(bit), _place(same)),
+        ("active", f"the active level {bit.active}", f"the active level {same.active}"),
+        ("edge", f"the edge {bit.edge or 'none'}", f"the edge {same.edge or 'none'}"),
+    ):
+        if mine != theirs:
+            text = f"{bit.name} has {theirs} in {other.name} and {mine} in {word.name}, forms of one word"
+            there = label(same.place, key if key in same.place else "name", f"that of {other.name}")
+            help = "put one of them right, or allow it with a reason"
+            yield finding(_CODE, bit.place, key, text, help, there)
+
+
+def _place(bit: Bit) -> str:
+    return f"bit {interval(bit.first, bit.last)}"

@@ -1,0 +1,46 @@
+"""Where the members of an enum have a second number and nearly all of them are listed by it, all are, and no
+number comes twice.
+
+Why: a table that is sorted by one of its columns shows a misprint in it.
+
+Example: internal codes 42, 34, 44: the middle one is out of order.
+
+Cure: Put the number right, and write an erratum if it is printed so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label, longest_ascent
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Enum, Member
+
+_CODE = "member_numbers_ascending"
+_SMALL = 8
+
+
+def member_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
+    for enum in device.enums.values():
+        yield from _of_enum(enum, [(member.number, member) for member in enum.members if member.number is not None])
+
+
+def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]:
+    first: dict[int, Member] = {}
+    for number, member in rows:
+        other = first.setdefault(number, member)
+        if other is not member:
+            text = f"{enum.name} has the number {number} twice, as {other.name} and as {member.name}"
+            there = label(other.place, "number", other.name)
+            yield finding(_CODE, member.place, "number", text, "put one of the numbers right", there)
+    kept = longest_ascent([number for number, _ in rows])
+    if (len(rows) - len(kept)) * _SMALL > len(rows):
+        return
+    for index, (number, member) in enumerate(rows):
+        if index not in kept:
+            last, other = rows[index - 1] if index else rows[1]
+            where = "behind" if index else "before"
+            text = f"{member.name} has the number {number}, out of the order of {enum.name}"
+            there = label(other.place, "number", f"it is listed {where} {other.name}, {last}")
+            yield finding(_CODE, member.place, "number", text, "put the number right", there)

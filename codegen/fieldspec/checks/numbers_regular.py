@@ -1,0 +1,59 @@
+"""Where the rows of a group carry the numbers of another table, their addresses rise with the numbers at one
+distance.
+
+Why: parameter 0 at the first address and two words for each make a rule for all of them. A row that breaks
+it has a misprinted address or number, or a row of one of the tables was left out.
+
+Example: parameters 11, 12 and 14 at 0x139E, 0x13A0 and 0x13A2.
+
+Cure: Put the address or the number right, and write an erratum if it is printed so, or transcribe what is
+missing.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+
+from fieldspec.checks.finding import finding, hexadecimal, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.register import Register
+
+_CODE = "numbers_regular"
+_HELP = "put the address or the number right"
+
+
+def numbers_regular(device: Device) -> Iterator[Diagnostic]:
+    for group in device.groups:
+        rows = [(row.number, row) for row in group.registers if row.number is not None]
+        first: dict[int, Register] = {}
+        for number, row in rows:
+            other = first.setdefault(number, row)
+            if other is not row:
+                text = f"{other.name} and {row.name} have the number {number}"
+                there = label(other.place, "number", other.name)
+                yield finding(_CODE, row.place, "number", text, _HELP, there)
+        yield from _uneven(list(first.items()))
+
+
+def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
+    """Rows that are not where most of them say."""
+    steps = Counter(
+        Fraction(behind.address - before.address, number - last) for (last, before), (number, behind) in pairwise(rows)
+    )
+    if not steps:
+        return
+    step, _ = steps.most_common(1)[0]
+    bases = Counter(row.address - step * number for number, row in rows)
+    base, _ = bases.most_common(1)[0]
+    usual = next(row for number, row in rows if row.address - step * number == base)
+    for number, row in rows:
+        right = base + step * number
+        if row.address != right:
+            where = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
+            text = f"{row.name} is number {number} at {hexadecimal(row.address)}; the others make it {where}"
+            there = label(usual.place, "number", f"{usual.name} is one of the others")
+            yield finding(_CODE, row.place, "at", text, _HELP, there)

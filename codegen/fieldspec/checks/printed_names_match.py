@@ -1,0 +1,59 @@
+"""Where an enum or a set of parameters says how the manual prints its values, every printed name is so printed.
+
+Why: a display code beside its number says the same thing twice. Where the two differ, whoever looks up the
+code finds another alarm.
+
+Example: `printed_as: "AL.{value:03X}"` and a member 0xEE0 that is printed as AL.EEO.
+
+Cure: Put the name or the value right, and write an erratum if it is printed so. Large and small letters are
+the same.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import TypeAlias
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+_CODE = "printed_names_match"
+_FORM = re.compile(r"[^{}]*\{(value|number)(?::[0-9]{0,2}[dxXob]?)?\}[^{}]*")
+
+_Rows: TypeAlias = list[tuple[Fact, Mapping[str, int | None]]]
+
+
+def printed_names_match(device: Device) -> Iterator[Diagnostic]:
+    for enum in device.enums.values():
+        members: _Rows = [(member, {"value": member.value, "number": member.number}) for member in enum.members]
+        yield from _of_list(enum, enum.printed_as, ("value", "number"), members)
+    for held in device.parameters.values():
+        rows: _Rows = [(row, {"number": row.number}) for row in held.parameters]
+        yield from _of_list(held, held.printed_as, ("number",), rows)
+
+
+def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Iterator[Diagnostic]:
+    if not form:
+        return
+    match = _FORM.fullmatch(form)
+    if match is None or match[1] not in keys:
+        text = f"`{form}` is no form of a {keys[0]}"
+        help = f"write it as in `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
+        yield finding(_CODE, holder.place, "printed_as", text, help)
+        return
+    for row, numbers in rows:
+        if numbers[match[1]] is not None:
+            yield from _compared(holder, row, form.format(**numbers), match[1])
+
+
+def _compared(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnostic]:
+    printed = [(row.place, row.printed_name)]
+    printed += [(claim.place, str(claim.values.get("printed_name") or "")) for claim in row.restated]
+    for place, name in printed:
+        if name and name.casefold() != right.casefold():
+            text = f"{row.name} is printed as `{name}`; its {key} makes it `{right}`"
+            there = label(holder.place, "printed_as", "how it is printed")
+            yield finding(_CODE, place, "printed_name", text, f"put the name or the {key} right", there)

@@ -1,0 +1,58 @@
+"""A signal lies only in the data of its direction, under its own printed name, and somewhere at all.
+
+Why: a list of signals says which way each of them goes, and the tables of messages say it again. Where they
+differ, or where a signal is in the list and in no table, one of the two is misprinted or not up to date.
+
+Example: a signal with `direction: request` that lies in a response; OVERRIDE in the list and VERRIDE in a
+table.
+
+Cure: Put the list or the table right, and write an erratum. If no message carries the signal, say so under
+its `notes`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import fields
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field
+from fieldspec.model.signal import Signal
+
+_CODE = "signals_placed"
+_WAYS = {"request": "to the device", "response": "from the device"}
+
+
+def signals_placed(device: Device) -> Iterator[Diagnostic]:
+    for message in device.messages.values():
+        for direction, layer in (("request", message.request), ("response", message.response)):
+            for field in layer.fields:
+                signal = device.signals.get(field.signal)
+                if signal is not None and signal.direction not in ("", direction):
+                    yield _astray(field, signal, f"the {direction} of {message.name}")
+    for field in fields(device):
+        signal = device.signals.get(field.signal)
+        if signal is not None:
+            yield from _named(field, signal)
+    placed = {field.signal for field in fields(device)}
+    for signal in device.signals.values():
+        if signal.direction and signal.name not in placed and not signal.notes:
+            text = f"no message carries {signal.name}"
+            help = "place it, or say under `notes` that none carries it"
+            yield finding(_CODE, signal.place, "name", text, help)
+
+
+def _astray(field: Field, signal: Signal, holder: str) -> Diagnostic:
+    text = f"{signal.name} goes {_WAYS[signal.direction]}, but lies in {holder}"
+    there = label(signal.place, "direction", "its direction")
+    return finding(_CODE, field.place, "signal", text, "put the direction or the message right", there)
+
+
+def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
+    mine, theirs = ("".join(name.split()).casefold() for name in (field.printed_name, signal.printed_name))
+    if mine and theirs and mine != theirs:
+        text = f"{field.name} is printed as `{field.printed_name}`, its signal as `{signal.printed_name}`"
+        there = label(signal.place, "printed_name", signal.name)
+        yield finding(_CODE, field.place, "printed_name", text, "put one of the names right", there)

@@ -1,0 +1,50 @@
+"""The elements of an array that are described one by one are those that it has, each once.
+
+Why: the number of elements is printed beside the type, and the elements in a table of their own. Where they
+differ, a row got lost, or the number is misprinted.
+
+Example: `elements: 7` for a parameter whose sub-indices go from 0 to 5.
+
+Cure: Transcribe what is missing, or put the number right, and write an erratum. If the manual describes some
+elements only, say `allow: {subindices_match_elements: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, interval, label, shown
+from fieldspec.checks.occupied import free, merged
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.parameter import Parameter
+
+_CODE = "subindices_match_elements"
+
+
+def subindices_match_elements(device: Device) -> Iterator[Diagnostic]:
+    for held in device.parameters.values():
+        for parameter in held.parameters:
+            if parameter.subindices:
+                yield from _of_parameter(parameter)
+
+
+def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
+    last = (parameter.elements or 1) - 1
+    count = label(parameter.place, "elements", f"it has the elements 0 to {last}" if last else "it has one element")
+    taken: list[tuple[int, int]] = []
+    for inner in parameter.subindices:
+        for low, high in inner.indices.intervals:
+            if low < 0 or high > last:
+                text = f"{inner.name or interval(low, high)} is element {interval(low, high)} of {parameter.name}"
+                help = "put the sub-index or the number of elements right"
+                yield finding(_CODE, inner.place, "index", text, help, count)
+            elif free(low, high, merged(taken)) != [(low, high)]:
+                text = f"element {interval(low, high)} of {parameter.name} is described twice"
+                yield finding(_CODE, inner.place, "index", text, "put one of the sub-indices right")
+            taken.append((low, high))
+    holes = free(0, last, merged(taken))
+    if holes:
+        text = f"nothing says what element {shown([interval(*hole) for hole in holes])} of {parameter.name} holds"
+        help = "transcribe the missing elements, or allow it with a reason"
+        yield finding(_CODE, parameter.place, "subindices", text, help, count)
