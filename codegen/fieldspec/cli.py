@@ -112,6 +112,14 @@ def parser() -> argparse.ArgumentParser:
     blame.add_argument("device", metavar="DEVICE[@VERSION]")
     blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
 
+    new = verb("new", "write the first file of a device, or the file of a version")
+    new.add_argument("kind", choices=("device", "version"))
+    new.add_argument("name", metavar="DEVICE")
+    new.add_argument("version", nargs="?", metavar="VERSION", help="the version, for a new version")
+    new.add_argument("--based-on", metavar="VERSION", help="what the version changes; left out: the newest one")
+    new.add_argument("--line", help="the line of the version; left out: that of the one it is based on")
+    new.add_argument("--protocol", help="a protocol of the specs, or packet, or telegram, for a new device")
+
     matrix = verb("matrix", "list facts by versions")
     matrix.add_argument("device", metavar="DEVICE")
     matrix.add_argument("--all", action="store_true", help="facts that are the same in all versions too")

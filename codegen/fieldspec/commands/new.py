@@ -1,0 +1,120 @@
+"""`fieldspec new`: the first file of a device, or the file of a version, with comments that say how to go on."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Iterator
+from importlib import resources
+from pathlib import Path
+from string import Template
+
+from fieldspec.commands import specs
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.reading.nodes import Mapping, identity, mappings
+from fieldspec.reading.project import MAIN, PROTOCOLS, VERSIONS, DeviceSpec, read
+from fieldspec.reading.scalars import typed
+from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.schema import schema
+
+SHAPES = ("packet", "telegram")
+"""The skeletons of devices that share no protocol."""
+
+# Sections of a protocol whose items a device cites, and the key that an item needs there.
+_CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Writes the file; it refuses to write over another one."""
+    if arguments.kind == "version":
+        path, text = _version(arguments)
+    else:
+        path, text = _device(arguments)
+    if path.exists():
+        raise UsageError(f"there is a file {path} already")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, "utf-8", newline="\n")
+    print(path)
+    return 0
+
+
+def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
+    if arguments.version is None:
+        raise UsageError("name the version: fieldspec new version DEVICE VERSION --based-on VERSION")
+    spec, newest = specs.spec_at(arguments.specs, arguments.name)
+    base = arguments.based_on or newest
+    if base not in spec.lines.place:
+        raise unknown(f"version of {arguments.name}", base, spec.lines.place)
+    if arguments.version in spec.lines.place:
+        raise UsageError(f"{arguments.name} has a version {arguments.version} already")
+    _fits(arguments.version, "version", "a version")
+    line = arguments.line or _line_of(spec, base)
+    known = [identity(held) or "" for held in mappings(spec.tree.values.get("versions"))]
+    if line not in known:
+        raise unknown(f"line of versions of {arguments.name}", line, known)
+    after = ""
+    if line != _line_of(spec, base):
+        members = [one.id for held in spec.at(newest)[0].lines if held.name == line for one in held.versions]
+        after = f'  after: "{members[-1]}"\n'
+    path = specs.folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
+    return path, _filled(
+        "version",
+        path,
+        device=arguments.name,
+        version=arguments.version,
+        base=base,
+        line=line,
+        after=after,
+    )
+
+
+def _line_of(spec: DeviceSpec, version: str) -> str:
+    """The name of the line on which a version is."""
+    lines = list(mappings(spec.tree.values.get("versions")))
+    return identity(lines[spec.lines.place[version][0]]) or ""
+
+
+def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
+    if arguments.version is not None:
+        raise UsageError("a new device has no version yet: fieldspec new device NAME --protocol PROTOCOL")
+    name = arguments.name
+    _fits(name, "device_id", "a device")
+    folder = specs.folder(arguments.specs)
+    protocols = sorted(path.stem for path in (folder / PROTOCOLS).glob("*.yaml"))
+    if arguments.protocol is None or arguments.protocol not in (*SHAPES, *protocols):
+        raise unknown("protocol", arguments.protocol or "", [*protocols, *SHAPES])
+    path = folder / name / MAIN
+    text = _filled("device", path, name=name)
+    if arguments.protocol in SHAPES:
+        return path, text + _filled(arguments.protocol, path)
+    overlays = "\n".join(_overlays(folder / PROTOCOLS / f"{arguments.protocol}.yaml"))
+    return path, text + _filled("protocol", path, protocol=arguments.protocol, overlays=overlays + "\n")
+
+
+def _overlays(path: Path) -> Iterator[str]:
+    """A line for each item of a protocol that a device has to cite."""
+    node, _ = parsed(decoded(path.name, path.read_bytes())[0])
+    tree = typed(node)[0] if node is not None else None
+    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": path.read_bytes()}).found:
+        raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
+    for section, needed in _CITED.items():
+        items = list(mappings(tree.values.get(section)))
+        if items:
+            yield f"{section}:"
+        for item in items:
+            inner = next(mappings(item.values.get(needed)), None) if needed else None
+            more = f", {needed}: [{{name: {identity(inner)}}}]" if inner is not None else ""
+            order = ", word_order: big" if section == "links" else ""
+            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{more}}}"
+
+
+def _fits(text: str, form: str, what: str) -> None:
+    part = schema()["$defs"][form]
+    if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
+        raise UsageError(f"{text} is no name of {what}: {part['description']}")
+
+
+def _filled(skeleton: str, path: Path, **words: str) -> str:
+    text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
+    up = "../" * (2 if path.parent.name != VERSIONS else 3)
+    return Template(text).substitute(words, schema=f"{up}codegen/fieldspec/schema/spec.schema.json")

@@ -1,0 +1,85 @@
+"""What `fieldspec new` writes passes the check, and it writes over nothing."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from command_line import SPECS
+from fieldspec.cli import main
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """The protocols and one device with versions."""
+    held = tmp_path / "specs"
+    for name in ("protocols", "tc100"):
+        shutil.copytree(SPECS / name, held / name)
+    return held
+
+
+def run(folder: Path, *words: str) -> int:
+    return main([*words, "--specs", str(folder)])
+
+
+@pytest.mark.parametrize("protocol", ["modbus", "packet", "telegram"])
+def test_a_new_device_passes_the_check(protocol: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(folder, "new", "device", "my-drive", "--protocol", protocol) == 0
+    assert capsys.readouterr().out == f"{folder}/my-drive/device.yaml\n"
+    assert run(folder, "check", "my-drive") == 0
+    assert capsys.readouterr().out == "no findings in my-drive\n"
+
+
+@pytest.mark.parametrize("protocol", ["modbus", "packet", "telegram"])
+def test_a_new_device_can_be_built(protocol: str, folder: Path) -> None:
+    assert run(folder, "new", "device", "my-drive", "--protocol", protocol) == 0
+    assert run(folder, "build", "my-drive", "--out", str(folder.parent / "out")) == 0
+
+
+def test_a_new_version_passes_the_check_and_changes_nothing(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(folder, "new", "version", "tc100", "2.1", "--based-on", "2.0") == 0
+    assert run(folder, "check", "tc100") == 0
+    capsys.readouterr()
+    assert run(folder, "show", "tc100@2.1") == 0
+    new = capsys.readouterr().out
+    assert run(folder, "show", "tc100@2.0") == 0
+    assert new.replace("2.1", "2.0") == capsys.readouterr().out
+
+
+def test_a_new_version_is_based_on_the_newest_where_nothing_is_said(folder: Path) -> None:
+    assert run(folder, "new", "version", "tc100", "2.1") == 0
+    assert 'based_on: "2.0"' in (folder / "tc100/versions/2.1.yaml").read_text("utf-8")
+
+
+def test_a_version_of_another_line_stands_behind_the_last_one_of_it(folder: Path) -> None:
+    assert run(folder, "new", "version", "tc100", "V3", "--based-on", "2.0", "--line", "hardware") == 0
+    assert 'after: "V2"' in (folder / "tc100/versions/V3.yaml").read_text("utf-8")
+    assert run(folder, "check", "tc100") == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (("device", "tc100", "--protocol", "modbus"), "there is a file"),
+        (("device", "x", "--protocol", "modbuss"), "there is no protocol modbuss; did you mean modbus?"),
+        (("device", "x"), "there is no protocol"),
+        (("device", "My Drive", "--protocol", "packet"), "My Drive is no name of a device"),
+        (("device", "../x", "--protocol", "packet"), "../x is no name of a device"),
+        (("device", "x", "1.0", "--protocol", "packet"), "a new device has no version yet"),
+        (("version", "tc100"), "name the version"),
+        (("version", "tc100", "2.0"), "tc100 has a version 2.0 already"),
+        (("version", "tc100", "2.1", "--based-on", "1.9"), "there is no version of tc100 1.9"),
+        (("version", "tc100", "2.1", "--line", "software"), "there is no line of versions of tc100 software"),
+        (("version", "tc100", "../2.1"), "../2.1 is no name of a version"),
+        (("version", "nothing", "2.1"), "there is no device nothing"),
+    ],
+)
+def test_what_cannot_be_written_is_wrong_use_and_nothing_is_written(
+    words: tuple[str, ...], text: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = sorted(folder.rglob("*"))
+    assert run(folder, "new", *words) == 2
+    assert text in capsys.readouterr().err
+    assert sorted(folder.rglob("*")) == before
