@@ -24,7 +24,7 @@ _MOST_MARKS = 8
 
 # Patterns are texts, which `re` compiles when they are first used: plain bytes need none of them.
 _MARK = (
-    rf"(?i)(?<![\w.])(?P<word>{'|'.join(_DIRECTIONS)})(?![\w.])(?:\s*[\[(][^\])]{0,40}[\])])?(?:\s*[:=](?=\s|\w|$))?"
+    rf"(?i)(?<![\w.])(?P<word>{'|'.join(_DIRECTIONS)})(?![\w.])(?:\s*[\[(][^\])]{{0,40}}[\])])?(?:\s*[:=](?=\s|\w|$))?"
     r"|(?:^|(?<=[\s\]]))(?P<arrow>[-=]{0,2}>{1,3}|<{1,3}[-=]{0,2})(?=[\s:\w\[]|$)(?![0-9A-Fa-f]{2}>)"
 )
 _COMMENT = r"(?s)(?:^|(?<=\s))(?:#|//).*"

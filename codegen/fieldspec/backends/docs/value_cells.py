@@ -29,7 +29,12 @@ from fieldspec.model.value import Value
 MOST_MEMBERS = 8
 
 VALUE_COLUMNS = (Column("Type"), Column("Unit", "short"), Column("Range", "range"))
-PARTS = {"number": "The number of one of: ", "value": "The value of one of: ", "values": "The values of all: "}
+PARTS = {
+    "number": "The number of one of: ",
+    "subindex": "The first element that is meant of one of: ",
+    "value": "The value of one of: ",
+    "values": "The values of all: ",
+}
 RESTART = {True: "yes", False: "no"}
 
 

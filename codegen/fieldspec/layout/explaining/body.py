@@ -6,12 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explaining.row import Row, Spot, citations, errata_at, errata_of_words, fact_row, wrong_row
-from fieldspec.layout.explaining.worded import Meaning, Worded, worded
+from fieldspec.layout.explaining.numbered import with_parameter
+from fieldspec.layout.explaining.row import Row, Spot, errata_at, fact_row, wrong_row
+from fieldspec.layout.explaining.shares import with_share
+from fieldspec.layout.explaining.worded import Worded, worded
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
-from fieldspec.model.parameter import Parameter, ParameterSet
 
 
 class Body:
@@ -41,6 +42,9 @@ class Body:
     def _rows(self) -> Iterator[Row]:
         at = self.start
         for number, field in enumerate(self.record.fields):
+            if field.cases:
+                yield self._undecided(field, at)
+                return
             count = self._count(field)
             room = max(0, min(count, (self.end - at) // field.size)) if field.size else 0
             yield from self._field(field, at, room)
@@ -67,8 +71,25 @@ class Body:
         missing = self.record.least - (self.end - self.start)
         later = ", ".join(other.name for other in self.record.fields[number:])
         text = f"{missing} bytes are missing for {later}"
-        held = self.data[at : self.end]
-        return wrong_row(self.spot, at, held, "incomplete", text, field.name, field.field.place.path)
+        return self._wrong(field, at, "incomplete", text)
+
+    def _undecided(self, field: FieldLayout, at: int) -> Row:
+        """The row of what nobody can read, because the field that decides about it has a value without a case."""
+        size, by = self.end - self.start, self.record.selector
+        assert by is not None
+        if size < self.record.least:
+            return self._missing(len(self.record.fields) - 1, at)
+        long = self.record.most is not None and size > self.record.most
+        reason, text = "unknown_value", f"{by.name} {self.values[by.name]!r} does not say what lies here"
+        if long:
+            reason, text = "wrong_length", f"{text}; {field.name} are {size - (self.record.most or 0)} bytes too long"
+        return self._wrong(field, at, reason, text)
+
+    def _wrong(self, field: FieldLayout, at: int, reason: str, text: str) -> Row:
+        """The row of the rest of the body, in which a field should lie."""
+        path = field.field.place.path
+        row = wrong_row(self.spot, at, self.data[at : self.end], reason, text, field.name, path)
+        return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[Row]:
         """The rows of the elements of one field; adds their values."""
@@ -117,13 +138,14 @@ class Body:
         if top:
             read = self._measured(field, self._repeated(field, read))
         row = fact_row(device, "field", path, field.field, self.spot, at, raw, read, self.outer)
-        return [self._with_parameter(row, field, index, number)], number
+        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer)
+        return [with_share(device, row, field, number)], number
 
     def _measured(self, field: FieldLayout, read: Worded) -> Worded:
         """Adds whether a field that measures another one is right."""
         measure = field.field.measures
         other = self.record.named(measure.field) if measure else None
-        if measure is None or other is None:
+        if measure is None or other is None or other.cases:
             return read
         start = self.start + other.offset
         items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.listed else 1
@@ -136,49 +158,3 @@ class Body:
         if read.reason or should is None:
             return read
         return read.judged(read.number == should, repr(should), "")
-
-    def _with_parameter(self, row: Row, field: FieldLayout, index: int, number: Raw) -> Row:
-        """A row with what the numbered parameter adds that a value is, or is the number of."""
-        part = field.value.parameter if field.value else None
-        if part is None:
-            return row
-        if part.part == "values":
-            (words,) = self.layout.device.sets(part.set)
-            parameter = words.parameters[index] if index < len(words.parameters) else None
-            return self._as_parameter(row, field, words, parameter) if parameter else row
-        asked = number if part.part == "number" else self.values.get(part.number, self.asked.get(part.number))
-        found = self.layout.device.parameter_at(part.set, asked) if isinstance(asked, int) else None
-        if found is None:
-            return row
-        words, own = found
-        parameter = words.numbered(own)
-        if part.part == "number":
-            return replace(row, meanings=(*row.meanings, _of(words, own, parameter)))
-        return self._as_parameter(row, field, words, parameter) if parameter else row
-
-    def _as_parameter(self, row: Row, field: FieldLayout, words: ParameterSet, parameter: Parameter) -> Row:
-        """A row whose bytes are read as a parameter: its unit, members and notes. No codec refuses it for these."""
-        value = parameter.value
-        if value.size != field.size:
-            return row
-        read = worded(self.layout.device, value, row.raw, field.order, field.swapped, parameter.reserved)
-        errata = (*row.errata, *errata_at(self.layout.device, parameter.place.path))
-        return replace(
-            row,
-            fact=parameter.place.path,
-            doc=parameter.doc or row.doc,
-            number=read.number,
-            value=read.text,
-            meanings=(_of(words, parameter.number, parameter), *read.meanings),
-            verdict=read.verdict,
-            reason="out_of_range" if read.reason else "",
-            source=citations(parameter.sources) or row.source,
-            notes=(*row.notes, *parameter.notes, *read.notes),
-            errata=tuple(dict.fromkeys((*errata, *errata_of_words(self.layout.device, read.facts)))),
-        )
-
-
-def _of(words: ParameterSet, number: int, parameter: Parameter | None) -> Meaning:
-    """What a parameter of a set is; of one without a row, its number as the manual writes it."""
-    text = f"parameter {words.written(number)}"
-    return Meaning(parameter.name, parameter.label, text, "") if parameter else Meaning(words.name, "", text, "")

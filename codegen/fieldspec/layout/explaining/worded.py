@@ -5,14 +5,17 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from decimal import Decimal
+from decimal import Context, Decimal
 
 from fieldspec.layout.meaning import Raw
 from fieldspec.model.device import Device
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.flags import Bit, Flags, State
 from fieldspec.model.primitive import Kind
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
+
+# What is short enough to be written as it is, and how many digits are left of what is not.
+_PLACES, _DIGITS, _ROUNDED = 6, 8, 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,8 +35,8 @@ class Meaning:
 class Worded:
     """What bytes say.
 
-    `number` is the raw value, None where there are too few bytes. `text` is the exact value in its unit, empty
-    where it has neither a unit nor a scale. `verdict` is empty, `right`, or `wrong: should be ..`; `reason` is
+    `number` is the raw value, None where there are too few bytes. `text` is the value in its unit, as `in_unit`
+    writes it. `verdict` is empty, `right`, or `wrong: should be ..`; `reason` is
     then the word of the codecs' errors. `facts` are the paths of enums, members and bits that took part.
     """
 
@@ -75,12 +78,29 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
 
 
 def decimal_text(number: Decimal) -> str:
-    """A number without an exponent."""
-    return format(number, "f")
+    """A number without an exponent: as it is where it is short, else rounded to six digits.
+
+    Where these would look like another number in full, such as 25 for 24.9999999, there are as many as it takes.
+    """
+    short = number.normalize(Context(prec=200))
+    if -_exponent(number) <= _PLACES:
+        return format(number, "f")
+    if -_exponent(short) <= _PLACES or len(short.as_tuple().digits) <= _DIGITS:
+        return format(short, "f")
+    for digits in range(_ROUNDED, len(short.as_tuple().digits)):
+        rounded = Context(prec=digits).plus(short).normalize()
+        if len(rounded.as_tuple().digits) == digits:
+            return format(rounded, "f")
+    return format(short, "f")
+
+
+def _exponent(number: Decimal) -> int:
+    exponent = number.as_tuple().exponent
+    return exponent if isinstance(exponent, int) else 0
 
 
 def in_unit(value: Value, number: int) -> str:
-    """`20.00 mm`: the exact value with its unit; empty where it has neither a unit nor a scale."""
+    """`20.00 mm`: the value with its unit, as `decimal_text` writes it; empty where it has neither unit nor scale."""
     if not value.unit and not value.scaled:
         return ""
     return f"{decimal_text(value.in_unit(number))} {value.unit}".strip()
@@ -169,6 +189,17 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
     for at in range(unknown.bit_length()):
         if unknown >> at & 1:
             yield Meaning("", "", "not listed", str(at))
+    yield from (_state(state) for state in word.states if _shows(word, state, number))
+
+
+def _shows(word: Flags, state: State, number: int) -> bool:
+    """Whether the bits of a word are those of a state."""
+    mask, value = word.masked(state)
+    return number & mask == value
+
+
+def _state(state: State) -> Meaning:
+    return Meaning(state.name, state.label, f"state {state.printed_name}".strip(), "")
 
 
 def _bit(device: Device, bit: Bit, held: int) -> Meaning:
@@ -179,4 +210,7 @@ def _bit(device: Device, bit: Bit, held: int) -> Meaning:
             return Meaning(f"{bit.name}={member.name}", member.label or bit.label, member.doc, bits)
     if bit.width > 1:
         return Meaning(f"{bit.name}={held}", bit.label, bit.doc, bits)
-    return Meaning(bit.name, bit.label, bit.one or bit.doc, bits)
+    said = bit.one or bit.doc
+    if bit.edge:
+        said = "; ".join(text for text in (said.removesuffix("."), f"acts at its {bit.edge} edge") if text)
+    return Meaning(bit.name, bit.label, said, bits)

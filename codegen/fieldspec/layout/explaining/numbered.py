@@ -1,0 +1,145 @@
+"""What the numbered parameter adds that a value is, or is the number or the index of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from fieldspec.layout.explaining.row import Row, citations, errata_at, errata_of_words
+from fieldspec.layout.explaining.worded import Meaning, worded
+from fieldspec.layout.meaning import Raw
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.message import Message
+from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import ParameterPart, Value
+
+_COUNTS = (Kind.INTEGER, Kind.BOOLEAN)
+
+
+@dataclass(frozen=True, slots=True)
+class _Element:
+    """An element of a parameter, or the whole of it: what is said of it, and as what its value is read."""
+
+    words: ParameterSet
+    number: int
+    parameter: Parameter | None
+    index: int | None
+    subindex: Subindex | None
+
+    @property
+    def meaning(self) -> Meaning:
+        """Its name; of a number without a row, the set's, and the number as the manual writes it."""
+        index = "" if self.index is None else f"[{self.index}]"
+        text = f"parameter {self.words.written(self.number)}{index}"
+        fact = self.fact
+        if fact is None:
+            return Meaning(self.words.name, "", text, "")
+        names = dict.fromkeys(one.name for one in (self.parameter, self.subindex) if one is not None and one.name)
+        return Meaning(".".join(names), fact.label, text, "")
+
+    @property
+    def fact(self) -> Parameter | Subindex | None:
+        """The row of the spec that it has."""
+        return self.subindex or self.parameter
+
+    @property
+    def sources(self) -> str:
+        """Where the manual prints it."""
+        fact, parameter = self.fact, self.parameter
+        own = fact.sources if fact is not None else ()
+        return citations(own or (parameter.sources if parameter is not None else ()))
+
+
+def with_parameter(
+    device: Device, row: Row, field: FieldLayout, index: int, known: Mapping[str, Raw], outer: Fact
+) -> Row:
+    """A row of element `index` of a field with what the parameter adds; `known` are the values of the frame so far,
+    and those of the request that it answers. `outer` is the message.
+    """
+    part = field.value.parameter if field.value else None
+    if part is None:
+        return row
+    if part.part == "values":
+        (words,) = device.sets(part.set)
+        if index >= len(words.parameters):
+            return row
+        held = words.parameters[index]
+        return _read_as(device, row, field, _Element(words, held.number, held, None, None))
+    asked = row.number if part.part == "number" else known.get(part.number)
+    found = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
+    if found is None:
+        return row
+    words, number = found
+    parameter = words.numbered(number)
+    if part.part == "number":
+        at = None
+    elif part.part == "subindex":
+        at = row.number
+    else:
+        first = known.get(_index_field(outer, part), 0)
+        at = first + index if isinstance(first, int) else None
+    element = _element(words, number, parameter, at)
+    if part.part == "value":
+        return _read_as(device, row, field, element)
+    if part.part == "subindex" and element.index is None:
+        return row
+    return replace(row, meanings=(*row.meanings, element.meaning))
+
+
+def _index_field(outer: Fact, part: ParameterPart) -> str:
+    """The field of a message that holds the index of the first element whose values it has."""
+    if not isinstance(outer, Message):
+        return ""
+    for field in (*outer.request.fields, *outer.response.fields):
+        held = field.value.parameter if field.value else None
+        if held is not None and (held.part, held.number) == ("subindex", part.number):
+            return field.name
+    return ""
+
+
+def _element(words: ParameterSet, number: int, parameter: Parameter | None, at: object) -> _Element:
+    """An element of a parameter that has several; else the whole parameter."""
+    several = parameter is not None and (parameter.elements is not None or parameter.subindices)
+    if parameter is None or not several or not isinstance(at, int):
+        return _Element(words, number, parameter, None, None)
+    subindex = next((inner for inner in parameter.subindices if at in inner.indices), None)
+    return _Element(words, number, parameter, at, subindex)
+
+
+def _read_as(device: Device, row: Row, field: FieldLayout, element: _Element) -> Row:
+    """A row whose bytes are read as a parameter: its unit, members and notes. No codec refuses it for these."""
+    fact = element.fact
+    if fact is None or element.parameter is None:
+        return replace(row, meanings=(element.meaning, *row.meanings))
+    again = _again(fact.value, field, row)
+    if again is None:
+        return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
+    read = worded(device, fact.value, *again, reserved=fact.reserved)
+    errata = (*row.errata, *errata_at(device, element.parameter.place.path))
+    return replace(
+        row,
+        fact=fact.place.path,
+        doc=fact.doc or row.doc,
+        number=read.number,
+        value=read.text,
+        meanings=(element.meaning, *read.meanings),
+        verdict=read.verdict,
+        reason="out_of_range" if read.reason else "",
+        source=element.sources or row.source,
+        notes=(*row.notes, *fact.notes, *read.notes),
+        errata=tuple(dict.fromkeys((*errata, *errata_of_words(device, read.facts)))),
+    )
+
+
+def _again(value: Value, field: FieldLayout, row: Row) -> tuple[bytes, str, bool] | None:
+    """The bytes of a row as those of a value, and their order; None where they cannot be it."""
+    own = field.primitive
+    alike = own.kind is value.type.kind or (own.kind in _COUNTS and value.type.kind in _COUNTS)
+    if value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
+        return row.raw, field.order, field.swapped
+    if alike and isinstance(row.number, int) and value.type.low <= row.number <= value.type.high:
+        return int(row.number).to_bytes(value.size, "big", signed=value.type.signed), "big", False
+    return None
