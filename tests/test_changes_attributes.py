@@ -50,6 +50,8 @@ errata:
     effect: range
     proof: judgement
     source: L3
+accepts:
+  - {rule: range_widened, path: registers/speed, reason: It turns faster now., date: 2026-01-31}
 """
 
 SAMPLES: dict[Any, Any] = {
@@ -63,6 +65,8 @@ SAMPLES: dict[Any, Any] = {
 IGNORED = {
     "Device.id": "only versions of one device are compared",
     "Device.version": "it is what is compared",
+    "Device.accepts": "it judges changes, and is none",
+    **{f"Acceptance.{name}": "it judges changes, and is none" for name in ("rule", "path", "reason", "date", "since")},
     "RegisterGroup.ascending": "it says how the table is checked, nothing about the device",
     "*.allowed": "it is for checks, no output shows it",
     "*.place": "a place in the spec says nothing about the device",

@@ -108,7 +108,7 @@ NOUNS: dict[type, Noun] = {
             *((noun, _listed(name), "") for noun, name in _OF_DEVICE),
             (Register, lambda device: device.registers(), ""),
         ),
-        within=tuple(name for _, name in _OF_DEVICE),
+        within=(*(name for _, name in _OF_DEVICE), "accepts"),
     ),
     VersionLine: Noun("line of versions", _D, _D, holds=((Version, _listed("versions"), ""),), within=("versions",)),
     Version: Noun("version", _D, _D, key=attrgetter("id")),

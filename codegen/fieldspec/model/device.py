@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from fieldspec.model.acceptance import Acceptance
 from fieldspec.model.enum import Enum
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
@@ -84,6 +85,7 @@ class Device:
     notes: tuple[Note, ...]
     examples: Mapping[str, Example]
     errata: tuple[Erratum, ...]
+    accepts: tuple[Acceptance, ...]
 
     def registers(self) -> Iterator[Register]:
         """All registers in the order of the spec."""

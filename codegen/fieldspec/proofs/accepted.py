@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from fieldspec.changes import RULES, changes
-from fieldspec.changes.judging import Compared, accepts_used
-from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.changes.judging import Compared, accepts_used, rules_known
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
 from fieldspec.reading.project import DeviceSpec
 
 
@@ -21,14 +22,17 @@ def previous(spec: DeviceSpec, version: str) -> str | None:
 
 def accepted(spec: DeviceSpec) -> list[Diagnostic]:
     """The findings of the acceptances that belong to versions; those of the spec are judged by a comparison with it."""
-    return list(accepts_used([*_steps(spec)], {name for name, _, _ in RULES}))
+    if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
+        return []
+    devices = {version: spec.at(version)[0] for version in spec.versions()}
+    rules = {name for name, _, _ in RULES}
+    named = (one for device in devices.values() for one in device.accepts)
+    return [*rules_known(named, rules), *accepts_used([*_steps(spec, devices)])]
 
 
-def _steps(spec: DeviceSpec) -> Iterator[Compared]:
-    for version in spec.versions():
+def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared]:
+    for version, new in devices.items():
         before = previous(spec, version)
-        new, broken = spec.at(version)
-        if before is None or has_errors(broken) or not any(version in one.since for one in new.accepts):
-            continue
-        old, _ = spec.at(before)
-        yield Compared(old, new, changes(old, new), step=True)
+        if before is not None and any(version in one.since for one in new.accepts):
+            old = devices[before] if before in devices else spec.at(before)[0]
+            yield Compared(old, new, changes(old, new), step=True)

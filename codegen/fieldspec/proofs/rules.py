@@ -3,6 +3,14 @@
 from __future__ import annotations
 
 RULES = {
+    "accepts_used": """Every change that a spec accepts is one that the comparison finds.
+
+Why: an acceptance that is not needed any more hides the next slip at the same place.
+
+Example: `accepts: [{rule: range_narrowed, path: registers/speed, ...}]` where the range of the speed is what it was.
+
+Cure: Put the rule or the path right as `fieldspec diff` shows them, or remove the entry.
+""",
     "characters_match_bytes": """The row of characters above an example's bytes is what the bytes read as.
 
 Why: the manual prints an ASCII frame twice, as characters and as bytes. Where they differ, one row is misprinted.

@@ -6,6 +6,7 @@ from fieldspec import checks
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import device_layout
 from fieldspec.model.device import Device
+from fieldspec.proofs.accepted import accepted
 from fieldspec.proofs.errata import errata_proven
 from fieldspec.proofs.examples import examples_proven
 from fieldspec.reading.project import DeviceSpec
@@ -50,4 +51,4 @@ def proven(spec: DeviceSpec) -> list[Diagnostic]:
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
         found += errata_proven(spec, version, device, errata, findings, known())
-    return found
+    return [*found, *accepted(spec)]

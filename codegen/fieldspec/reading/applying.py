@@ -41,7 +41,19 @@ def applied(tree: Mapping, overlay: Mapping) -> tuple[Mapping, list[Diagnostic]]
     ):
         for entry in mappings(overlay.values.get(part)):
             apply(entry)
-    return work.tree, work.found
+    return _accepting(work.tree, overlay), work.found
+
+
+def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
+    """The tree with the changes that an overlay accepts; they come with its version."""
+    own = overlay.values.get("accepts")
+    head = overlay.values["overlay"]
+    if not isinstance(own, Sequence) or not isinstance(head, Mapping):
+        return tree
+    entries = tuple(entry.with_value("since", head.values["id"]) for entry in mappings(own))
+    have = tree.values.get("accepts")
+    before = have.items if isinstance(have, Sequence) else ()
+    return tree.with_value("accepts", Sequence(own.file, own.start, own.end, (*before, *entries)))
 
 
 class _Application:

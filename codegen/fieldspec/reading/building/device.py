@@ -49,6 +49,7 @@ def built(tree: Mapping, version: str) -> tuple[Device, list[Diagnostic]]:
             notes=tuple(_by_name(root, "notes", texts.note).values()),
             examples=_by_name(root, "examples", texts.example, "id"),
             errata=tuple(_by_name(root, "errata", texts.erratum, "id").values()),
+            accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
         ),
         found,
     )

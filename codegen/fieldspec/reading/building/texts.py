@@ -1,7 +1,8 @@
-"""Lookups, limits, notes, examples and errata."""
+"""Lookups, limits, notes, examples, errata and accepted changes."""
 
 from __future__ import annotations
 
+from fieldspec.model.acceptance import Acceptance
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
 from fieldspec.model.limit import Limit
@@ -105,4 +106,16 @@ def erratum(entry: Entry) -> Erratum:
         effect=entry.text("effect"),
         proof=entry.text("proof"),
         sources=entry.sources,
+    )
+
+
+def acceptance(entry: Entry) -> Acceptance:
+    """A change that is accepted."""
+    return Acceptance(
+        place=entry.place(),
+        rule=entry.text("rule"),
+        path=entry.text("path"),
+        reason=entry.text("reason"),
+        date=entry.text("date"),
+        since=entry.texts("since"),
     )

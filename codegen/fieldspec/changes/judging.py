@@ -1,0 +1,81 @@
+"""Sets aside the changes that a spec accepts, and finds acceptances that accept nothing.
+
+An acceptance counts where it is new: in a comparison of what has it with what has it not. One with `since` belongs to
+versions, and counts between different ones; one without belongs to the spec, and counts between two states of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.changes.change import Change
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.acceptance import Acceptance
+from fieldspec.model.device import Device
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """Two devices and their changes. `step` says that the new version follows the old one on its line."""
+
+    old: Device
+    new: Device
+    changes: Sequence[Change]
+    step: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """A change, and what accepts it."""
+
+    change: Change
+    accepted: Acceptance | None
+
+
+def judged(compared: Compared) -> list[Judged]:
+    """The changes, each with the acceptance that counts and names it."""
+    given = {(one.rule, one.path): one for one in counting(compared.old, compared.new)}
+    return [Judged(change, given.get((change.rule, change.path))) for change in compared.changes]
+
+
+def counting(old: Device, new: Device) -> list[Acceptance]:
+    """The acceptances that count between two devices."""
+    known = {_identity(one) for one in old.accepts}
+    fresh = [one for one in new.accepts if _identity(one) not in known]
+    return [one for one in fresh if not one.since or old.version != new.version]
+
+
+def rules_known(acceptances: Iterable[Acceptance], rules: Collection[str]) -> Iterator[Diagnostic]:
+    """A finding for every acceptance that names no rule."""
+    for one in acceptances:
+        if one.rule not in rules:
+            text = f"there is no rule `{one.rule}` that could find a change"
+            yield Diagnostic(
+                "accepts_used", text, one.place["rule"], help="`fieldspec rule` lists the rules of changes"
+            )
+
+
+def accepts_used(comparisons: Sequence[Compared]) -> Iterator[Diagnostic]:
+    """A finding for every acceptance that counts in these comparisons and finds no change.
+
+    One that belongs to a version is asked for where its version is compared with the one before it: a later version
+    may have taken the change back.
+    """
+    asked: dict[tuple[object, ...], Acceptance] = {}
+    met: set[tuple[object, ...]] = set()
+    for compared in comparisons:
+        found = {(change.rule, change.path) for change in compared.changes}
+        for one in counting(compared.old, compared.new):
+            if not one.since or (compared.step and compared.new.version in one.since):
+                asked[_identity(one)] = one
+            if (one.rule, one.path) in found:
+                met.add(_identity(one))
+    for identity, one in asked.items():
+        if identity not in met:
+            text = f"`{one.rule}` finds no change at `{one.path}`"
+            yield Diagnostic("accepts_used", text, one.place["path"], help="put the path right, or remove the entry")
+
+
+def _identity(one: Acceptance) -> tuple[object, ...]:
+    return one.rule, one.path, one.reason, one.date, one.since
