@@ -30,6 +30,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "at": ("0x9010", "0x0..0xFFFFFFFF"),
     "gaps": ("16: nothing", "0..99999999: all", "x: y"),
     "sha256": ("0" * 64,),
+    "date": ("2026-01-31",),
 }
 
 
