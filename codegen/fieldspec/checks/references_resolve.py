@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.finding import finding, near
+from fieldspec.checks.frames import sent_on
 from fieldspec.checks.walking import cases, facts, values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
@@ -162,7 +163,10 @@ def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
     if not example.message and not example.refused and not example.error:
         text = f"nothing says which message {example.id} is"
         yield finding("references_resolve", place, "message", text, "name it, or say why it is `refused`")
-    link = device.links.get(example.link)
+    link, message = device.links.get(example.link), device.messages.get(example.message)
+    if link is not None and message is not None and not sent_on(link, message):
+        text = f"{message.name} is not sent on the link {link.name}"
+        yield finding("references_resolve", place, "link", text, "name the link, or the message, of the frame")
     if example.error and link is not None and link.error is None:
         text = f"the link {link.name} has no `error`, so no reply can refuse a request"
         yield finding("references_resolve", place, "error", text, "describe the refusal in the link")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import struct
 from collections.abc import Iterator
 from typing import Any
 
@@ -118,7 +120,17 @@ def _same(written: Any, actual: Any) -> bool:
         return all(name in actual and _same(value, actual[name]) for name, value in written.items())
     if isinstance(written, list) and isinstance(actual, list):
         return len(written) == len(actual) and all(map(_same, written, actual))
+    if isinstance(written, float) and isinstance(actual, float):
+        return _rounded(written) == _rounded(actual)
     return bool(written == actual)
+
+
+def _rounded(number: float) -> bytes:
+    """A number as the bytes of the nearest one of 32 bits: what is written in decimals is rarely exact."""
+    try:
+        return struct.pack("<f", number)
+    except OverflowError:
+        return struct.pack("<f", math.copysign(math.inf, number))
 
 
 def _bytes(reference: DeviceCodec, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:

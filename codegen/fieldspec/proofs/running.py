@@ -17,7 +17,24 @@ EXAMPLE_PROOFS = (
     "meaning_matches_bytes",
     "characters_match_bytes",
 )
-READING_PROOFS = ("units_known", "duplicate_name", "wrong_form")
+READING_PROOFS = (
+    "duplicate_name",
+    "missing_key",
+    "type_given",
+    "units_known",
+    "unknown_word",
+    "wrong_form",
+    "wrong_value",
+)
+LAYING_OUT = (
+    "choices_complete",
+    "links_complete",
+    "messages_complete",
+    "records_finite",
+    "references_resolve",
+    "repeat_last",
+)
+"""The checks without which a device has no layout."""
 ERRATA_PROOFS = ("errata_differ", "errata_paths_resolve", "errata_proven")
 
 
@@ -27,7 +44,7 @@ def findings(device: Device, name: str) -> list[Diagnostic]:
         return []
     if name not in EXAMPLE_PROOFS:
         return checks.run_named(device, name)
-    if has_errors(checks.run_named(device, "references_resolve")):
+    if any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
         return []
     return [found for found in examples_proven(device_layout(device)) if found.code == name]
 
