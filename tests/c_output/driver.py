@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.backend import header
+from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, stem
-from fieldspec.backends.c.records import members
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 
@@ -57,28 +58,35 @@ def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
     return found
 
 
+def settled(layout: DeviceLayout) -> Naming:
+    """The names that the header of a layout has."""
+    naming = Naming(layout.device.id)
+    header(layout, naming)
+    return naming
+
+
 def source(layout: DeviceLayout) -> str:
     """The text of the program."""
-    naming = Naming(layout.device.id)
+    naming = settled(layout)
     cases = []
     for name, record in records(layout).items():
-        decode, encode = naming.function(name, "decode"), naming.function(name, "encode")
+        decode, encode = naming.function("record", name, "decode"), naming.function("record", name, "encode")
         held = bool(members(record))
         cases.append(
             f'if (strcmp(name, "{name}") == 0) {{'
-            + (f" {naming.type(name)} value; memset(&value, 0, sizeof value);" if held else "")
+            + (f" {naming.type('record', name)} value; memset(&value, 0, sizeof value);" if held else "")
             + f" status = (int){decode}(data, (size_t)size{', &value' if held else ''});"
             + f" if (status == 0) second = (int){encode}({'&value, ' if held else ''}again, sizeof again, &length); }}"
         )
     for link in layout.links.values():
         wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
         for direction in ("request", "response"):
-            frame = naming.type(link.name, direction, "frame")
-            call = naming.function(link.name, direction, "open")
+            frame = naming.type("link", link.name, direction, "frame")
+            call = naming.function("link", link.name, direction, "open")
             cases.append(
                 f'if (strcmp(name, "{link.name}.{direction}") == 0) {{ {frame} value; memset(&value, 0, sizeof value);'
                 f" status = (int){call}(data, (size_t)size, {'buffer, sizeof buffer, ' if wrapped else ''}&value);"
                 " if (status == 0) { second = 0; length = value.body_length; memcpy(again, value.body, length); } }"
             )
-    header = stem(layout.device.id, layout.device.version) + ".h"
-    return f'#include "{header}"\n#include <stdio.h>\n' + _MAIN.replace("CASES", "\n        ".join(cases))
+    name = stem(layout.device.id, layout.device.version) + ".h"
+    return f'#include "{name}"\n#include <stdio.h>\n' + _MAIN.replace("CASES", "\n        ".join(cases))

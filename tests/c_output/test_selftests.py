@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,12 +11,15 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import COMPILERS, compiled
+from compiling import COMPILERS, compiled, require_tool
 
 from fieldspec.backends.c.backend import files
-from laid_out import MADE_UP, SPECS, layouts
+from fieldspec.reading.project import read
+from laid_out import MADE_UP, SPECS, laid_at, layouts
 
+KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_bytes()}).devices["knot-1"]
 VERSIONS = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+VERSIONS.append([laid_at(KNOT, version) for version in KNOT.versions()])
 TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
 HEADERS = sorted(path for path in TEXTS if path.endswith(".h"))
 
@@ -46,15 +50,36 @@ def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     assert result.stdout.endswith(" passed, 0 failed\n")
 
 
-def test_a_self_test_fails_when_a_field_lies_elsewhere(tmp_path: Path) -> None:
-    source = written(tmp_path, "tc100_v2_0.h")
-    header = tmp_path / "tc100_v2_0.h"
-    text = header.read_text("utf-8")
-    wrong = text.replace("tc100_store_u16_be(out + 6, ", "tc100_store_u16_be(out + 8, ", 1)
-    assert wrong != text
-    header.write_text(wrong, encoding="utf-8")
+@pytest.mark.parametrize(
+    ("name", "right", "wrong"),
+    [
+        ("tc100_v2_0", "tc100_store_u16_be(out + 6, ", "tc100_store_u16_be(out + 8, "),
+        ("glider_x_v1_1", "out->values.integer8[at] = glider_x_signed_8(", "out->values.integer8[at] = (int8_t)(1 + "),
+        ("glider_x_v1_1", "element = 2u;", "element = 1u;"),
+        ("glider_x_v1_1", "STATUS_WORD_STATE_RUNNING_VALUE 0x0003u", "STATUS_WORD_STATE_RUNNING_VALUE 0x0001u"),
+        ("glider_x_v1_1", "GLIDER_X_PAR_SERVO_BASE 0x2000u", "GLIDER_X_PAR_SERVO_BASE 0x2001u"),
+        ("glider_x_v1_1", "rest >= 0.5 && whole % 2 != 0", "rest >= 0.5"),
+        ("glider_x_v1_1", "(double)raw / 16384.0", "(double)raw / 16383.0"),
+        ("glider_x_v1_1", '{INT64_C(3808), INT64_C(78), "AL.EE0"', '{INT64_C(3808), INT64_C(79), "AL.EE0"'),
+    ],
+)
+def test_a_self_test_fails_when_the_header_is_wrong(name: str, right: str, wrong: str, tmp_path: Path) -> None:
+    source = written(tmp_path, f"{name}.h")
+    header = tmp_path / f"{name}.h"
+    text, times = re.subn(re.escape(right), wrong, header.read_text("utf-8"), count=1)
+    assert times == 1
+    header.write_text(text, encoding="utf-8")
     program = compiled("gcc", source, tmp_path / "selftest")
     assert subprocess.run([str(program)], capture_output=True, check=False).returncode == 1
+
+
+def test_a_machine_without_double_gets_none(tmp_path: Path) -> None:
+    source = written(tmp_path, "glider_x_v1_1.h")
+    assert compiled("gcc", source, tmp_path / "selftest", "-DGLIDER_X_WITHOUT_DOUBLE", "-ffreestanding")
+    command = [require_tool("gcc"), "-E", "-P", "-DGLIDER_X_WITHOUT_DOUBLE", str(tmp_path / "glider_x_v1_1.h")]
+    text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert "glider_x_telegram_3_request_encode" in text
+    assert re.findall(r"glider.*\bdouble\b.*", text) == []
 
 
 def test_two_versions_of_a_device_cannot_be_included_together(tmp_path: Path) -> None:

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+from fieldspec.backends.c.comments import told
+from fieldspec.backends.c.enums import enum_lines, text_lines
 from fieldspec.backends.c.frames import link_lines
 from fieldspec.backends.c.naming import Naming, stem
+from fieldspec.backends.c.parameters import parameter_lines
 from fieldspec.backends.c.records import record_lines
-from fieldspec.backends.c.registers import parameter_lines, register_lines, table_lines
+from fieldspec.backends.c.registers import register_lines, table_lines
 from fieldspec.backends.c.selftest import program
-from fieldspec.backends.c.support import check_lines, number_lines, status_lines
+from fieldspec.backends.c.signals import conversion_lines, signal_lines
+from fieldspec.backends.c.support import STATUSES, check_lines, number_lines, status_lines
 from fieldspec.backends.c.text import plain, string
-from fieldspec.backends.c.words import enum_lines, flags_lines, text_lines, told
+from fieldspec.backends.c.words import flags_lines
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 
 _PLAIN_KINDS = ("enum", "function", "type")
+_OWN_TYPES = ("codec_status", "code_text")
+_OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
@@ -23,8 +29,9 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     texts = {}
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
-        texts[f"{name}.h"] = _header(layout)
-        texts[f"{name}_selftest.c"] = program(layout, Naming(layout.device.id), f"{name}.h")
+        naming = Naming(layout.device.id)
+        texts[f"{name}.h"] = header(layout, naming)
+        texts[f"{name}_selftest.c"] = program(layout, naming, f"{name}.h")
     return texts
 
 
@@ -33,9 +40,10 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def _header(layout: DeviceLayout) -> str:
+def header(layout: DeviceLayout, naming: Naming) -> str:
+    """The header of a version. It settles the names, so whoever uses it must have the same naming."""
     device = layout.device
-    naming = Naming(device.id)
+    _claim(naming, device.version)
     algorithms = {
         part.algorithm
         for link in layout.links.values()
@@ -43,17 +51,20 @@ def _header(layout: DeviceLayout) -> str:
         for part in frame.tail
         if part.algorithm
     }
+    signals = [signal_lines(naming, signal) for signal in device.signals.values()]
     sections = [
         ("What functions return", [status_lines(naming)]),
         ("Numbers and characters, independent of the machine", number_lines(naming, layout)),
         ("Checks", check_lines(naming, algorithms)),
         ("Enums and codes", [enum_lines(naming, enum) for enum in device.enums.values()]),
         ("Words of flags", [flags_lines(naming, word) for word in device.flags.values()]),
+        ("Signals", [lines for lines in signals if lines]),
+        ("Conversions, which a machine without double leaves out", _conversions(naming, layout)),
         ("Records", [record_lines(naming, device, record, told(record.record)) for record in layout.records.values()]),
-        ("Data of requests and responses", _messages(naming, layout)),
+        ("Data of requests and responses", list(_messages(naming, layout))),
         ("Registers", [register_lines(naming, device, register) for register in layout.registers]),
         ("Tables of records", [table_lines(naming, table) for table in layout.tables.values()]),
-        ("Parameters", [b for held in device.parameters.values() for b in parameter_lines(naming, layout, held)]),
+        ("Parameters", [b for held in device.parameters.values() for b in parameter_lines(naming, device, held)]),
         ("Frames", [link_lines(naming, layout, link) for link in layout.links.values()]),
     ]
     coded = [enum for enum in device.enums.values() if enum.kind not in _PLAIN_KINDS]
@@ -62,26 +73,54 @@ def _header(layout: DeviceLayout) -> str:
         title=plain(f"{device.name} ({device.vendor}), version {device.version}"),
         manual=plain(f"{device.manual.title} {device.manual.edition}".strip()),
         identity=layout.identity,
-        guard=naming.macro("included"),
-        version_guard=naming.macro("version", "is", device.version),
-        version_macro=naming.macro("version"),
+        guard=naming.own_macro("included"),
+        version_guard=naming.own_macro("version", "is", device.version),
+        version_macro=naming.own_macro("version"),
         version=string(device.version),
-        identity_macro=naming.macro("identity"),
+        identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity),
         sections=[(name, ["\n".join(block) for block in blocks]) for name, blocks in sections if blocks],
-        texts_macro=naming.macro("with_texts"),
-        text_type=naming.type("code_text"),
+        switches=_switches(naming, algorithms, bool(coded), bool(device.conversions)),
+        texts_macro=naming.own_macro("with_texts"),
+        text_type=naming.own("code_text"),
         texts=["\n".join(text_lines(naming, enum)) for enum in coded],
     )
 
 
-def _messages(naming: Naming, layout: DeviceLayout) -> list[list[str]]:
-    blocks = []
+def _claim(naming: Naming, version: str) -> None:
+    """Settles the names that every header has before those of the device are."""
+    for name in _OWN_TYPES:
+        naming.own(name)
+    for name in (*_OWN_MACROS, *(status for status, _ in STATUSES)):
+        naming.own_macro(name)
+    naming.own_macro("version", "is", version)
+
+
+def _switches(naming: Naming, algorithms: set[str], coded: bool, converting: bool) -> list[str]:
+    """What may be defined before the header is included."""
+    known = (
+        ("with_texts", "for the texts of codes, which take memory", coded),
+        ("without_double", "to leave conversions out, which need double", converting),
+        ("wide_crc_table", "for a faster check with a table of 512 bytes", "crc16_modbus" in algorithms),
+    )
+    return [f"{naming.own_macro(name)} {what}" for name, what, used in known if used]
+
+
+def _conversions(naming: Naming, layout: DeviceLayout) -> list[list[str]]:
+    blocks = [conversion_lines(naming, layout.device, one) for one in layout.device.conversions.values()]
+    return [[f"#ifndef {naming.own_macro('without_double')}"], *blocks, ["#endif"]] if blocks else []
+
+
+def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[list[str]]:
     for message in layout.messages.values():
-        code = message.message.code
-        head = told(message.message)
-        if code is not None:
-            head.append(f"#define {naming.macro(message.name, 'code')} {code}u")
-        blocks.append(head)
-        blocks += [record_lines(naming, layout.device, data, []) for data in (message.request, message.response)]
-    return blocks
+        held = message.message
+        beside = f"Sent only beside {', '.join(held.supplements)}." if held.supplements else ""
+        links = f"On {', '.join(held.links)}." if held.links and len(layout.links) > 1 else ""
+        head = told(held, " ".join(text for text in (held.title and f"{held.title}.", links, beside) if text))
+        for name, number in (("code", held.code), ("number", held.number)):
+            if number is not None:
+                head.append(f"#define {naming.macro('message', message.name, name)} {number}u")
+        if head:
+            yield head
+        for data in (message.request, message.response):
+            yield record_lines(naming, layout.device, data, [])

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import struct
 from typing import Any
 
-from fieldspec.backends.c.records import given, members, most
+from fieldspec.backends.c.enums import available
+from fieldspec.backends.c.fields import given, members, most
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
 from fieldspec.model.primitive import Kind
@@ -37,7 +39,7 @@ def high_value(device: Device, value: Value) -> Any:
 def legal(device: Device, value: Value) -> list[int]:
     """Values that are taken, the least and the greatest of each interval among them."""
     if value.enum and not device.enums[value.enum].open:
-        members = sorted(m.value for m in device.enums[value.enum].members if not m.unavailable)
+        members = sorted(member.value for member in available(device.enums[value.enum]))
         inside = [number for number in members if value.ranges is None or number in value.ranges]
         return inside or members
     if value.ranges is not None:
@@ -106,12 +108,7 @@ def raw_bytes(value: Value, order: str, swapped: bool, held: Any) -> bytes:
     if kind in (Kind.TEXT, Kind.BYTES):
         data = held.encode("ascii") if isinstance(held, str) else bytes(held)
         return data.ljust(value.size, b"\0")
-    if kind is Kind.FLOAT:
-        import struct
-
-        number = int.from_bytes(struct.pack(">f", held), "big")
-    else:
-        number = int(held)
+    number = int.from_bytes(struct.pack(">f", held), "big") if kind is Kind.FLOAT else int(held)
     words_little = (order == "little") != swapped
     data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
     if swapped:

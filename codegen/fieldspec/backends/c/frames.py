@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.c.comments import told
+from fieldspec.backends.c.enums import closed_test
+from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, argument, frame_member
-from fieldspec.backends.c.records import members
 from fieldspec.backends.c.text import array, comment, indented, integer
-from fieldspec.backends.c.values import Wire, access_name, declaration, load, range_test
-from fieldspec.backends.c.words import closed_test, told
+from fieldspec.backends.c.values import Wire, access_name, const_test, declaration, load, range_test
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
@@ -35,9 +36,9 @@ def link_lines(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[s
     if link.link.encoding == "hex_ascii" or link.link.start or link.link.end:
         lines += [*_parts(naming, link), ""]
     for direction in DIRECTIONS:
-        lines += [*_frame_struct(naming, link, direction), "", *_open(naming, layout, link, direction), ""]
+        lines += [*_frame_struct(naming, link, direction), "", *_open(naming, link, direction), ""]
         lines += [*_close(naming, layout, link, direction), ""]
-    for message in layout.messages.values():
+    for message in link.messages.values():
         for direction in DIRECTIONS:
             code = message.message.code if link.frame(direction).role("code") is not None else None
             lines += [*_message(naming, link, direction, message.data(direction), f"{message.name}", code), ""]
@@ -55,16 +56,16 @@ def _form(link: LinkLayout) -> str:
 
 
 def _fits(naming: Naming, test: str, error: str) -> list[str]:
-    return [f"if ({test}) {{", f"    return {naming.macro(error)};", "}"]
+    return [f"if ({test}) {{", f"    return {naming.own_macro(error)};", "}"]
 
 
 def _parts(naming: Naming, link: LinkLayout) -> list[str]:
     """The function that takes a frame's marks away, and turns characters into bytes."""
     start, end = link.link.start, link.link.end
-    name = naming.function(link.name, "parts")
+    name = naming.function("link", link.name, "parts")
     lines = [
         *comment("Takes the marks away and writes the bytes between them. They may replace the frame itself."),
-        f"static inline {naming.type('codec_status')} {name}"
+        f"static inline {naming.own('codec_status')} {name}"
         "(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)",
         "{",
     ]
@@ -83,7 +84,7 @@ def _parts(naming: Naming, link: LinkLayout) -> list[str]:
         body += _fits(naming, "capacity < *length", "err_capacity")
         body += ["for (at = 0; at < *length; at++) {", f"    out[at] = frame[{len(start)}u + at];", "}"]
     else:
-        digit = naming.function("digit")
+        digit = naming.own("digit")
         body += ["for (at = 0; at < *length; at++) {"]
         body += indented(_fits(naming, f"{digit}(frame[{len(start)}u + at]) > 15u", "err_not_hex"))
         body += ["}", *_fits(naming, "*length % 2u != 0", "err_wrong_length"), "*length /= 2u;"]
@@ -92,13 +93,13 @@ def _parts(naming: Naming, link: LinkLayout) -> list[str]:
         second = f"frame[{len(start) + 1}u + 2u * at]"
         body += ["for (at = 0; at < *length; at++) {"]
         body += [f"    out[at] = (uint8_t)({digit}({first}) << 4 | {digit}({second}));", "}"]
-    body.append(f"return {naming.macro('ok')};")
+    body.append(f"return {naming.own_macro('ok')};")
     return [*lines, *indented(body), "}"]
 
 
 def _frame_struct(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
     shape = link.frame(direction)
-    name = naming.type(link.name, direction, "frame")
+    name = naming.type("link", link.name, direction, "frame")
     lines = [*comment(f"An opened {direction}: what stands before the body, and where the body is.")]
     lines.append(f"typedef struct {name} {{")
     for part in head_members(shape):
@@ -110,26 +111,26 @@ def _frame_struct(naming: Naming, link: LinkLayout, direction: str) -> list[str]
     return [*lines, *indented(["const uint8_t *body;", "size_t body_length;"]), f"}} {name};"]
 
 
-def _open(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str) -> list[str]:
+def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
     """The function that checks a frame and finds its body."""
     shape = link.frame(direction)
     unwrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
     buffer = ", uint8_t *buffer, size_t capacity" if unwrapped else ""
-    kind = naming.type(link.name, direction, "frame")
+    kind = naming.type("link", link.name, direction, "frame")
     told_of = ["Checks a frame and finds its body."]
     if unwrapped:
         told_of.append("The buffer receives the frame's bytes, and the body lies in it.")
     lines = [
         *comment(*told_of),
-        f"static inline {naming.type('codec_status')} {naming.function(link.name, direction, 'open')}"
+        f"static inline {naming.own('codec_status')} {naming.function('link', link.name, direction, 'open')}"
         f"(const uint8_t *frame, size_t size{buffer}, {kind} *out)",
         "{",
     ]
     body = []
     if unwrapped:
-        body += ["const uint8_t *in = buffer;", "size_t length = 0;", f"{naming.type('codec_status')} status;"]
-        body += [f"status = {naming.function(link.name, 'parts')}(frame, size, buffer, capacity, &length);"]
-        body += [f"if (status != {naming.macro('ok')}) {{", "    return status;", "}"]
+        body += ["const uint8_t *in = buffer;", "size_t length = 0;", f"{naming.own('codec_status')} status;"]
+        body += [f"status = {naming.function('link', link.name, 'parts')}(frame, size, buffer, capacity, &length);"]
+        body += [f"if (status != {naming.own_macro('ok')}) {{", "    return status;", "}"]
     else:
         body += ["const uint8_t *in = frame;", "size_t length = size;"]
     least = shape.head_size + shape.tail_size
@@ -143,17 +144,20 @@ def _open(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: str
     check = shape.check
     if check is not None:
         at = f"length - {-check.offset}u"
-        held = f"{naming.function('load', access_name(check.size, check.order, False))}(in + {at})"
-        body += _fits(naming, f"{naming.function(check.algorithm)}(in, {at}) != {held}", "err_wrong_check")
+        held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {at})"
+        body += _fits(naming, f"{naming.own(check.algorithm)}(in, {at}) != {held}", "err_wrong_check")
+    for part in shape.head:
+        if part.value is not None and part.value.const is not None and part.role != "length":
+            body += const_test(naming, part_wire(part), f"in + {part.offset}")
     for part in head_members(shape):
         body.append(f"out->{frame_member(part.name)} = {load(naming, part_wire(part), f'in + {part.offset}')};")
-    body += _code(naming, layout, link, shape)
+    body += _code(naming, link, shape)
     body += [f"out->body = in + {shape.head_size};", f"out->body_length = length - {least}u;"]
-    body.append(f"return {naming.macro('ok')};")
+    body.append(f"return {naming.own_macro('ok')};")
     return [*lines, *indented(body), "}"]
 
 
-def _code(naming: Naming, layout: DeviceLayout, link: LinkLayout, shape: FrameLayout) -> list[str]:
+def _code(naming: Naming, link: LinkLayout, shape: FrameLayout) -> list[str]:
     part = shape.role("code")
     if part is None:
         return []
@@ -164,7 +168,7 @@ def _code(naming: Naming, layout: DeviceLayout, link: LinkLayout, shape: FrameLa
         lines.append(f"out->error = (out->code & {error.flag}u) != 0;")
         lines += ["if (out->error) {", f"    out->code &= ~(uint32_t){error.flag}u;", "}"]
         guard = "!out->error && "
-    codes = sorted({m.message.code for m in layout.messages.values() if m.message.code is not None})
+    codes = sorted({m.message.code for m in link.messages.values() if m.message.code is not None})
     if codes:
         tests = " && ".join(f"out->code != {code}u" for code in codes)
         lines += _fits(naming, f"{guard}{tests}", "err_unknown_code")
@@ -184,7 +188,7 @@ def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: st
     arguments += ["size_t body_length", "uint8_t *out", "size_t capacity", "size_t *length"]
     lines = [
         *comment(f"Completes a frame whose body lies at out + {shape.head_size}. Length receives the frame's size."),
-        f"static inline {naming.type('codec_status')} {naming.function(link.name, direction, 'close')}"
+        f"static inline {naming.own('codec_status')} {naming.function('link', link.name, direction, 'close')}"
         f"({', '.join(arguments)})",
         "{",
     ]
@@ -198,20 +202,20 @@ def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: st
         body += _head(naming, layout, link, part)
     if shape.check is not None:
         check = shape.check
-        store = naming.function("store", access_name(check.size, check.order, False))
+        store = naming.own("store", access_name(check.size, check.order, False))
         at = f"total - {-check.offset}u"
-        body.append(f"{store}(out + {at}, {naming.function(check.algorithm)}(out, {at}));")
+        body.append(f"{store}(out + {at}, {naming.own(check.algorithm)}(out, {at}));")
     if marks or width == 2:
         body += _wrap(naming, link)
     if not any("out" in line for line in body):
         body.append("(void)out;")
-    body += [f"*length = total * {width}u + {marks}u;", f"return {naming.macro('ok')};"]
+    body += [f"*length = total * {width}u + {marks}u;", f"return {naming.own_macro('ok')};"]
     return [*lines, *indented(body), "}"]
 
 
 def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayout) -> list[str]:
     held = part_wire(part)
-    store = naming.function("store", access_name(held.size, held.order, False))
+    store = naming.own("store", access_name(held.size, held.order, False))
     number = f"uint{8 * held.size}_t"
     at = f"out + {part.offset}"
     if part.role == "length":
@@ -250,7 +254,7 @@ def _wrap(naming: Naming, link: LinkLayout) -> list[str]:
     start, end = link.link.start, link.link.end
     lines = ["for (at = total; at-- > 0;) {"]
     if link.link.encoding == "hex_ascii":
-        digits = naming.function("hex_digit")
+        digits = naming.own("hex_digit")
         lines += [
             "    const uint8_t byte = out[at];",
             f"    out[{len(start)}u + 2u * at] = {digits}((uint8_t)(byte >> 4));",
@@ -281,27 +285,28 @@ def _message(
     if flag is not None:
         arguments.append("uint32_t code")
     if members(data):
-        arguments.append(f"const {naming.type(data.name)} *in")
+        arguments.append(f"const {naming.type('record', data.name)} *in")
     arguments += ["uint8_t *out", "size_t capacity", "size_t *length"]
-    function = naming.function(link.name, "encode", name, *(() if flag is not None else (direction,)))
+    function = naming.function("link", link.name, "encode", name, *(() if flag is not None else (direction,)))
     codes = [f"code | {flag}u"] if flag is not None else [f"{code}u"] if code is not None else []
     values = ", ".join([*heads, *codes, "body_length", "out", "capacity", "length"])
     held = "in, " if members(data) else ""
-    head = shape.head_size
+    head, encode = shape.head_size, naming.function("record", data.name, "encode")
+    room = f"out + {head}, capacity - {head}u" if head else "out, capacity"
     body = [
         "size_t body_length = 0;",
-        f"{naming.type('codec_status')} status;",
+        f"{naming.own('codec_status')} status;",
         *(_fits(naming, f"capacity < {head}u", "err_capacity") if head else []),
-        f"status = {naming.function(data.name, 'encode')}({held}out + {head}, capacity - {head}u, &body_length);",
-        f"if (status != {naming.macro('ok')}) {{",
+        f"status = {encode}({held}{room}, &body_length);",
+        f"if (status != {naming.own_macro('ok')}) {{",
         "    return status;",
         "}",
-        f"return {naming.function(link.name, direction, 'close')}({values});",
+        f"return {naming.function('link', link.name, direction, 'close')}({values});",
     ]
     what = "an error reply to a code" if flag is not None else f"the {direction} {data.name}"
     return [
         *comment(f"Writes the whole frame of {what}."),
-        f"static inline {naming.type('codec_status')} {function}({', '.join(arguments)})",
+        f"static inline {naming.own('codec_status')} {function}({', '.join(arguments)})",
         "{",
         *indented(body),
         "}",

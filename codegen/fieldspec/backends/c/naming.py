@@ -2,34 +2,86 @@
 
 from __future__ import annotations
 
+from typing import Literal, TypeAlias
+
 from fieldspec.names import Name
 from fieldspec.reserved import C
+
+Noun: TypeAlias = Literal[
+    "own",
+    "enum",
+    "word",
+    "bit",
+    "state",
+    "record",
+    "message",
+    "signal",
+    "conversion",
+    "register",
+    "table",
+    "parameter",
+    "link",
+]
+
+_PREFIXES: dict[Noun, str] = {"signal": "signal", "register": "reg", "table": "table", "parameter": "par"}
+
+# What the headers that are included define, as far as it has several words, and the local names of functions.
+_TAKEN = (
+    *("size_t", "ptrdiff_t", "wchar_t", "max_align_t", "size_max", "ptrdiff_max", "inner_length", "body_length"),
+    *(f"{sign}int{kind}{bits}_t" for sign in ("", "u") for kind in ("", "_fast", "_least") for bits in (8, 16, 32, 64)),
+    *(f"{sign}int{bits}_{end}" for sign in ("", "u") for bits in (8, 16, 32, 64, "ptr") for end in ("t", "max", "min")),
+)
 
 _OWN = {"in", "out", "code", "length", "capacity", "body_length", "status", "total", "at", "byte", "value"}
 _FRAME = {"code", "error", "body", "body_length"}
 
 
 class Naming:
-    """The names of one device's header."""
+    """The names of one device's header: each thing has one, and no two have the same.
+
+    A thing is known by what it is and by the names of what it belongs to. Of two things whose words are the same
+    joined, the one that is asked for first gets them; the other one has a number behind them.
+    """
 
     def __init__(self, device: str) -> None:
         self.device = Name.of(device)
+        self._taken = {word for name in _TAKEN for word in (name, name.upper())}
+        self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
 
-    def type(self, *parts: str) -> str:
+    def type(self, noun: Noun, *parts: str) -> str:
         """`gadget_point`"""
-        return self._name(parts).snake()
+        return self._name(False, noun, parts)
 
     function = type
 
-    def macro(self, *parts: str) -> str:
+    def macro(self, noun: Noun, *parts: str) -> str:
         """`GADGET_POINTS_BASE`"""
-        return self._name(parts).upper()
+        return self._name(True, noun, parts)
 
-    def _name(self, parts: tuple[str, ...]) -> Name:
-        name = self.device
-        for part in parts:
-            name += Name.of(part)
-        return name
+    def own(self, *parts: str) -> str:
+        """A type or a function that every header has, or that no other noun has: `gadget_codec_status`"""
+        return self.type("own", *parts)
+
+    def own_macro(self, *parts: str) -> str:
+        """`GADGET_OK`"""
+        return self.macro("own", *parts)
+
+    def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
+        key = (upper, noun, parts)
+        if key not in self._given:
+            words = self.device + Name.of(_PREFIXES.get(noun, ""))
+            for part in parts:
+                words += Name.of(part)
+            self._given[key] = self._free(words, upper)
+        return self._given[key]
+
+    def _free(self, words: Name, upper: bool) -> str:
+        number, tried = 1, words
+        while (text := tried.upper() if upper else tried.snake()) in self._taken:
+            number += 1
+            tried = words + Name.of(str(number))
+        self._taken.add(text)
+        return text
 
 
 def member(name: str) -> str:
@@ -49,5 +101,5 @@ def frame_member(name: str) -> str:
 
 def stem(device: str, version: str) -> str:
     """The name of a version's files: `gadget_v2_0`, `gadget_before_1_17`."""
-    words = Name.of(version).snake()
-    return f"{device}_v{words}" if words[:1].isdigit() else f"{device}_{words}"
+    held, words = Name.of(device).snake(), Name.of(version).snake()
+    return f"{held}_v{words}" if words[:1].isdigit() else f"{held}_{words}"

@@ -28,11 +28,11 @@ STATUSES = (
 
 def status_lines(naming: Naming) -> list[str]:
     """The type that every function returns."""
-    lines = [*comment("What a function has to say."), f"typedef enum {naming.type('codec_status')} {{"]
+    lines = [*comment("What a function has to say."), f"typedef enum {naming.own('codec_status')} {{"]
     for at, (name, text) in enumerate(STATUSES):
         comma = "," if at + 1 < len(STATUSES) else ""
-        lines.append(f"    {naming.macro(name)} = {at}{comma} /**< {text} */")
-    return [*lines, f"}} {naming.type('codec_status')};"]
+        lines.append(f"    {naming.own_macro(name)} = {at}{comma} /**< {text} */")
+    return [*lines, f"}} {naming.own('codec_status')};"]
 
 
 def accesses(layout: DeviceLayout) -> list[tuple[int, str, bool]]:
@@ -48,6 +48,9 @@ def accesses(layout: DeviceLayout) -> list[tuple[int, str, bool]]:
         for field in record.fields:
             if field.value is not None and field.value.type.letter != "s":
                 add(field.size, field.order, field.swapped)
+            for case in field.cases:
+                if case.value.type.letter != "s":
+                    add(case.value.size, case.order, case.swapped)
     for link in layout.links.values():
         for frame in (link.request, link.response):
             for part in (*frame.head, *frame.tail):
@@ -57,8 +60,9 @@ def accesses(layout: DeviceLayout) -> list[tuple[int, str, bool]]:
             add(register.register.value.size, register.order, register.swapped)
     for held in device.parameters.values():
         for parameter in held.parameters:
-            if parameter.value.type.letter != "s":
-                add(parameter.value.size, *orders.of(parameter.value))
+            for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
+                if value.type.letter != "s":
+                    add(value.size, *orders.of(value))
     return sorted(found)
 
 
@@ -77,14 +81,14 @@ def number_lines(naming: Naming, layout: DeviceLayout) -> list[list[str]]:
 
 def _floats(naming: Naming) -> list[str]:
     return [
-        f"static inline float {naming.function('float_of')}(uint32_t bits)",
+        f"static inline float {naming.own('float_of')}(uint32_t bits)",
         "{",
         "    float value;",
         "    memcpy(&value, &bits, sizeof value);",
         "    return value;",
         "}",
         "",
-        f"static inline uint32_t {naming.function('bits_of')}(float value)",
+        f"static inline uint32_t {naming.own('bits_of')}(float value)",
         "{",
         "    uint32_t bits;",
         "    memcpy(&bits, &value, sizeof bits);",
@@ -95,7 +99,7 @@ def _floats(naming: Naming) -> list[str]:
 
 def _texts(naming: Naming) -> list[str]:
     return [
-        f"static inline bool {naming.function('is_ascii')}(const uint8_t *in, size_t size)",
+        f"static inline bool {naming.own('is_ascii')}(const uint8_t *in, size_t size)",
         "{",
         "    size_t at;",
         "    for (at = 0; at < size; at++) {",
@@ -109,14 +113,14 @@ def _texts(naming: Naming) -> list[str]:
         *comment(
             "Writes a text of at most size characters, filled up with zeros; other characters than ASCII are refused."
         ),
-        f"static inline bool {naming.function('put_text')}(uint8_t *out, const char *text, size_t size)",
+        f"static inline bool {naming.own('put_text')}(uint8_t *out, const char *text, size_t size)",
         "{",
         "    size_t at;",
         "    memset(out, 0, size);",
         "    for (at = 0; at < size && text[at] != '\\0'; at++) {",
         "        out[at] = (uint8_t)text[at];",
         "    }",
-        f"    return {naming.function('is_ascii')}(out, size);",
+        f"    return {naming.own('is_ascii')}(out, size);",
         "}",
     ]
 
@@ -124,7 +128,7 @@ def _texts(naming: Naming) -> list[str]:
 def _digits(naming: Naming) -> list[str]:
     return [
         *comment("The value of a hexadecimal digit; more than 15 for any other character."),
-        f"static inline uint8_t {naming.function('digit')}(uint8_t character)",
+        f"static inline uint8_t {naming.own('digit')}(uint8_t character)",
         "{",
         "    if (character >= 0x30u && character <= 0x39u) {",
         "        return (uint8_t)(character - 0x30u);",
@@ -138,7 +142,7 @@ def _digits(naming: Naming) -> list[str]:
         "    return 0xFFu;",
         "}",
         "",
-        f"static inline uint8_t {naming.function('hex_digit')}(uint8_t value)",
+        f"static inline uint8_t {naming.own('hex_digit')}(uint8_t value)",
         "{",
         "    return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);",
         "}",
@@ -154,12 +158,12 @@ def _crc16(naming: Naming) -> list[str]:
     """CRC-16 with a table of 16 entries, or of 256 where speed counts more than 480 bytes."""
     small = ", ".join(f"0x{_crc_entry(at, 4):04X}u" for at in range(16))
     large = [", ".join(f"0x{_crc_entry(at, 8):04X}u" for at in range(row, row + 8)) for row in range(0, 256, 8)]
-    wide = naming.macro("wide_crc_table")
+    wide = naming.own_macro("wide_crc_table")
     return [
         *comment(
             "CRC-16, polynomial 0xA001 reflected, start value 0xFFFF.", f"Define {wide} for a table of 512 bytes."
         ),
-        f"static inline uint16_t {naming.function('crc16_modbus')}(const uint8_t *in, size_t size)",
+        f"static inline uint16_t {naming.own('crc16_modbus')}(const uint8_t *in, size_t size)",
         "{",
         f"#ifdef {wide}",
         "    static const uint16_t table[256] = {",
@@ -196,7 +200,7 @@ def _crc_entry(at: int, bits: int) -> int:
 def _sum(naming: Naming, name: str, what: str, last: str) -> list[str]:
     return [
         *comment(what),
-        f"static inline uint8_t {naming.function(name)}(const uint8_t *in, size_t size)",
+        f"static inline uint8_t {naming.own(name)}(const uint8_t *in, size_t size)",
         "{",
         "    uint32_t sum = 0;",
         "    size_t at;",

@@ -80,12 +80,12 @@ def access_functions(naming: Naming, size: int, order: str, swapped: bool) -> li
     steps = shifts(size, order, swapped)
     parts = [f"({wide})in[{at}]" + (f" << {step}" if step else "") for at, step in enumerate(steps)]
     lines = [
-        f"static inline {kind} {naming.function('load', name)}(const uint8_t *in)",
+        f"static inline {kind} {naming.own('load', name)}(const uint8_t *in)",
         "{",
         f"    return ({kind})({' | '.join(parts if size == 1 else [f'({part})' for part in parts])});",
         "}",
         "",
-        f"static inline void {naming.function('store', name)}(uint8_t *out, {kind} value)",
+        f"static inline void {naming.own('store', name)}(uint8_t *out, {kind} value)",
         "{",
     ]
     for at, step in enumerate(steps):
@@ -96,9 +96,9 @@ def access_functions(naming: Naming, size: int, order: str, swapped: bool) -> li
 
 def load(naming: Naming, wire: Wire, source: str) -> str:
     """An expression for the number at `source`, an expression for a pointer to its first byte."""
-    call = f"{naming.function('load', access_name(wire.size, wire.order, wire.swapped))}({source})"
+    call = f"{naming.own('load', access_name(wire.size, wire.order, wire.swapped))}({source})"
     if wire.value.type.signed and wire.kind is Kind.INTEGER:
-        return f"{naming.function('signed', str(8 * wire.size))}({call})"
+        return f"{naming.own('signed', str(8 * wire.size))}({call})"
     return call
 
 
@@ -109,7 +109,7 @@ def signed_functions(naming: Naming) -> list[str]:
         kind = f"uint{bits}_t"
         top = f"UINT64_C(0x{1 << (bits - 1):X})" if bits == 64 else f"0x{1 << (bits - 1):X}u"
         lines += [
-            f"static inline int{bits}_t {naming.function('signed', str(bits))}({kind} raw)",
+            f"static inline int{bits}_t {naming.own('signed', str(bits))}({kind} raw)",
             "{",
             f"    return (int{bits}_t)((raw & {top}) ? -({wide})({kind})~raw - 1 : ({wide})raw);",
             "}",
@@ -156,8 +156,8 @@ def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: s
     value = wire.value
     if wire.kind is Kind.TEXT:
         return [
-            f"if (!{naming.function('is_ascii')}({source}, {wire.size}u)) {{",
-            f"    return {naming.macro('err_unknown_value')};",
+            f"if (!{naming.own('is_ascii')}({source}, {wire.size}u)) {{",
+            f"    return {naming.own_macro('err_unknown_value')};",
             "}",
             f"memcpy({target}, {source}, {wire.size}u);",
             f"{target}[{wire.size}] = '\\0';",
@@ -165,11 +165,11 @@ def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: s
     if wire.kind is Kind.BYTES:
         return [f"memcpy({target}, {source}, {wire.size}u);"]
     if wire.kind is Kind.FLOAT:
-        return [f"{target} = {naming.function('float_of')}({load(naming, wire, source)});"]
+        return [f"{target} = {naming.own('float_of')}({load(naming, wire, source)});"]
     if wire.kind is Kind.BOOLEAN:
         return [
             f"if ({load(naming, wire, source)} > 1u) {{",
-            f"    return {naming.macro('err_unknown_value')};",
+            f"    return {naming.own_macro('err_unknown_value')};",
             "}",
             f"{target} = {load(naming, wire, source)} == 1u;",
         ]
@@ -177,7 +177,7 @@ def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: s
     if value.const is not None:
         return const_test(naming, wire, source)
     if closed:
-        lines += [f"if ({closed}) {{", f"    return {naming.macro('err_unknown_value')};", "}"]
+        lines += [f"if ({closed}) {{", f"    return {naming.own_macro('err_unknown_value')};", "}"]
     return lines
 
 
@@ -187,35 +187,33 @@ def const_test(naming: Naming, wire: Wire, source: str) -> list[str]:
     wanted = integer(wire.value.const, wire.size, wire.value.type.signed)
     return [
         f"if ({load(naming, wire, source)} != {wanted}) {{",
-        f"    return {naming.macro('err_wrong_const')};",
+        f"    return {naming.own_macro('err_wrong_const')};",
         "}",
     ]
 
 
 def encode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
     """Statements that check the value `source` and write it at `target`, and return where it is refused."""
-    store = (
-        naming.function("store", access_name(wire.size, wire.order, wire.swapped)) if wire.size in (1, 2, 4, 8) else ""
-    )
+    store = naming.own("store", access_name(wire.size, wire.order, wire.swapped)) if wire.size in (1, 2, 4, 8) else ""
     if wire.kind is Kind.TEXT:
         return [
-            f"if (!{naming.function('put_text')}({target}, {source}, {wire.size}u)) {{",
-            f"    return {naming.macro('err_unknown_value')};",
+            f"if (!{naming.own('put_text')}({target}, {source}, {wire.size}u)) {{",
+            f"    return {naming.own_macro('err_unknown_value')};",
             "}",
         ]
     if wire.kind is Kind.BYTES:
         return [f"memcpy({target}, {source}, {wire.size}u);"]
     if wire.kind is Kind.FLOAT:
-        return [f"{store}({target}, {naming.function('bits_of')}({source}));"]
+        return [f"{store}({target}, {naming.own('bits_of')}({source}));"]
     number = f"uint{8 * wire.size}_t"
     if wire.kind is Kind.BOOLEAN:
         return [f"{store}({target}, ({number})({source} ? 1 : 0));"]
     lines = []
     if closed:
-        lines += [f"if ({closed}) {{", f"    return {naming.macro('err_unknown_value')};", "}"]
+        lines += [f"if ({closed}) {{", f"    return {naming.own_macro('err_unknown_value')};", "}"]
     test = range_test(wire.value, source)
     if test:
-        lines += [f"if ({test}) {{", f"    return {naming.macro('err_out_of_range')};", "}"]
+        lines += [f"if ({test}) {{", f"    return {naming.own_macro('err_out_of_range')};", "}"]
     cast = f"({number})" if wire.value.type.signed else ""
     return [*lines, f"{store}({target}, {cast}{source});"]
 
@@ -224,6 +222,6 @@ def fixed_lines(naming: Naming, wire: Wire, number: int, target: str) -> list[st
     """Statements that write a number that nobody gives: a constant, or that of a reserved field."""
     if wire.kind in (Kind.TEXT, Kind.BYTES):
         return [f"memset({target}, 0, {wire.size}u);"]
-    store = naming.function("store", access_name(wire.size, wire.order, wire.swapped))
+    store = naming.own("store", access_name(wire.size, wire.order, wire.swapped))
     raw = number & ((1 << (8 * wire.size)) - 1)
     return [f"{store}({target}, {integer(raw, wire.size, False)});"]

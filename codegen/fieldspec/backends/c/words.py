@@ -1,151 +1,100 @@
-"""Enums, tables of codes, and words of flags."""
+"""Words of flags: their bits, and the states that bits show together."""
 
 from __future__ import annotations
 
+from fieldspec.backends.c.comments import told
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import comment, hexadecimal, indented, integer, plain, string
-from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum, Member
-from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Flags
-from fieldspec.model.value import Value
-
-_LARGEST_ENUM = 2**31 - 1
+from fieldspec.backends.c.text import comment, hexadecimal, indented
+from fieldspec.model.flags import Bit, Flags
 
 
-def told(fact: Fact, *more: str) -> list[str]:
-    """The comment of a fact: what it is, what the manual calls it, and where it stands."""
-    printed = " ".join(text for text in (fact.printed_name, fact.label) if text)
-    sources = "; ".join(citation.text() for citation in fact.sources)
-    return comment(
-        fact.doc,
-        f"Printed as {printed}." if printed else "",
-        *more,
-        *(f"Note: {note}" for note in fact.notes),
-        f"Source: {sources}" if sources else "",
-    )
-
-
-def enum_lines(naming: Naming, enum: Enum) -> list[str]:
-    """The members' values, and the function that says which values a closed enum has."""
-    members = [member for member in enum.members if not member.unavailable]
-    lines = told(enum, "Other values may occur." if enum.open else "")
-    small = [member for member in members if abs(member.value) <= _LARGEST_ENUM]
-    if small:
-        name = naming.type(enum.name)
-        lines += [f"typedef enum {name} {{"]
-        for at, member in enumerate(small):
-            comma = "," if at + 1 < len(small) else ""
-            lines.append(
-                f"    {naming.macro(enum.name, member.name)} = {integer(member.value)}{comma}{_beside(member)}"
-            )
-        lines.append(f"}} {name};")
-    for member in members:
-        if member not in small:
-            lines.append(f"#define {naming.macro(enum.name, member.name)} {integer(member.value, 8, member.value < 0)}")
-    if not enum.open:
-        lines += ["", *_known(naming, enum.name, members)]
-    return lines
-
-
-def _known(naming: Naming, name: str, members: list[Member]) -> list[str]:
-    lines = [
-        f"/** Whether a value is one of {plain(naming.type(name))}. */",
-        f"static inline bool {naming.function(name, 'known')}(int64_t value)",
-        "{",
-    ]
-    for low, high in _runs(sorted({member.value for member in members})):
-        test = (
-            f"value == {integer(low, 8)}"
-            if low == high
-            else f"value >= {integer(low, 8)} && value <= {integer(high, 8)}"
-        )
-        lines += [f"    if ({test}) {{", "        return true;", "    }"]
-    return [*lines, "    return false;", "}"]
-
-
-def _runs(values: list[int]) -> list[tuple[int, int]]:
-    runs: list[tuple[int, int]] = []
-    for value in values:
-        if runs and runs[-1][1] == value - 1:
-            runs[-1] = (runs[-1][0], value)
-        else:
-            runs.append((value, value))
-    return runs
-
-
-def _beside(member: Member) -> str:
-    text = plain(" ".join(part for part in (member.label, member.doc) if part))
-    return f" /**< {text} */" if text else ""
-
-
-def closed_test(naming: Naming, device: Device, value: Value, name: str) -> str:
-    """The condition under which the value's closed enum refuses it, or an empty one."""
-    if not value.enum or device.enums[value.enum].open:
-        return ""
-    known = f"!{naming.function(value.enum, 'known')}((int64_t){name})"
-    others = [f" && {name} != {integer(s.value, value.size, value.type.signed)}" for s in value.sentinels]
-    return known + "".join(others)
+def named_bits(word: Flags) -> list[tuple[str, Bit]]:
+    """The bits that have a meaning, by names that differ: bits of one name under several conditions are numbered."""
+    found: dict[str, Bit] = {}
+    for bit in word.bits:
+        if bit.reserved or any(other.mask == bit.mask and other.name == bit.name for other in found.values()):
+            continue
+        name, number = bit.name, 1
+        while name in found:
+            number += 1
+            name = f"{bit.name}_{number}"
+        found[name] = bit
+    return list(found.items())
 
 
 def flags_lines(naming: Naming, word: Flags) -> list[str]:
-    """Masks, shifts, and a function for each bit or field of bits."""
+    """Masks, shifts, and a function for each bit or field of bits; then the states."""
+    number = f"uint{8 * word.type.size}_t"
+    lines = told(word, f"A word of {8 * word.type.size} bits.")
+    lines.append(f"typedef {number} {naming.type('word', word.name)};")
+    for name, bit in named_bits(word):
+        lines += ["", *_bit_lines(naming, word, name, bit)]
+    if word.states:
+        lines += ["", *_state_lines(naming, word)]
+    return lines
+
+
+def _bit_lines(naming: Naming, word: Flags, name: str, bit: Bit) -> list[str]:
     size = word.type.size
     number = f"uint{8 * size}_t"
-    lines = told(word, f"A word of {8 * size} bits.")
-    lines.append(f"typedef {number} {naming.type(word.name)};")
-    for bit in word.bits:
-        if bit.reserved:
-            continue
-        states = [f"{n}: {text}." for n, text in ((0, bit.zero), (1, bit.one)) if text]
-        edge = f"Its {bit.edge} edge counts." if bit.edge else ""
-        mask, shift = naming.macro(word.name, bit.name, "mask"), naming.macro(word.name, bit.name, "shift")
-        lines += ["", *told(bit, " ".join(states), edge, f"When {bit.when}." if bit.when else "")]
-        lines += [f"#define {mask} {hexadecimal(bit.mask, size)}", f"#define {shift} {bit.first}u"]
-        get = naming.function(word.name, bit.name)
-        if bit.width == 1:
-            lines += [
-                f"static inline bool {get}({number} word)",
-                "{",
-                f"    return (word & {mask}) != 0;",
-                "}",
-            ]
-            continue
-        lines += [
-            f"static inline {number} {get}({number} word)",
+    levels = [f"{n}: {text}." for n, text in ((0, bit.zero), (1, bit.one)) if text]
+    facts = [
+        " ".join(levels),
+        f"Its {bit.edge} edge counts." if bit.edge else "",
+        "It is 0 while what its name says is so." if bit.active == "low" else "",
+        f"See {bit.enum}." if bit.enum else "",
+        f"When {bit.when}." if bit.when else "",
+    ]
+    mask, shift = naming.macro("bit", word.name, name, "mask"), naming.macro("bit", word.name, name, "shift")
+    lines = told(bit, *facts)
+    lines += [f"#define {mask} {hexadecimal(bit.mask, size)}", f"#define {shift} {bit.first}u"]
+    get = naming.function("bit", word.name, name)
+    if bit.width == 1:
+        return [
+            *lines,
+            f"static inline bool {get}({number} word)",
             "{",
-            f"    return ({number})((word & {mask}) >> {shift});",
-            "}",
-            f"static inline {number} {naming.function(word.name, 'with', bit.name)}({number} word, {number} value)",
-            "{",
-            f"    return ({number})((word & ({number})~{mask}) | (({number})(value << {shift}) & {mask}));",
+            f"    return (word & {mask}) != 0;",
             "}",
         ]
-    return lines
-
-
-def text_lines(naming: Naming, enum: Enum) -> list[str]:
-    """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
-    kind = naming.type("code_text")
-    lines = [
-        f"/** The texts of a code of {naming.type(enum.name)}, or NULL where it is not listed. */",
-        f"static inline const {kind} *{naming.function(enum.name, 'text')}(int64_t code)",
+    return [
+        *lines,
+        f"static inline {number} {get}({number} word)",
         "{",
-        f"    static const {kind} texts[] = {{",
-    ]
-    for member in enum.members:
-        causes = "\n".join(cause.cause for cause in member.causes)
-        remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
-        texts = (member.name, member.label, member.problem or member.doc, causes, remedies)
-        cells = ", ".join(string(text) for text in texts)
-        lines.append(f"        {{{integer(member.value, 8)}, {cells}}},")
-    lines += [
-        "    };",
-        "    size_t at;",
-        "    for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {",
-        *indented(["if (texts[at].code == code) {", "    return &texts[at];", "}"], 2),
-        "    }",
-        "    return NULL;",
+        f"    return ({number})((word & {mask}) >> {shift});",
+        "}",
+        f"static inline {number} {naming.function('bit', word.name, 'with', name)}({number} word, {number} value)",
+        "{",
+        f"    return ({number})((word & ({number})~{mask}) | (({number})(value << {shift}) & {mask}));",
         "}",
     ]
-    return lines
+
+
+def _state_lines(naming: Naming, word: Flags) -> list[str]:
+    """Masks and values of the states, an enum of them, and the function that tells the first one that holds."""
+    size, name = word.type.size, naming.type("word", word.name, "state")
+    none = naming.macro("word", word.name, "no_state")
+    lines = []
+    for state in word.states:
+        mask, value = word.masked(state)
+        lines += told(state)
+        lines += [
+            f"#define {naming.macro('state', word.name, 'state', state.name, 'mask')} {hexadecimal(mask, size)}",
+            f"#define {naming.macro('state', word.name, 'state', state.name, 'value')} {hexadecimal(value, size)}",
+        ]
+    lines += [*comment("The states that the word shows."), f"typedef enum {name} {{", f"    {none} = 0,"]
+    for at, state in enumerate(word.states, 1):
+        comma = "," if at < len(word.states) else ""
+        lines.append(f"    {naming.macro('state', word.name, 'state', state.name)} = {at}{comma}")
+    lines += [
+        f"}} {name};",
+        *comment("The first state whose bits the word has, in the order above."),
+        f"static inline {name} {naming.function('word', word.name, 'state_of')}(uint{8 * size}_t word)",
+        "{",
+    ]
+    for state in word.states:
+        ones, held = (naming.macro("state", word.name, "state", state.name, end) for end in ("mask", "value"))
+        test = f"(word & {ones}) == {held}"
+        constant = naming.macro("state", word.name, "state", state.name)
+        lines += indented([f"if ({test}) {{", f"    return {constant};", "}"])
+    return [*lines, f"    return {none};", "}"]

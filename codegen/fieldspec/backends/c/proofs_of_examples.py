@@ -1,0 +1,140 @@
+"""What self-tests expect of the example frames."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fieldspec.backends.c.assertions import assigned, compared, same
+from fieldspec.backends.c.decided import of_values
+from fieldspec.backends.c.expected import record_value
+from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.frames import head_members
+from fieldspec.backends.c.naming import Naming, frame_member
+from fieldspec.backends.c.text import array, integer, string
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.meaning import body_of, raw_values
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.example import Example
+
+_REFUSALS = {
+    "unknown_code": "err_unknown_code",
+    "wrong_check": "err_wrong_check",
+    "wrong_length": "err_wrong_length",
+    "out_of_range": "err_out_of_range",
+    "incomplete": "err_incomplete",
+}
+
+
+def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> list[str]:
+    """Opens a frame, decodes its body, compares every member, and writes the frame again."""
+    link = layout.links[example.link]
+    shape = link.frame(example.direction)
+    wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
+    buffer = "buffer, sizeof buffer, " if wrapped else ""
+    open_ = naming.function("link", link.name, example.direction, "open")
+    opened = f"{open_}(frame, sizeof frame, {buffer}&opened)"
+    what = f"example {example.id}"
+    lines = [f"static const uint8_t frame[] = {{{array(example.frame)}}};"]
+    if wrapped:
+        lines.append("uint8_t buffer[sizeof frame];")
+    lines.append(f"{naming.type('link', link.name, example.direction, 'frame')} opened;")
+    if example.refused:
+        return [*lines, "memset(&opened, 0, sizeof opened);", *_refused(layout, naming, example, opened)]
+    body = body_of(layout, link.name, example.direction, example.message, example.error)
+    values = raw_values(layout, example)
+    form = of_values(body, values)
+    held: dict[str, Any] = {name: value for name, value in values.items() if body.named(name) is not None}
+    full = {**record_value(layout.device, form.record), **held}
+    if members(body):
+        lines += [f"{naming.type('record', body.name)} in, out;"]
+    lines += [f"uint8_t again[sizeof frame + {len(link.link.start) + len(link.link.end)}];", "size_t length = 0;"]
+    if members(body):
+        lines += ["memset(&in, 0, sizeof in);", "memset(&out, 0, sizeof out);"]
+    lines += ["memset(&opened, 0, sizeof opened);", same(f"{what} opens", opened, naming.own_macro("ok"))]
+    for part in head_members(shape):
+        number: Any = values[part.name]
+        lines.append(
+            same(f"{what}: {part.name}", f"opened.{frame_member(part.name)}", integer(number, part.size, False))
+        )
+    code = shape.role("code")
+    if code is not None:
+        lines.append(same(f"{what}: code", "opened.code", f"{_code(link, example)[0]}u"))
+    if example.direction == "response" and link.link.error is not None:
+        lines.append(same(f"{what}: error", "opened.error", "true" if example.error else "false"))
+    out = ", &out" if members(body) else ""
+    decode = f"{naming.function('record', body.name, 'decode')}(opened.body, opened.body_length{out})"
+    lines.append(same(f"{what} decodes", decode, naming.own_macro("ok")))
+    lines += compared(naming, form, held, "out.", what)
+    lines += assigned(naming, form, full, "in.")
+    return [*lines, *_written(layout, naming, example, values, body, what)]
+
+
+def _code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
+    """The code in a frame without the flag of an error reply, and whether that is set; None where there is none."""
+    start, end = len(link.link.start), len(example.frame) - len(link.link.end)
+    data, part = example.frame[start:end], link.frame(example.direction).role("code")
+    if link.link.encoding == "hex_ascii":
+        pairs = [data[at : at + 2] for at in range(0, len(data), 2)]
+        data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
+    if part is None or len(data) < part.offset + part.size:
+        return None, False
+    number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")
+    error = link.link.error
+    if error is None or example.direction == "request" or not number & error.flag:
+        return number, False
+    return number & ~error.flag, True
+
+
+def _body(layout: DeviceLayout, example: Example) -> RecordLayout | None:
+    """The record in the body of a frame that may be wrong, None where nothing says which it is."""
+    link = layout.links[example.link]
+    if example.message:
+        return body_of(layout, link.name, example.direction, example.message, example.error)
+    code, error = _code(link, example)
+    if error and link.link.error is not None:
+        return layout.records[link.link.error.record]
+    message = link.message_with_code(code) if code is not None else None
+    return message.data(example.direction) if message is not None else None
+
+
+def _refused(layout: DeviceLayout, naming: Naming, example: Example, opened: str) -> list[str]:
+    """The frame, or the body in it, is refused for the reason that the example gives."""
+    refusal, ok = naming.own_macro(_REFUSALS[example.refused]), naming.own_macro("ok")
+    what = f"example {example.id}"
+    body = _body(layout, example)
+    if body is None:
+        return [same(what, opened, refusal)]
+    held = members(body)
+    lines = [f"{naming.type('record', body.name)} out;"] if held else []
+    lines.append(f"{naming.own('codec_status')} status;")
+    lines += ["memset(&out, 0, sizeof out);"] if held else []
+    decode = naming.function("record", body.name, "decode")
+    return [
+        *lines,
+        f"status = {opened};",
+        f"if (status == {ok}) {{",
+        f"    status = {decode}(opened.body, opened.body_length{', &out' if held else ''});",
+        "}",
+        same(what, "status", refusal),
+    ]
+
+
+def _written(
+    layout: DeviceLayout, naming: Naming, example: Example, values: dict[str, Any], body: RecordLayout, what: str
+) -> list[str]:
+    link = layout.links[example.link]
+    shape = link.frame(example.direction)
+    arguments = [integer(int(values[part.name]), part.size, False) for part in head_members(shape)]
+    code = shape.role("code")
+    if example.error and code is not None:
+        arguments.append(f"{_code(link, example)[0]}u")
+    arguments += ["&in"] if members(body) else []
+    name = "error" if example.error else example.message
+    ending = () if example.error else (example.direction,)
+    function = naming.function("link", link.name, "encode", name, *ending)
+    call = f"{function}({', '.join([*arguments, 'again', 'sizeof again', '&length'])})"
+    return [
+        same(f"{what} encodes", call, naming.own_macro("ok")),
+        f"expect(length == sizeof frame && memcmp(again, frame, length) == 0, {string(what + ' bytes')});",
+    ]
