@@ -28,6 +28,7 @@ def names_unique(device: Device) -> Iterator[Diagnostic]:
     for what, named in _spaces(device):
         yield from _apart(what, named)
     yield from _elements(device)
+    yield from _paths(device)
 
 
 def _spaces(device: Device) -> Iterator[tuple[str, Iterable[_Named]]]:
@@ -102,6 +103,17 @@ def _cases(name: str) -> set[str]:
     for target in TARGETS.values():
         cases |= {target.spelled(words.pascal()).lower()} if target.folds else {target.spelled(words.snake())}
     return cases
+
+
+def _paths(device: Device) -> Iterator[Diagnostic]:
+    """A path leaves out the group of a register, so that the two must not have one name."""
+    groups = {group.name: group for group in device.groups}
+    for register in device.registers():
+        group = groups.get(register.name)
+        if group is not None:
+            text = f"`registers/{register.name}` is the path of a register and of a group"
+            there = label(group.place, "group", "the group")
+            yield finding("names_unique", register.place, "name", text, "give one of them another name", there)
 
 
 def _elements(device: Device) -> Iterator[Diagnostic]:

@@ -23,7 +23,7 @@ def _enum(enum: Enum) -> Iterator[Row]:
     values = [member.value for member in enum.members]
     yield from of_fact("enum", enum, min=min(values, default=None), max=max(values, default=None))
     for member in enum.members:
-        yield from of_fact(kind, member, code=member.value)
+        yield from of_fact(kind, member, code=member.value, number=member.number)
         yield from _remedies(member)
 
 
@@ -48,3 +48,14 @@ def _flags(word: Flags) -> Iterator[Row]:
     for bit in word.bits:
         number: Cell = bit.first if bit.width == 1 else f"{bit.first}..{bit.last}"
         yield from of_fact("bit", bit, bit=number)
+    for state in word.states:
+        mask, value = word.masked(state)
+        yield from of_fact("state", state, code=value, bit=_bits(mask))
+
+
+def _bits(mask: int) -> str:
+    """The bits of a mask: `0..2, 6`."""
+    bits = [bit for bit in range(mask.bit_length()) if mask >> bit & 1]
+    firsts = [bit for bit in bits if bit - 1 not in bits]
+    lasts = [bit for bit in bits if bit + 1 not in bits]
+    return ", ".join(str(a) if a == b else f"{a}..{b}" for a, b in zip(firsts, lasts, strict=True))

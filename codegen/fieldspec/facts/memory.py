@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.facts.row import Row, of_fact, of_value, row
+from fieldspec.facts.row import Row, of_fact, of_flag, of_ranges, of_value, row
 from fieldspec.facts.wire import fields
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
+from fieldspec.model.parameter import Parameter, ParameterSet
 from fieldspec.model.register import Register, RegisterGroup
 
 
@@ -27,28 +28,36 @@ def _group(group: RegisterGroup) -> Iterator[Row]:
         yield row("gap", path, group.sources, name=group.name, address=low, words=high - low + 1)
     for register in group.registers:
         if register.count == 1:
-            cells: Row = {"address": register.address, "words": register.width, "access": register.access}
-            yield from of_fact("register", register, register.value, **cells)
+            yield from of_fact("register", register, register.value, **_cells(register))
         else:
             yield from _series(register)
 
 
+def _cells(register: Register) -> Row:
+    return {
+        "address": register.address,
+        "words": register.width,
+        "access": register.access,
+        "number": register.number,
+        "restart": of_flag(register.restart),
+    }
+
+
 def _series(register: Register) -> Iterator[Row]:
     """A row for several equal registers, and one for each, with its own line where the spec has it."""
-    words = register.end - register.address
-    yield from of_fact("register_series", register, register.value, address=register.address, words=words)
+    whole: Row = {"address": register.address, "words": register.end - register.address, "count": register.count}
+    yield from of_fact("register_series", register, register.value, **whole)
     for number in range(register.count):
         index = register.index_from + number
         sources = register.element_sources[number : number + 1] or register.sources
         printed = register.element_name.format(n=index) if register.element_name else register.printed_name
         cells: Row = {
             **of_value(register.value),
+            **_cells(register),
             "name": f"{register.name}_{index}",
             "printed_name": printed,
             "label": register.label,
             "address": register.address + number * register.stride,
-            "words": register.width,
-            "access": register.access,
         }
         yield row("register", f"{register.place.path}/{index}", sources, **cells)
 
@@ -57,7 +66,8 @@ def _tables(layout: DeviceLayout) -> Iterator[Row]:
     done: set[str] = set()
     for laid in layout.tables.values():
         table = laid.table
-        yield from of_fact("table", table, address=table.base, words=laid.words, access=table.access)
+        cells: Row = {"address": table.base, "words": laid.words, "access": table.access, "count": table.count}
+        yield from of_fact("table", table, None, **cells)
         yield from _elements(laid)
         if laid.record.name not in done:
             done.add(laid.record.name)
@@ -74,8 +84,33 @@ def _elements(laid: TableLayout) -> Iterator[Row]:
 
 
 def _parameters(device: Device) -> Iterator[Row]:
-    for words in device.parameters.values():
-        yield from of_fact("parameter_set", words)
-        for parameter in words.parameters:
-            cells: Row = {"code": parameter.number, "access": parameter.access}
-            yield from of_fact("parameter", parameter, parameter.value, **cells)
+    for held in device.parameters.values():
+        yield from of_fact("parameter_set", held, None, number=held.base, **of_ranges(held.numbers))
+        for parameter in held.parameters:
+            yield from _parameter(held, parameter)
+
+
+def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[Row]:
+    """A parameter, or a run of equal ones; its elements, and what it is for."""
+    kind = "parameter" if parameter.count == 1 else "parameter_series"
+    cells: Row = {"code": parameter.number, "number": held.base + parameter.number, "access": parameter.access}
+    cells.update(restart=of_flag(parameter.restart), count=parameter.elements)
+    if parameter.count > 1:
+        cells.update(count=parameter.count)
+    yield from of_fact(kind, parameter, parameter.value, **cells)
+    path, sources = parameter.place.path, parameter.sources
+    for number in range(parameter.number, parameter.number + parameter.count) if parameter.count > 1 else ():
+        name = f"{parameter.name}_{number}"
+        own: Row = {**of_value(parameter.value), **cells, "code": number, "number": held.base + number, "name": name}
+        own.update(count=parameter.elements)
+        yield row("parameter", f"{path}/{number}", sources, **own)
+    for inner in parameter.subindices:
+        many = sum(high - low + 1 for low, high in inner.indices.intervals)
+        own = {"code": parameter.number, "number": inner.indices.low, "count": many if many > 1 else None}
+        yield from of_fact("subindex", inner, inner.value, **own)
+    for kind, key, names in (
+        ("applies_to", "applies_to", parameter.applies_to),
+        ("effective_with", "messages", parameter.messages),
+    ):
+        for name in names:
+            yield row(kind, f"{path}/{key}/{name}", sources, code=parameter.number, name=name)

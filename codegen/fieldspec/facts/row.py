@@ -7,8 +7,10 @@ from decimal import Decimal
 from typing import TypeAlias
 
 from fieldspec.model.fact import Citation, Claim, Fact
+from fieldspec.model.message import Message
+from fieldspec.model.parameter import Parameter
 from fieldspec.model.ranges import Ranges, intervals
-from fieldspec.model.value import Value
+from fieldspec.model.value import Value, exact_scale
 
 COLUMNS = (
     "kind",
@@ -33,6 +35,11 @@ COLUMNS = (
     "line",
     "printed",
     "errata",
+    "number",
+    "count",
+    "position",
+    "direction",
+    "restart",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -56,6 +63,10 @@ _CLAIMED = {
     "repeat": "ranges",
     "enum_values": "ranges",
     "count": "ranges",
+    "decimal": "address",
+    "wire_number": "number",
+    "span": "position",
+    "word_span": "position",
 }
 
 
@@ -72,11 +83,11 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row
 
 def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[Row]:
     """The row of a fact, then one for each place of the manual that states it again."""
-    known: Row = {key: cells[key] for key in ("code", "bit") if key in cells}
+    known: Row = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
     yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **cells})
     for claim in fact.restated:
-        yield _restated(kind, value, claim, known)
+        yield _restated(kind, value, claim, known, "code" if isinstance(fact, Message | Parameter) else "number")
     for number, sentinel in enumerate(value.sentinels if value else ()):
         path = f"{fact.place.path}/sentinels/{number}"
         yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
@@ -96,21 +107,37 @@ def of_value(value: Value | None) -> Row:
     }
 
 
+def of_flag(given: bool | None) -> str:
+    """A truth value as a cell: empty where nothing is said."""
+    return "" if given is None else "yes" if given else "no"
+
+
 def of_ranges(ranges: Ranges | None) -> Row:
     """The least value, the greatest, and all intervals."""
     return {} if ranges is None else {"min": ranges.low, "max": ranges.high, "ranges": ranges.text()}
 
 
-def _restated(kind: str, value: Value | None, claim: Claim, known: Row) -> Row:
-    """The row of a claim: what makes the fact known, and what the other place says of it."""
+def _restated(kind: str, value: Value | None, claim: Claim, known: Row, number: str) -> Row:
+    """The row of a claim: what makes the fact known, and what the other place says of it.
+
+    `number` is the column of the claim's `number`.
+    """
     cells = dict(known)
     for key, held in claim.values.items():
-        if key in _CLAIMED and held is not None and not isinstance(held, bool):
+        if key == "scale" and isinstance(held, str):
+            cells["scale"] = exact_scale(held)
+        elif key in _CLAIMED and held is not None and not isinstance(held, bool):
             cells[_CLAIMED[key]] = str(held) if _CLAIMED[key] == "ranges" else held
             if key == "range":
                 cells.update(_bounds(str(held), None))
+            if key == "count":
+                cells["count"] = held
         elif key == "value" and isinstance(held, int | Decimal):
             cells.update({"code": held} if isinstance(held, int) and "code" in known else {"min": held, "max": held})
+        elif key == "number" and isinstance(held, int):
+            cells[number] = held
+        elif key == "restart" and isinstance(held, bool):
+            cells["restart"] = of_flag(held)
         elif key == "unit_range" and value is not None:
             cells.update(_bounds(str(held), value))
         elif key == "unit_default" and value is not None and isinstance(held, int | Decimal):

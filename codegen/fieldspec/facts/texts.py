@@ -43,13 +43,15 @@ def _limits(device: Device) -> Iterator[Row]:
 
 def _examples(layout: DeviceLayout) -> Iterator[Row]:
     for example in layout.device.examples.values():
-        message = layout.messages.get(example.message)
+        laid = layout.messages.get(example.message)
+        code = laid.message.code if laid else None
         cells: Row = {
-            "code": message.message.code if message else None,
+            "code": laid.message.number if laid and code is None else code,
             "bytes": len(example.frame),
             "name": example.id,
             "printed_name": example.frame.hex(" ").upper(),
             "label": example.title,
+            "direction": example.direction,
         }
         yield row("example", example.place.path, example.sources, **cells)
 

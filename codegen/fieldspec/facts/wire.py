@@ -1,26 +1,30 @@
-"""The facts of frames: links with their parts, messages, and records."""
+"""The facts of frames: links with their parts, signals and conversions, messages, and records."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.facts.row import Cell, Row, of_fact, of_ranges, row
+from fieldspec.facts.row import Cell, Row, of_fact, of_flag, of_ranges, row
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.link import Link
 from fieldspec.model.message import Message
+from fieldspec.model.signal import Conversion
+
+_MESSAGE = "message"
 
 
 def wire(layout: DeviceLayout) -> Iterator[Row]:
-    """The rows of links, messages and of records that no table holds."""
+    """The rows of links, signals, messages and of records that no table holds."""
     for link in layout.device.links.values():
         yield from _link(link)
-    kind = _message_kind(layout)
+    for signal in layout.device.signals.values():
+        yield from of_fact("signal", signal, signal.value, direction=signal.direction)
+    for conversion in layout.device.conversions.values():
+        yield from _conversion(conversion)
     for laid in layout.messages.values():
-        yield from of_fact(kind, laid.message, code=laid.message.code)
-        yield from _lengths(laid.message)
-        for data in (laid.request, laid.response):
-            yield from fields(f"{kind}_field", data, laid.message.code)
+        yield from _message(layout, laid)
     in_tables = {table.record.name for table in layout.tables.values()}
     for record in layout.records.values():
         if record.name not in in_tables:
@@ -28,15 +32,61 @@ def wire(layout: DeviceLayout) -> Iterator[Row]:
             yield from fields(f"{record.name}_field", record)
 
 
-def fields(kind: str, record: RecordLayout, code: int | None = None, base: int | None = None) -> Iterator[Row]:
+def fields(
+    kind: str, record: RecordLayout, code: int | None = None, base: int | None = None, direction: str = ""
+) -> Iterator[Row]:
     """The rows of a record's fields; `base` is the address of the first element of a table of such records."""
     for field in record.fields:
-        cells: Row = {"code": code, "access": field.field.access, **_placed(field, base)}
+        cells: Row = {"code": code, "access": field.field.access, "direction": direction, **_placed(field, base)}
+        cells.update(count=field.field.count, restart=of_flag(field.field.restart), position=_position(field))
         if field.record is not None:
             cells.update(type=field.record.name, bytes=field.record.size)
         if field.field.repeat is not None:
             cells["ranges"] = field.field.repeat.text()
         yield from of_fact(kind, field.field, field.value, **cells)
+        for case in field.cases:
+            yield from _case(case, code, direction)
+
+
+def _case(laid: CaseLayout, code: int | None, direction: str) -> Iterator[Row]:
+    """What may lie in a field, and for which values of the deciding one."""
+    case = laid.case
+    yield from of_fact("case", case, case.value, code=code, direction=direction)
+    for name in case.when:
+        yield row("case_value", f"{case.place.path}/when/{name}", case.sources, name=name)
+
+
+def _position(field: FieldLayout) -> str:
+    """The printed place of a field in the data: its words, or else its bytes, counted from 1."""
+    span = field.field.word_span or field.field.span
+    return "" if span is None else f"{span[0]}" if span[0] == span[1] else f"{span[0]}-{span[1]}"
+
+
+def _conversion(conversion: Conversion) -> Iterator[Row]:
+    """A conversion; its full scale is the count that stands for the whole reference."""
+    cells: Row = {"type": conversion.type.name, "bytes": conversion.type.size, "max": conversion.full_scale}
+    if conversion.printed:
+        cells["printed_name"] = conversion.printed
+    yield from of_fact("conversion", conversion, None, **cells)
+    path = conversion.place.path
+    for kind, key, names in (
+        ("conversion_signal", "signals", conversion.signals),
+        ("conversion_reference", "references", conversion.references),
+    ):
+        for number, name in enumerate(names):
+            yield row(kind, f"{path}/{key}/{number}", conversion.sources, name=name)
+
+
+def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[Row]:
+    """A message, its printed sizes, the messages beside which it is sent, and its fields."""
+    message, kind = laid.message, _kind(layout, laid.message)
+    code = message.number if message.code is None else message.code
+    yield from of_fact(kind, message, code=code, number=message.number)
+    yield from _lengths(message, code)
+    for number, name in enumerate(message.supplements):
+        yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)
+    for direction in ("request", "response"):
+        yield from fields(f"{kind}_field", laid.data(direction), code, direction=direction)
 
 
 def _placed(field: FieldLayout, base: int | None) -> Row:
@@ -45,21 +95,28 @@ def _placed(field: FieldLayout, base: int | None) -> Row:
     return {"address": base + field.offset // 2, "words": (field.size * (field.count or 1) + 1) // 2}
 
 
-def _message_kind(layout: DeviceLayout) -> str:
-    """What the device's frames call a message's code: a function, a command."""
-    for link in layout.links.values():
-        part = link.request.role("code")
-        if part is not None:
-            return part.name
-    return "message"
+def _kind(layout: DeviceLayout, message: Message) -> str:
+    """What people call a message: as its link says, or else as the code is called in the frame: function, command."""
+    sent_on = [link for link in layout.links.values() if message.name in link.messages]
+    for link in sent_on:
+        if link.link.message_name != _MESSAGE:
+            return link.link.message_name
+    codes = [part.name for link in sent_on if (part := link.request.role("code")) is not None]
+    return codes[0] if codes else _MESSAGE
 
 
-def _lengths(message: Message) -> Iterator[Row]:
-    """The printed lengths of a message's frames."""
+def _lengths(message: Message, code: int | None) -> Iterator[Row]:
+    """The printed lengths of a message's frames, and the printed words of its data."""
     for direction, length in (("request", message.request_length), ("response", message.response_length)):
         if length is not None:
             path = f"{message.place.path}/frame_length/{direction}"
-            yield row("frame_length", path, message.sources, code=message.code, bytes=length, name=direction)
+            cells: Row = {"code": code, "bytes": length, "name": direction, "direction": direction}
+            yield row("frame_length", path, message.sources, **cells)
+    for direction, words in (("request", message.request_words), ("response", message.response_words)):
+        if words is not None:
+            path = f"{message.place.path}/data_words/{direction}"
+            cells = {"code": code, "words": words, "name": direction, "direction": direction}
+            yield row("data_words", path, message.sources, **cells)
 
 
 def _link(link: Link) -> Iterator[Row]:
@@ -83,7 +140,7 @@ def _link(link: Link) -> Iterator[Row]:
     yield from _serial(link)
     for direction in ("request", "response"):
         for part in link.parts(direction):
-            yield from of_fact("frame_part", part, part.value)
+            yield from of_fact("frame_part", part, part.value, direction=direction)
 
 
 def _stations(link: Link) -> Iterator[Row]:

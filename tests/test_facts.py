@@ -1,0 +1,93 @@
+"""The table of facts lists every fact once, with its line, in the columns that its documentation describes."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+
+from fieldspec.facts import COLUMNS, Row, rows
+from fieldspec.layout.device import device_layout
+from fieldspec.reading.project import read
+
+ROOT = Path(__file__).resolve().parent.parent
+SPECS = ROOT / "specs"
+MADE_UP = ROOT / "tests" / "specs"
+PAGE = (ROOT / "docs" / "facts.md").read_text("utf-8")
+DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
+
+
+@lru_cache(maxsize=8)
+def facts(folder: Path, device: str) -> tuple[Row, ...]:
+    """The facts of a device at its newest version."""
+    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.glob("*/*.yaml"))}
+    spec = read(files, frozenset({device})).devices[device]
+    return tuple(rows(device_layout(spec.at(spec.versions()[-1])[0])))
+
+
+def fact(path: str) -> Row:
+    """The row of the made-up device that has a path."""
+    (found,) = (row for row in facts(MADE_UP, "glider-x") if row["path"] == path)
+    return found
+
+
+def test_documentation_describes_every_column_in_order() -> None:
+    table = PAGE.partition("## Columns")[2].partition("## Kinds")[0]
+    described = [name for line in table.splitlines() for name in re.findall(r"`(\w+)`", line.partition("| ")[2][:25])]
+    assert [name for name in described if name in COLUMNS] == list(COLUMNS)
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_a_path_is_that_of_one_fact(device: str) -> None:
+    paths = [str(row["path"]) for row in facts(SPECS, device)]
+    assert sorted(set(paths)) == sorted(paths)
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_every_printed_fact_has_its_line(device: str) -> None:
+    free = ("example", "note", "version", "register_group")
+    assert [row["path"] for row in facts(SPECS, device) if row["line"] is None and row["kind"] not in free] == []
+
+
+@pytest.mark.parametrize(
+    ("path", "cells"),
+    [
+        (
+            "signals/torque_reduction",
+            {"kind": "signal", "direction": "request", "max": 16384, "line": 14},
+        ),
+        ("conversions/output_torque", {"kind": "conversion", "type": "u16", "max": 0x4000, "line": 19}),
+        ("conversions/output_torque/references/0", {"kind": "conversion_reference", "line": 19}),
+        ("messages/telegram_11", {"kind": "telegram", "code": 11, "line": 26}),
+        ("messages/telegram_11/data_words/response", {"kind": "data_words", "code": 11, "words": 5}),
+        ("messages/telegram_11/request/gain", {"kind": "telegram_field", "position": "4-5", "type": "i32", "line": 29}),
+        ("messages/telegram_70/supplements/1", {"kind": "supplement", "name": "telegram_11"}),
+        (
+            "messages/read_parameter/response/values/choice/cases/unsigned16",
+            {"kind": "case", "type": "u16", "bytes": 2, "direction": "response"},
+        ),
+        (
+            "messages/read_parameter/response/values/choice/cases/unsigned16/when/word",
+            {"kind": "case_value", "name": "word"},
+        ),
+        ("flags/status_word/states/inhibited", {"kind": "state", "code": 64, "bit": "0..1, 6", "line": 44}),
+        ("enums/alarm/system", {"kind": "alarm", "code": 0x24, "number": 4}),
+        ("enums/input_function/user_5", {"kind": "enum_value", "code": 1 << 31}),
+        ("registers/resolution", {"kind": "register", "address": 0x100, "number": 0}),
+        ("registers/stored_turns", {"kind": "register", "address": 0x204, "words": 4, "access": "ro", "line": 58}),
+        ("parameters/servo", {"kind": "parameter_set", "number": 0x2000, "ranges": "0..4095"}),
+        ("parameters/servo/reference_torque", {"code": 0x42A, "number": 0x242A, "restart": "yes", "line": 69}),
+        ("parameters/servo/reference_speed/applies_to/rotary", {"kind": "applies_to", "code": 0x317}),
+        ("parameters/servo/reference_speed/messages/telegram_11", {"kind": "effective_with", "name": "telegram_11"}),
+        ("parameters/profile/fault_codes", {"kind": "parameter", "count": 8}),
+        ("parameters/profile/identification/subindices/maker", {"kind": "subindex", "number": 0, "default": 0xAAA}),
+        ("parameters/profile/identification/subindices/2", {"kind": "subindex", "number": 2, "count": 3, "line": 65}),
+        ("parameters/monitor/unused", {"kind": "parameter_series", "code": 0x100, "count": 5}),
+        ("parameters/monitor/unused/260", {"kind": "parameter", "code": 0x104, "number": 0x4104, "line": 72}),
+    ],
+)
+def test_what_the_language_can_say_has_a_row(path: str, cells: dict[str, object]) -> None:
+    row = fact(path)
+    assert {key: row[key] for key in cells} == cells
