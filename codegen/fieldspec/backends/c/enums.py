@@ -39,11 +39,13 @@ def _enumerators(naming: Naming, enum: Enum, members: list[Member]) -> list[str]
     if not members:
         return []
     name = naming.type("enum", enum.name)
+    hexadecimal_in_print = "x}" in enum.printed_as.lower()
     lines = [f"typedef enum {name} {{"]
     for at, member in enumerate(members):
         comma = "," if at + 1 < len(members) else ""
         constant = naming.macro("enum", enum.name, member.name)
-        lines.append(f"    {constant} = {integer(member.value)}{comma}{_beside(member)}")
+        number = f"0x{member.value:X}" if hexadecimal_in_print and member.value >= 0 else integer(member.value)
+        lines.append(f"    {constant} = {number}{comma}{_beside(member)}")
     return [*lines, f"}} {name};"]
 
 
