@@ -73,10 +73,10 @@ def test_a_field_of_bits_that_its_enum_does_not_list_is_a_number() -> None:
 
 
 def test_flags_are_made_from_keywords() -> None:
-    assert WIDGET.Status.of(ready=True, level=WIDGET.Level.MIDDLE, lap=15).raw == 0x0F11
-    assert WIDGET.Status.of() == WIDGET.Status(0)
+    assert WIDGET.Status(ready=True, level=WIDGET.Level.MIDDLE, lap=15).raw == 0x0F11
+    assert WIDGET.Status() == WIDGET.Status(0)
     with pytest.raises(CodecError) as caught:
-        WIDGET.Status.of(lap=16)
+        WIDGET.Status(lap=16)
     assert caught.value.reason == "out_of_range"
 
 
@@ -284,7 +284,7 @@ def test_a_response_is_of_the_class_that_belongs_to_its_request() -> None:
     assert ESC11.serial.decode_request(frame) == PACKAGE.Request(0, ESC11.ClearPointsRequest(5, 4))
     response = ESC11.serial.decode_response(bytes.fromhex("04 00 03 07"), ESC11.StopRequest)
     assert isinstance(response.message, ESC11.StopResponse)
-    assert response.status == ESC11.CommunicationStatus.of(executing=True, out_of_position=True)
+    assert response.status == ESC11.CommunicationStatus(executing=True, out_of_position=True)
 
 
 def test_a_refusal_is_a_result_and_no_exception() -> None:

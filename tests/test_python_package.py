@@ -93,7 +93,7 @@ from fieldspec_devices import widget
 widget.rtu.encode_request(1, widget.StopResponse())
 widget.write_request(widget.LAMP, "red")
 widget.Corner(x=1)
-widget.Status.of(redy=True)
+widget.Status(redy=True)
 widget.LAMP.encode(1.5)
 widget.Corner(1, 2).x_mm = "1"
 """
@@ -198,7 +198,7 @@ def source_of_hostile() -> str:
 def test_hostile_names_become_names_of_python() -> None:
     module = made(HOSTILE)
     assert module.class_.decode_request(bytes.fromhex("07 02 09 12")).return_ == 9
-    assert module.Flags_ if hasattr(module, "Flags_") else module.FlagsFlags.of(class_=True, raw_=True).raw == 5
+    assert module.Flags_ if hasattr(module, "Flags_") else module.FlagsFlags(class_=True, raw_=True).raw == 5
     assert [member.name for member in module.NoneCode][:3] == ["NONE", "TRUE", "MRO"]
     assert module.Struct.__match_args__[:3] == ("class_", "int_", "int_percent")
     assert module.CLASS.address == 0

@@ -36,7 +36,7 @@ CodecError = codec_error()
         (WIDGET.OUTPUT[3], "80000000", -(2**31)),
         (WIDGET.START, "0001", 1),
         (WIDGET.DIRECTION, "FFFF", WIDGET.Direction.BACKWARDS),
-        (WIDGET.WIDE, "80000001", WIDGET.WideStatus.of(first=True, last=True)),
+        (WIDGET.WIDE, "80000001", WIDGET.WideStatus(first=True, last=True)),
         (GADGET.ACTUAL, "56781234", 0x12345678),
         (GADGET.TOTAL, "0004000300020001", 0x0001000200030004),
         (GADGET.RATIO, "00003FC0", 1.5),
@@ -170,7 +170,7 @@ def test_a_message_that_reads_one_word_is_sent_as_often_as_it_takes() -> None:
         GIZMO.read_request(GIZMO.PLACE)
 
 
-POINT = WIDGET.Point(WIDGET.Color.BLUE, -100, 50, WIDGET.Status.of(ready=True), WIDGET.Point.NEXT_END, 70000)
+POINT = WIDGET.Point(WIDGET.Color.BLUE, -100, 50, WIDGET.Status(ready=True), WIDGET.Point.NEXT_END, 70000)
 
 
 def test_a_record_that_is_longer_than_a_request_may_be_is_split() -> None:

@@ -1,4 +1,4 @@
-"""The messages that read and write registers and parameters, as the classes and attributes to call them with."""
+"""The messages that read and write registers, as the classes and attributes to call them with."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.records import RecordShape
-from fieldspec.backends.python.registers import ParameterMessageView
 from fieldspec.backends.python.slots import Slots
 
 
@@ -88,33 +87,3 @@ def write_accesses(exchanges: list[Exchange]) -> tuple[AccessView | None, Access
 def _settable(shaped: RecordShape, titles: set[str]) -> bool:
     """Whether these fields are all that must be given."""
     return all(field.title in titles for field in shaped.stored)
-
-
-def parameter_messages(
-    exchanges: list[Exchange], name: str
-) -> tuple[ParameterMessageView | None, ParameterMessageView | None]:
-    """The messages that read and that write one parameter of a set."""
-    read: ParameterMessageView | None = None
-    write: ParameterMessageView | None = None
-    for one in exchanges:
-        request, response = _parts(one.request, name), _parts(one.response, name)
-        number = request.get("number")
-        if number is None or not _settable(one.request, {part.title for part in request.values()}):
-            continue
-        value = request.get("value")
-        if value is not None:
-            view = ParameterMessageView(one.request_name, one.response_name, number.name, value.name)
-            write = write or view
-        elif "value" in response:
-            held = response["value"].name
-            read = read or ParameterMessageView(one.request_name, one.response_name, number.name, held)
-    return read, write
-
-
-def _parts(shaped: RecordShape, name: str) -> dict[str, Slots]:
-    """The fields that hold number and value of a parameter of a set."""
-    return {
-        part.part: field
-        for field in shaped.stored
-        if field.field.value is not None and (part := field.value.parameter) is not None and part.set == name
-    }

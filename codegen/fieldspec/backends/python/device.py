@@ -6,13 +6,15 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from fieldspec.backends.python.access import parameter_messages, read_access, write_accesses
+from fieldspec.backends.python.access import read_access, write_accesses
+from fieldspec.backends.python.conversions import conversion_view
 from fieldspec.backends.python.heads import code_literal
 from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, carries, link_view
 from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scope
+from fieldspec.backends.python.parameters import parameter_set_view, space_views
 from fieldspec.backends.python.record_docs import record_doc
 from fieldspec.backends.python.records import RecordView, record_view, shape
-from fieldspec.backends.python.registers import parameter_set_view, register_view, table_view
+from fieldspec.backends.python.registers import register_view, table_view
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.python.words import enum_view, flags_view
@@ -38,14 +40,16 @@ class MessageView:
 _IMPORTS = {
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_choices": "Choice",
+    "_codes": "by_number by_printed_name",
     "_conversions": (
         "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members text texts turned"
     ),
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
-    "_flags": "Flags field_of_bits",
+    "_flags": "Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response new",
-    "_parameters": "Parameter ParameterSet",
+    "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
+    "_quantities": "Conversion",
     "_refusals": (
         "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
     ),
@@ -71,6 +75,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     messages = [view for one in exchanges for view in _messages(one, links)]
     order = device.byte_order
     single, block = write_accesses(exchanges)
+    sets = [parameter_set_view(held, layout, words, exchanges, scope) for held in device.parameters.values()]
     view: dict[str, Any] = {
         "doc": docstring(_doc(layout)),
         "identity": layout.identity,
@@ -81,15 +86,14 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "records": records,
         "messages": messages,
         "links": links,
+        "conversions": [conversion_view(held, device, scope) for held in device.conversions.values()],
         "registers": [register_view(laid, words, order, scope) for laid in layout.registers],
         "tables": [table_view(laid, words, order, scope) for laid in layout.tables.values()],
         "read": read_access(exchanges),
         "single": single,
         "block": block,
-        "parameters": [
-            parameter_set_view(held, layout, words, *parameter_messages(exchanges, held.name), scope)
-            for held in device.parameters.values()
-        ],
+        "parameters": sets,
+        "spaces": space_views(layout, sets, words, exchanges, scope),
     }
     made = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
     made += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)

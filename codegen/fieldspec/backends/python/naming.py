@@ -24,7 +24,8 @@ EXCEPTIONS = _words(
     " ZeroDivisionError"
 )
 SHARED = _words(
-    "CodecError ErrorReply Flags Framer Parameter ParameterSet Register RegisterArray Request Response Table"
+    "CodecError ErrorReply Flags Framer Parameter ParameterSet ParameterSpace Register RegisterArray Request Response"
+    " Subindex Table"
 )
 MODULE = _words(
     "DEVICE IDENTITY LATEST REGISTERS TABLES TYPE_CHECKING VERSION VERSIONS annotations read_request read_requests"
@@ -32,8 +33,12 @@ MODULE = _words(
 )
 RECORD = _words("decode encode self")
 MESSAGE = RECORD | _words("CODE response_type")
-FLAGS = _words("cls flags of raw self word")
-PARAMETERS = _words("from_raws read_request read_value self to_raws write_request")
+FLAGS = _words("flags raw self")
+STATES = _words("state")
+PARAMETERS = _words(
+    "base from_raws name numbers printed_as read_request read_value read_values self space title to_raws write_request"
+    " write_values_request written"
+)
 
 
 class Scope:

@@ -1,17 +1,14 @@
-"""Registers, tables and parameters as constants."""
+"""Registers and tables as constants."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
+from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
 from fieldspec.backends.python.values import value_expression, value_facts
-from fieldspec.layout.device import DeviceLayout, RegisterLayout, TableLayout
-from fieldspec.layout.record import FieldLayout
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.value import Value
+from fieldspec.layout.device import RegisterLayout, TableLayout
 from fieldspec.names import Name
 
 ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
@@ -37,28 +34,6 @@ class TableView:
     doc: list[str]
 
 
-@dataclass(frozen=True, slots=True)
-class ParameterMessageView:
-    """A message that reads or writes one parameter: its classes, and the attributes that carry number and value."""
-
-    request: str
-    response: str
-    number: str
-    value: str
-
-
-@dataclass(frozen=True, slots=True)
-class ParameterSetView:
-    """A set of parameters."""
-
-    name: str
-    type: str
-    doc: list[str]
-    parameters: list[ConstantView]
-    read: ParameterMessageView | None
-    write: ParameterMessageView | None
-
-
 def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) -> ConstantView:
     """The view of a register, or of an array of registers. `order` is the byte order of the device."""
     register = laid.register
@@ -68,6 +43,8 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     if laid.count > 1:
         arguments += [f"count={laid.count}", f"first={register.index_from}", f"stride={laid.stride}"]
     arguments += [f"{key}=True" for key, held in (("atomic", register.atomic), ("trigger", register.trigger)) if held]
+    arguments += [f"number={register.number}"] if register.number is not None else []
+    arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
     if order == "little":
         arguments.append('order="<"')
     facts = [f"0x{laid.address:04X}", f"{laid.words} word{'s' if laid.words > 1 else ''}"]
@@ -81,6 +58,10 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
         facts.append("all words in one request")
     if register.trigger:
         facts.append("writing starts an action")
+    if register.number is not None:
+        facts.append(f"number {register.number}")
+    if register.copy_of:
+        facts.append(f"a copy of {Name.of(register.copy_of).upper()}")
     if register.same_as:
         facts.append(f"the same as {Name.of(register.same_as).upper()}")
     if laid.count > 1:
@@ -117,64 +98,3 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
     name = scope.take(laid.name)
     return TableView(name, scope.take(f"{Name.of(laid.name).pascal()}Table"), record, ", ".join(arguments), doc)
-
-
-def parameter_set_view(
-    held: ParameterSet,
-    layout: DeviceLayout,
-    words: Words,
-    read: ParameterMessageView | None,
-    write: ParameterMessageView | None,
-    scope: Scope,
-) -> ParameterSetView:
-    """The view of a set of parameters; `read` and `write` are the messages for one parameter, where there are any."""
-    carrier = _carrier(layout, held)
-    names = Scope(PARAMETERS, TYPES)
-    name = scope.take(held.name)
-    return ParameterSetView(
-        name=name,
-        type=scope.take(f"{Name.of(held.name).pascal()}Set", f"{Name.of(held.name).pascal()}ParameterSet"),
-        doc=docstring(described(held.title or Name.of(held.name).title(), held), 4),
-        parameters=[_parameter(parameter, carrier, layout, words, names) for parameter in held.parameters],
-        read=read,
-        write=write,
-    )
-
-
-def _carrier(layout: DeviceLayout, held: ParameterSet) -> FieldLayout | None:
-    """A field of a message that carries values of a set."""
-    for message in layout.messages.values():
-        for record in (message.request, message.response):
-            for field in record.fields:
-                part = field.value.parameter if field.value else None
-                if part is not None and part.set == held.name and part.part in ("value", "values"):
-                    return field
-    return None
-
-
-def _parameter(
-    parameter: Parameter, carrier: FieldLayout | None, layout: DeviceLayout, words: Words, names: Scope
-) -> ConstantView:
-    value: Value = parameter.value
-    order = carrier.order if carrier else layout.device.byte_order
-    letter = value.type.letter
-    if carrier is not None and carrier.value is not None and carrier.size == value.size:
-        letter = carrier.value.type.letter
-    if letter == "s":
-        letter = f"{value.size}s"
-    arguments = [
-        literal(parameter.name),
-        str(parameter.number),
-        value_expression(value, value.size, order, False, words),
-        literal(parameter.access),
-        f'carrier="{">" if order == "big" else "<"}{letter}"',
-    ]
-    if parameter.reserved:
-        arguments.append("reserved=True")
-    facts = [f"Number {parameter.number}", value.type.name, *value_facts(value)]
-    if parameter.access:
-        facts.append(ACCESS[parameter.access])
-    if parameter.restart:
-        facts.append("takes effect after a restart")
-    doc = docstring(described(Name.of(parameter.name).title(), parameter, f"{', '.join(facts)}."), 4)
-    return ConstantView(names.take(Name.of(parameter.name).upper()), f"_Parameter({', '.join(arguments)})", doc)

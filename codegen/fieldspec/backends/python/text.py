@@ -83,10 +83,15 @@ def sentence(text: str) -> str:
     return text if not text or text.rstrip()[-1:] in ".!?:。" else f"{text.rstrip()}."
 
 
+def places(sources: Iterable[Citation]) -> str:
+    """`8.2 L1622; 5.1 L1160-1163`, or nothing."""
+    return "; ".join(citation.text() for citation in sources)
+
+
 def cited(sources: Iterable[Citation]) -> str:
     """`Source: 8.2 L1622; 5.1 L1160-1163.`, or nothing."""
-    places = "; ".join(citation.text() for citation in sources)
-    return f"Source: {places}." if places else ""
+    text = places(sources)
+    return f"Source: {text}." if text else ""
 
 
 def printed(fact: Fact) -> str:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from fieldspec.backends.python.lines import chained, listed
-from fieldspec.backends.python.naming import FLAGS, TYPES, Scope
-from fieldspec.backends.python.text import described, docstring, sentence
+from fieldspec.backends.python.lines import filled, listed
+from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
+from fieldspec.backends.python.text import described, docstring, literal, sentence
 from fieldspec.model.enum import Enum, Member
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.flags import Bit, Flags, State
 from fieldspec.names import Name
+
+CODES = ("alarm", "error", "exception", "fault", "warning")
+"""The kinds of enums whose members people look up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,14 +27,21 @@ class MemberView:
 
 @dataclass(frozen=True, slots=True)
 class EnumView:
-    """An IntEnum. `table` is the name of the dict from its values to its members."""
+    """An IntEnum. The names of its tables have a `prefix`; `table` is the one from its values to its members, if any.
+
+    `printed_names` and `numbers` are the lines of the dicts that give these by the values of members; they are empty
+    where nobody would look for them.
+    """
 
     name: str
+    prefix: str
     table: str
     title: str
     open: bool
     doc: list[str]
     members: list[MemberView]
+    printed_names: list[str] = field(default_factory=list)
+    numbers: list[str] = field(default_factory=list)
 
     @property
     def type(self) -> str:
@@ -41,26 +51,29 @@ class EnumView:
 
 @dataclass(frozen=True, slots=True)
 class BitView:
-    """A bit or a field of bits: the type of its property, and the expressions that read and set it."""
+    """A bit or a field of bits: the type of its property, of its argument, and the expressions that read it."""
 
     name: str
     type: str
     argument: str
-    default: str
     read: str
     snapshot: str
-    write: str
     doc: list[str]
 
 
 @dataclass(frozen=True, slots=True)
 class FlagsView:
-    """A word of flags, with the lines of its constructor from keywords."""
+    """A word of flags: the table of its bits, the constructor as type checkers see it, and the states that they show.
+
+    Of each state `fitting` has the bits that decide it, their value in it, and the member.
+    """
 
     name: str
     bits: list[BitView]
-    of: list[str]
-    combined: list[str]
+    table: list[str]
+    init: list[str]
+    states: EnumView | None
+    fitting: list[str]
     doc: list[str]
 
 
@@ -71,20 +84,30 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
     members = Scope(frozenset({"mro"}))
     kind = "" if enum.kind == "enum" else f"{enum.kind.capitalize()} codes. "
     others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
+    available = [member for member in enum.members if not member.unavailable]
+    printed = [f"{m.value}: {literal(m.printed_name)}" for m in available if m.printed_name and _shown(enum)]
+    numbers = [f"{m.value}: {m.number}" for m in available if m.number is not None]
+    upper = taken.upper()
     left_out = [f"{m.value} ({m.name})" for m in enum.members if m.unavailable]
     missing = f"Not available: {', '.join(left_out)}." if left_out else ""
     return EnumView(
         name=name,
-        table=f"_{taken.upper()}_MEMBERS",
+        prefix=f"_{upper}",
+        table=f"_{upper}_MEMBERS",
         title=enum.name,
         open=enum.open,
         doc=docstring(described(enum.title or taken.title(), enum, f"{kind}{others} {missing}".strip()), 4),
         members=[
-            MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4))
-            for m in enum.members
-            if not m.unavailable
+            MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4)) for m in available
         ],
+        printed_names=listed(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0) if printed else [],
+        numbers=filled(f"_{upper}_NUMBERS: dict[int, int] = {{", numbers, "}", 0) if numbers else [],
     )
+
+
+def _shown(enum: Enum) -> bool:
+    """Whether the printed names of members are what a display, or a list of codes, shows."""
+    return bool(enum.printed_as) or enum.kind in CODES
 
 
 def _member(member: Member) -> list[str]:
@@ -98,17 +121,52 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     """The view of a word of flags."""
     taken = Name.of(flags.name)
     name = scope.take(taken.pascal(), taken.pascal() + "Flags")
-    names = Scope(FLAGS, TYPES)
-    bits = [_bit(bit, names.take(bit.name), enums) for bit in flags.bits if not bit.reserved]
+    states = _states(flags, name, scope) if flags.states else None
+    names = Scope(FLAGS, TYPES, STATES if states else frozenset())
+    named = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
+    bits = [_bit(bit, taken_name, enums) for bit, taken_name in named]
     more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
-    keywords = [f"{bit.name}: {bit.argument} = {bit.default}" for bit in bits]
+    table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
     return FlagsView(
         name=name,
         bits=bits,
-        of=listed("def of(", ["cls", *(["*"] if keywords else []), *keywords], ") -> _Self:", 4),
-        combined=chained("word = ", [bit.write for bit in bits], "|", "0", 8),
+        table=listed("_BITS = {", table, "}", 4),
+        init=listed("def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8),
+        states=states,
+        fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
         doc=docstring(described(taken.title(), flags, more), 4),
     )
+
+
+def _argument(bit: BitView) -> str:
+    return f"{bit.name}: {bit.argument} = {'False' if bit.argument == 'bool' else '0'}"
+
+
+def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
+    """The states that some bits show together, numbered from 1 so that none of them is false."""
+    members = Scope(frozenset({"mro"}))
+    return EnumView(
+        name=scope.take(f"{name}State", f"{name}StateCode"),
+        prefix="",
+        table="",
+        title=f"{flags.name}_state",
+        open=False,
+        doc=docstring([f"What the bits of {name} show together."], 4),
+        members=[
+            MemberView(members.take(Name.of(state.name).upper()), str(number), docstring(_state(state), 4))
+            for number, state in enumerate(flags.states, 1)
+        ],
+    )
+
+
+def _state(state: State) -> list[str]:
+    bits = [f"{', '.join(names)} {value}" for names, value in ((state.set, 1), (state.clear, 0)) if names]
+    return described(Name.of(state.name).title(), state, sentence(f"Bits: {'; '.join(bits)}"))
+
+
+def _fitting(flags: Flags, state: State, number: int, states: EnumView) -> str:
+    mask, value = flags.masked(state)
+    return f"({mask:#x}, {value:#x}, {states.name}.{states.members[number].name})"
 
 
 def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
@@ -123,16 +181,15 @@ def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
         facts.append(f" When {sentence(bit.when)}")
     doc = docstring(described(f"{Name.of(bit.name).title()}, {number}", bit, *facts), 8)
     if bit.width == 1:
-        return _view(name, "bool", "False", f"{{raw}} & {bit.mask:#x} != 0", f"({bit.mask:#x} if {name} else 0)", doc)
+        return _view(name, "bool", f"{{raw}} & {bit.mask:#x} != 0", doc)
     most = bit.mask >> bit.first
     read = f"{{raw}} >> {bit.first} & {most:#x}" if bit.first else f"{{raw}} & {most:#x}"
-    write = f'_field_of_bits("{bit.name}", {name}, {most})' + (f" << {bit.first}" if bit.first else "")
     if not bit.enum:
-        return _view(name, "int", "0", read, write, doc)
+        return _view(name, "int", read, doc)
     enum = enums[bit.enum]
-    return _view(name, f"{enum.name} | int", "0", f"{enum.table}.get({read}, {read})", write, doc)
+    return _view(name, f"{enum.name} | int", f"{enum.table}.get({read}, {read})", doc)
 
 
-def _view(name: str, type_: str, default: str, read: str, write: str, doc: list[str]) -> BitView:
+def _view(name: str, type_: str, read: str, doc: list[str]) -> BitView:
     argument = "bool" if type_ == "bool" else "int"
-    return BitView(name, type_, argument, default, read.format(raw="self.raw"), read.format(raw="raw"), write, doc)
+    return BitView(name, type_, argument, read.format(raw="self.raw"), read.format(raw="raw"), doc)

@@ -10,7 +10,7 @@ from ._error import CodecError
 from ._flags import Flags
 from ._framers import Framer
 from ._frames import ErrorReply, Request, Response
-from ._parameters import Parameter, ParameterSet
+from ._parameters import Parameter, ParameterSet, ParameterSpace, Subindex
 from ._registers import Register, RegisterArray, Table
 
 __all__ = [
@@ -20,9 +20,11 @@ __all__ = [
     "Framer",
     "Parameter",
     "ParameterSet",
+    "ParameterSpace",
     "Register",
     "RegisterArray",
     "Request",
     "Response",
+    "Subindex",
     "Table",
 ]

@@ -76,6 +76,16 @@ class Value(Generic[T]):
         """The value of what its Struct gives. Raises CodecError."""
         raise NotImplementedError
 
+    def of_carried(self, name: str, raw: Any) -> T:
+        """The value of what a message carries, which may count with or without a sign. Raises CodecError."""
+        if not isinstance(raw, int):
+            raise CodecError("wrong_type", f"{name} is a whole number, not {raw!r}")
+        span = self.high - self.low + 1
+        if not -span // 2 <= raw < span:
+            raise CodecError("out_of_range", f"{name} is {raw}, not in {self.low}..{self.high}")
+        moved = raw % span
+        return self.of_raw(name, moved - span if moved > self.high else moved)
+
     def to_raw(self, value: Any) -> Any:
         """What its Struct takes, of a value that it does not refuse."""
         return value
@@ -243,6 +253,12 @@ class Float(Value[float]):
 
     __slots__ = ()
 
+    def of_carried(self, name: str, raw: Any) -> float:
+        """The number that a message carries. Raises CodecError."""
+        if not isinstance(raw, (int, float)):
+            raise CodecError("wrong_type", f"{name} is a number, not {raw!r}")
+        return float(raw)
+
     def of_raw(self, name: str, raw: float) -> float:
         return raw
 
@@ -258,6 +274,10 @@ class Text(Value[str]):
     def __init__(self, letters: str, length: int) -> None:
         super().__init__(letters)
         self.length = length
+
+    def of_carried(self, name: str, raw: Any) -> str:
+        """The characters of the bytes that a message carries. Raises CodecError."""
+        return self.decode(name, raw)
 
     def of_raw(self, name: str, raw: bytes) -> str:
         return text(name, raw, 0)
@@ -277,6 +297,10 @@ class Bytes(Value[bytes]):
     def __init__(self, letters: str, length: int) -> None:
         super().__init__(letters)
         self.length = length
+
+    def of_carried(self, name: str, raw: Any) -> bytes:
+        """The bytes that a message carries. Raises CodecError."""
+        return self.decode(name, raw)
 
     def of_raw(self, name: str, raw: bytes) -> bytes:
         return raw[: self.length]
@@ -305,3 +329,28 @@ class RecordValue(Value[T]):
             raise CodecError("wrong_type", f"{name} is a {self.record.__name__}, not {value!r}")
         encoded: bytes = value.encode()  # type: ignore[attr-defined]
         return encoded
+
+
+class Unknown(Value["Any"]):
+    """A value of which the manual does not tell the type: what a message carries is passed on."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__("0s")
+
+    def decode(self, name: str, data: Data) -> Any:
+        """Nothing is known of its bytes: raises CodecError."""
+        raise CodecError("unknown_value", f"the type of {name} is not known")
+
+    def encode(self, name: str, value: Any) -> bytes:
+        """Nothing is known of its bytes: raises CodecError."""
+        raise CodecError("unknown_value", f"the type of {name} is not known")
+
+    def of_carried(self, name: str, raw: Any) -> Any:
+        """What the message carries."""
+        return raw
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        """Why no message can carry a value; None for a number."""
+        return None if isinstance(value, (int, float)) else CodecError("wrong_type", f"{name} is a number: {value!r}")

@@ -1,0 +1,256 @@
+"""Sets of numbered parameters, and the spaces in which they share the numbers on the wire."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fieldspec.backends.python.exchanging import ParameterMessageView, parameter_messages
+from fieldspec.backends.python.lines import filled
+from fieldspec.backends.python.links import Exchange
+from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
+from fieldspec.backends.python.registers import ACCESS
+from fieldspec.backends.python.slots import Words, value_type
+from fieldspec.backends.python.text import described, docstring, literal, places
+from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.backends.python.writing import pairs, tuple_of
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.names import Name
+
+
+@dataclass(frozen=True, slots=True)
+class RowView:
+    """A parameter, or a run of them: its attribute, the attribute's type, the lines that make it, its docstring."""
+
+    name: str
+    type: str
+    lines: list[str]
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class NumberView:
+    """A number on the wire as a constant."""
+
+    name: str
+    number: str
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterSetView:
+    """A set of parameters; `rows` is the function that makes them. `numbers` are empty for one that shares them."""
+
+    name: str
+    type: str
+    make: str
+    doc: list[str]
+    made: list[str]
+    rows: list[RowView]
+    constants: str
+    numbers: list[NumberView]
+    read: ParameterMessageView | None
+    write: ParameterMessageView | None
+
+
+@dataclass(frozen=True, slots=True)
+class SpaceView:
+    """Sets that share the numbers on the wire."""
+
+    name: str
+    title: str
+    type: str
+    doc: list[str]
+    sets: str
+    constants: str
+    numbers: list[NumberView]
+    read: ParameterMessageView | None
+    write: ParameterMessageView | None
+
+
+def parameter_set_view(
+    held: ParameterSet, layout: DeviceLayout, words: Words, exchanges: Sequence[Exchange], scope: Scope
+) -> ParameterSetView:
+    """The view of a set of parameters."""
+    carrier = _carrier(layout, held)
+    names = Scope(PARAMETERS, TYPES)
+    taken, pascal = scope.take(held.name), Name.of(held.name).pascal()
+    alone = _alone(held, layout)
+    arguments = [literal(held.name), f"_{held.name}_rows"]
+    arguments += [f"title={literal(held.title)}"] if held.title else []
+    arguments += [] if alone else [f"space={literal(held.space)}"]
+    arguments += [f"base=0x{held.base:X}"] if held.base else []
+    arguments += [f"numbers={pairs(held.numbers)}"] if held.numbers else []
+    arguments += [f"printed_as={literal(held.printed_as)}"] if held.printed_as else []
+    read, write = parameter_messages(exchanges, held.name, layout, words)
+    kind = scope.take(f"{pascal}Set", f"{pascal}ParameterSet")
+    return ParameterSetView(
+        name=taken,
+        type=kind,
+        make=f"_{held.name}_rows",
+        doc=docstring(described(held.title or Name.of(held.name).title(), held), 4),
+        made=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
+        rows=[_row(row, held, carrier, layout, words, names) for row in held.parameters],
+        constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber") if alone else "",
+        numbers=_numbers([held]) if alone else [],
+        read=read,
+        write=write,
+    )
+
+
+def space_views(
+    layout: DeviceLayout, sets: Sequence[ParameterSetView], words: Words, exchanges: Sequence[Exchange], scope: Scope
+) -> list[SpaceView]:
+    """The views of the spaces that are more than one set of the same name."""
+    views = []
+    device = layout.device
+    names = {held.name: view.name for held, view in zip(device.parameters.values(), sets, strict=True)}
+    shared = dict.fromkeys(held.space for held in device.parameters.values() if not _alone(held, layout))
+    for space in shared:
+        members = [held for held in device.parameters.values() if held.space == space]
+        read, write = (None, None)
+        if space not in device.parameters:
+            read, write = parameter_messages(exchanges, space, layout, words)
+        pascal = Name.of(space).pascal()
+        listed = ", ".join(names[held.name] for held in members)
+        views.append(
+            SpaceView(
+                name=scope.take(space, f"{space}_space"),
+                title=space,
+                type=scope.take(f"{pascal}Space", f"{pascal}ParameterSpace"),
+                doc=docstring([f"The parameters of {listed}, by the numbers on the wire."], 4),
+                sets=listed,
+                constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber"),
+                numbers=_numbers(members),
+                read=read,
+                write=write,
+            )
+        )
+    return views
+
+
+def _alone(held: ParameterSet, layout: DeviceLayout) -> bool:
+    """Whether a set is all of its space, and has its name."""
+    sharing = [other for other in layout.device.parameters.values() if other.space == held.space]
+    return held.name == held.space and len(sharing) == 1
+
+
+def _numbers(sets: Sequence[ParameterSet]) -> list[NumberView]:
+    scope = Scope(frozenset({"mro"}))
+    return [
+        NumberView(
+            scope.take(Name.of(row.name).upper(), f"{Name.of(held.name).upper()}_{Name.of(row.name).upper()}"),
+            _digits(held.base + row.number, held),
+            docstring([f"{row.printed_name or held.written(row.number)} of `{held.name}`."], 4),
+        )
+        for held in sets
+        for row in held.parameters
+    ]
+
+
+def _digits(number: int, held: ParameterSet) -> str:
+    """A number in the base in which the manual writes those of its set."""
+    return f"0x{number:X}" if "x}" in held.printed_as.lower() or (held.base and not held.printed_as) else str(number)
+
+
+def _carrier(layout: DeviceLayout, held: ParameterSet) -> FieldLayout | None:
+    """A field of a message that carries values of a set in one and the same type."""
+    for message in layout.messages.values():
+        for record in (message.request, message.response):
+            for field in record.fields:
+                part = field.value.parameter if field.value else None
+                if part is not None and part.set in (held.name, held.space) and part.part in ("value", "values"):
+                    return field
+    return None
+
+
+def _row(
+    row: Parameter, held: ParameterSet, carrier: FieldLayout | None, layout: DeviceLayout, words: Words, names: Scope
+) -> RowView:
+    value, run = row.value, row.count > 1
+    order = carrier.order if carrier else layout.device.byte_order
+    number, name = _digits(row.number, held), literal(row.name)
+    printed_name = literal(row.printed_name or held.written(row.number))
+    if run:
+        number, name = f"{number} + place", f'f"{row.name}[{{place}}]"'
+        printed_name = f"{literal(held.printed_as)}.format(number={number})" if held.printed_as else f"str({number})"
+    more = {
+        "type": literal(value.type.name),
+        "carrier": literal(_letters(row, carrier, order)),
+        "printed_name": printed_name if run or row.printed_name or held.printed_as else "",
+        "default": _default(row),
+        "elements": "" if row.elements is None else str(row.elements),
+        "subindices": tuple_of(_subindex(one, order, words) for one in row.subindices),
+        "restart": "" if row.restart is None else str(row.restart),
+        "applies_to": tuple_of(map(literal, row.applies_to)),
+        "messages": tuple_of(map(literal, row.messages)),
+        "reserved": "True" if row.reserved else "",
+        "source": literal(places(row.sources)) if row.sources else "",
+        "set": literal(held.name),
+        "base": f"0x{held.base:X}" if held.base else "",
+    }
+    kept = [f"{key}={text}" for key, text in more.items() if text not in ("", "()", '""')]
+    arguments = [name, number, value_expression(value, value.size, order, False, words), literal(row.access), *kept]
+    call = filled("_Parameter(", arguments, ")", 16 if run else 12)
+    lines = ["tuple(", *(f"    {line}" for line in call), f"    for place in range({row.count})", ")"] if run else call
+    kind = f"_Parameter[{_type(row, words)}]"
+    return RowView(
+        names.take(Name.of(row.name).upper()), f"tuple[{kind}, ...]" if run else kind, lines, _doc(row, held)
+    )
+
+
+def _letters(row: Parameter, carrier: FieldLayout | None, order: str) -> str:
+    """The Struct that makes, of a value's bytes, what a message carries; empty where that is the value's own type."""
+    if carrier is None or carrier.value is None:
+        return ""
+    letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
+    if row.subindices or letter == "s":
+        return ""
+    return f"{'>' if order == 'big' else '<'}{letter}"
+
+
+def _default(row: Parameter) -> str:
+    default = row.value.default
+    return "" if default is None else literal(default) if isinstance(default, str) else str(default)
+
+
+def _subindex(one: Subindex, order: str, words: Words) -> str:
+    value = value_expression(one.value, one.value.size, order, False, words)
+    more = [f"type={literal(one.value.type.name)}"]
+    more += ["reserved=True"] if one.reserved else []
+    more += [f"source={literal(places(one.sources))}"] if one.sources else []
+    return f"_Subindex({', '.join([literal(one.name), pairs(one.indices), value, *more])})"
+
+
+def _type(row: Parameter, words: Words) -> str:
+    """The type of the values of a parameter and of all its elements."""
+    every = [row.value, *(one.value for one in row.subindices)]
+    return " | ".join(dict.fromkeys(value_type(value, words) for value in every))
+
+
+def _doc(row: Parameter, held: ParameterSet) -> list[str]:
+    last = row.number + row.count - 1
+    facts = [f"Number {_digits(row.number, held)}" + (f" to {_digits(last, held)}" if row.count > 1 else "")]
+    if held.base:
+        further = f" to 0x{held.base + last:X}" if row.count > 1 else ""
+        facts.append(f"0x{held.base + row.number:X}{further} on the wire")
+    facts += [row.value.type.name, *value_facts(row.value)]
+    if row.elements is not None:
+        facts.append(f"{row.elements} elements")
+    if row.access:
+        facts.append(ACCESS[row.access])
+    if row.restart:
+        facts.append("takes effect after a restart")
+    facts += [f"for {', '.join(row.applies_to)}"] if row.applies_to else []
+    facts += [f"with {', '.join(row.messages)}"] if row.messages else []
+    facts += ["reserved"] if row.reserved else []
+    elements = [f" {one.indices.text()} {one.name}: {', '.join(_element(one))}." for one in row.subindices]
+    head = described(Name.of(row.name).title(), row, f"{', '.join(facts)}.", *elements)
+    return docstring(head, 8)
+
+
+def _element(one: Subindex) -> list[str]:
+    const = [] if one.value.const is None else [f"always {one.value.const}"]
+    return [one.value.type.name, *value_facts(one.value), *const, *(["reserved"] if one.reserved else [])]
