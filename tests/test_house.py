@@ -39,7 +39,7 @@ HOMES = {
     "os": ("cli.py", "commands/"),
     "shutil": ("commands/",),
     "tempfile": ("commands/",),
-    "subprocess": (),
+    "subprocess": ("commands/",),
     "socket": (),
     "platform": (),
     "getpass": (),

@@ -128,6 +128,14 @@ def parser() -> argparse.ArgumentParser:
     rule = verbs.add_parser("rule", help="explain a rule that a check follows")
     rule.add_argument("code", nargs="?", metavar="CODE", help="left out: list all rules")
 
+    diff = verb("diff", "tell what differs between two versions, and whom it hurts")
+    side = "DEVICE@VERSION, a folder of specs, or a git revision such as HEAD~3 or main:specs"
+    diff.add_argument("old", metavar="A", help=side)
+    diff.add_argument("new", metavar="B", help="likewise")
+    diff.add_argument("--format", choices=("text", "json", "markdown", "html", "sarif", "github"), default="text")
+    fails = "exit with 1 where there is such a change; breaking ones are those of classes wire and source"
+    diff.add_argument("--fail-on", choices=("breaking", "behaviour", "any"), help=fails)
+
     verb("devices", "list the devices and their versions")
 
     completion = verbs.add_parser("completion", help="print the completion script of a shell")

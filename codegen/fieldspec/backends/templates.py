@@ -7,11 +7,13 @@ from typing import Any
 
 import jinja2
 
+_FOLDERS = ("backends", "render")
+
 
 @lru_cache(maxsize=1)
 def _environment() -> jinja2.Environment:
     return jinja2.Environment(
-        loader=jinja2.PackageLoader("fieldspec", "backends"),
+        loader=jinja2.ChoiceLoader([jinja2.PackageLoader("fieldspec", folder) for folder in _FOLDERS]),
         undefined=jinja2.StrictUndefined,
         autoescape=lambda name: name is not None and name.endswith(".html.j2"),
         trim_blocks=True,
@@ -21,5 +23,5 @@ def _environment() -> jinja2.Environment:
 
 
 def fill(template: str, **view: Any) -> str:
-    """The text of a template, given by its path below `backends/`, over a view of computed values."""
+    """The text of a template, given by its path below `backends/` or `render/`, over a view of computed values."""
     return _environment().get_template(template).render(**view)

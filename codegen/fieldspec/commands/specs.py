@@ -59,16 +59,16 @@ def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project
         raise unknown("device", device, known)
     if not known:
         raise UsageError(f"the folder {path} holds no device; a device is a folder with a {MAIN}")
-    return read(files(path, devices), devices, _shown(path))
+    return read(files(path, devices), devices, shown(path))
 
 
-def _shown(path: Path) -> str:
+def shown(path: Path) -> str:
     """The folder as findings show it: from here, so that editors and code reviews find the files."""
     try:
-        shown = path.resolve().relative_to(Path.cwd()).as_posix()
+        text = path.resolve().relative_to(Path.cwd()).as_posix()
     except ValueError:
-        shown = path.as_posix()
-    return "" if shown == "." else shown
+        text = path.as_posix()
+    return "" if text == "." else text
 
 
 def split(text: str) -> tuple[str, str]:

@@ -1,0 +1,160 @@
+"""`fieldspec diff`: what differs between two versions, or two states of the specs, and whom it hurts."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib import import_module
+
+from fieldspec.changes import RULES, changes
+from fieldspec.changes.devices import device_added, device_removed
+from fieldspec.changes.judging import Compared, accepts_used, judged, rules_known
+from fieldspec.commands.output import print_blocks, print_findings
+from fieldspec.commands.sides import Side, side
+from fieldspec.commands.usage import UsageError
+from fieldspec.diagnostics import Diagnostic, in_order
+from fieldspec.proofs.accepted import previous
+from fieldspec.render.changes import Difference, Found, hurts
+
+FORMATS = ("text", "json", "markdown", "html", "sarif", "github")
+REVIEWS = ("sarif", "github")
+"""The forms that code reviews take."""
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints the changes. Exit code 1 where `--fail-on` is met, or where a spec accepts what has not happened."""
+    plain = arguments.format in REVIEWS
+    old, new = (side(text, arguments.specs, plain) for text in (arguments.old, arguments.new))
+    compared = list(_compared(old, new))
+    differences = [*_devices(old, new), *(_difference(one) for one in compared)]
+    unused = _unused(compared)
+    if arguments.format in REVIEWS:
+        from fieldspec.render.changes_findings import findings
+
+        print_findings([*findings(differences), *unused], arguments.format, "")
+    elif arguments.format == "text":
+        from fieldspec.render.changes_text import blocks
+
+        print_blocks(blocks(differences))
+    else:
+        print(import_module(f"fieldspec.render.changes_{arguments.format}").rendered(differences), end="")
+    if unused and arguments.format not in REVIEWS:
+        from fieldspec.render.text import rendered
+
+        print(rendered(unused), end="", file=sys.stderr)
+    failed = arguments.fail_on is not None and hurts(differences, arguments.fail_on)
+    return 1 if failed or unused else 0
+
+
+@dataclass(frozen=True, slots=True)
+class _Compared:
+    """Comparisons that are shown as one: the same device at several versions, by the names of both sides."""
+
+    old: str
+    new: str
+    by_version: dict[str, Compared]
+
+
+def _compared(old: Side, new: Side) -> Iterator[_Compared]:
+    """The comparisons that two sides ask for, device by device."""
+    for device in _common(old, new):
+        before, after = old.spec(device), new.spec(device)
+        both = [version for version in after.versions() if version in before.versions()]
+        if old.version or new.version or not both:
+            yield _pair(old, new, device)
+            continue
+        held = {version: _of(old, new, device, version, version) for version in both}
+        yield _Compared(old.label(device), new.label(device), held)
+        for version in after.versions():
+            based_on = previous(after, version)
+            if version not in both and based_on is not None:
+                step = _of(new, new, device, based_on, version)
+                yield _Compared(new.label(device, based_on), new.label(device, version), {version: step})
+
+
+def _common(old: Side, new: Side) -> list[str]:
+    """The devices to compare: the one that is asked for, or all that both sides have."""
+    asked = {one.device for one in (old, new) if one.device}
+    if len(asked) > 1:
+        raise UsageError(f"{old.device} and {new.device} are two devices; compare two versions of one")
+    if asked:
+        return sorted(asked)
+    common = [device for device in sorted(new.project.devices) if device in old.project.devices]
+    if not common and old.project.devices.keys() != new.project.devices.keys():
+        raise UsageError(f"{old.name} and {new.name} have no device in common")
+    if len(common) > 1 and (old.version or new.version):
+        raise UsageError(f"say of which device the version is: there are {', '.join(common)}")
+    return common
+
+
+def _pair(old: Side, new: Side, device: str) -> _Compared:
+    """One comparison of the versions that are asked for; where one side names none, the same or its newest."""
+    before, after = old.version, new.version
+    if not before:
+        known = old.spec(device).versions()
+        before = after if after in known else known[-1]
+    if not after:
+        known = new.spec(device).versions()
+        after = before if before in known else known[-1]
+    held = _of(old, new, device, before, after)
+    return _Compared(old.label(device, before), new.label(device, after), {after: held})
+
+
+def _of(old: Side, new: Side, device: str, before: str, after: str) -> Compared:
+    first, second = old.at(device, before), new.at(device, after)
+    spec = new.spec(device)
+    return Compared(first, second, changes(first, second), step=previous(spec, after) == before)
+
+
+def _difference(compared: _Compared) -> Difference:
+    """What a comparison shows: a change that is found at several versions once."""
+    found: dict[tuple[object, ...], list[str]] = {}
+    held: dict[tuple[object, ...], Found] = {}
+    for version, one in compared.by_version.items():
+        for each in judged(one):
+            change = each.change
+            key = (
+                change.rule,
+                change.effect,
+                change.path,
+                change.message,
+                change.old,
+                change.new,
+                each.accepted is None,
+            )
+            found.setdefault(key, []).append(version)
+            held[key] = Found(change, each.accepted)
+    shown = [
+        Found(one.change, one.accepted, tuple(found[key]) if len(found[key]) < len(compared.by_version) else ())
+        for key, one in held.items()
+    ]
+    return Difference(compared.old, compared.new, tuple(sorted(shown, key=lambda one: one.change.order())))
+
+
+def _devices(old: Side, new: Side) -> Iterator[Difference]:
+    """The devices that one side alone has, where whole folders are compared."""
+    if old.device or new.device:
+        return
+    gone = [device for device in old.project.devices if device not in new.project.devices]
+    come = [device for device in new.project.devices if device not in old.project.devices]
+    found = [
+        *(Found(device_removed(old.at(device, ""))) for device in gone),
+        *(Found(device_added(new.at(device, ""))) for device in come),
+    ]
+    if found:
+        yield Difference(old.name, new.name, tuple(sorted(found, key=lambda one: one.change.order())))
+
+
+def _unused(compared: list[_Compared]) -> list[Diagnostic]:
+    """The findings of acceptances that accept nothing."""
+    rules = {name for name, _, _ in RULES}
+    by_device: dict[str, list[Compared]] = {}
+    for one in (one for each in compared for one in each.by_version.values()):
+        by_device.setdefault(one.new.id, []).append(one)
+    found: list[Diagnostic] = []
+    for held in by_device.values():
+        found += rules_known((entry for one in held for entry in one.new.accepts), rules)
+        found += accepts_used(held)
+    return in_order(found)

@@ -1,0 +1,56 @@
+"""Changes as a page that stands on its own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fieldspec.backends.templates import fill
+from fieldspec.render.changes import Difference, Group, groups, places, remark, summary, title
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    rule: str
+    path: str
+    message: str
+    remark: str
+    old: str
+    new: str
+    places: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    kind: str
+    heading: str
+    rows: list[_Row]
+
+
+@dataclass(frozen=True, slots=True)
+class _Section:
+    title: str
+    summary: str
+    tables: list[_Table]
+
+
+def rendered(differences: Sequence[Difference]) -> str:
+    """The page. Texts of specs are escaped by the template."""
+    sections = [_Section(title(one), summary(one), [_table(group) for group in groups(one)]) for one in differences]
+    return fill("changes.html.j2", title=", ".join(section.title for section in sections), sections=sections)
+
+
+def _table(group: Group) -> _Table:
+    rows = [
+        _Row(
+            found.change.rule,
+            found.change.path,
+            found.change.message,
+            remark(found),
+            found.change.old,
+            found.change.new,
+            places(found.change),
+        )
+        for found in group.found
+    ]
+    return _Table(group.effect.value if group.effect else "accepted", group.heading, rows)

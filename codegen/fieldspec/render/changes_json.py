@@ -1,0 +1,41 @@
+"""Changes as JSON: a list of comparisons, each with its changes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+from fieldspec.render.changes import Difference, Found
+from fieldspec.source import Span
+
+
+def rendered(differences: Sequence[Difference]) -> str:
+    """The JSON text; lines and columns count from 1. `accepted` is null where nothing accepts a change."""
+    data = [{"old": one.old, "new": one.new, "changes": [_change(found) for found in one.found]} for one in differences]
+    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+
+
+def _change(found: Found) -> dict[str, object]:
+    change, accepted = found.change, found.accepted
+    return {
+        "rule": change.rule,
+        "class": change.effect.value,
+        "breaking": change.effect.breaking,
+        "kind": change.what,
+        "path": change.path,
+        "message": change.message,
+        "old": change.old,
+        "new": change.new,
+        "before": _place(change.before),
+        "after": _place(change.after),
+        "outputs": list(change.outputs),
+        "versions": list(found.versions),
+        "accepted": {"reason": accepted.reason, "date": accepted.date} if accepted else None,
+    }
+
+
+def _place(span: Span | None) -> dict[str, object] | None:
+    if span is None:
+        return None
+    line, column = span.position()
+    return {"file": span.file.path, "line": line, "column": column}

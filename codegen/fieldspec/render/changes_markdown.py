@@ -1,0 +1,39 @@
+"""Changes as Markdown: a table for each class, for reviews and release notes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from fieldspec.render.changes import Difference, Found, groups, places, remark, summary, title
+from fieldspec.render.columns import one_line
+
+_ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
+_SPECIAL = re.compile(r"[&<>\\`*\[\]|~$!#]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(?=//)|@(?=\w)")
+
+
+def rendered(differences: Sequence[Difference]) -> str:
+    """The Markdown text."""
+    return "\n".join(line for one in differences for line in _lines(one))
+
+
+def _lines(difference: Difference) -> Iterator[str]:
+    yield f"## {_text(title(difference))}\n"
+    yield f"{summary(difference).capitalize()}.\n"
+    for group in groups(difference):
+        yield f"### {group.heading.capitalize()}\n"
+        yield "| change | fact | what happened | where |"
+        yield "|---|---|---|---|"
+        yield from map(_row, group.found)
+        yield ""
+
+
+def _row(found: Found) -> str:
+    change, said = found.change, remark(found)
+    text = f"{change.message} ({said})" if said else change.message
+    return f"| {_text(change.rule)} | {_text(change.path)} | {_text(text)} | {_text(places(change))} |"
+
+
+def _text(text: str) -> str:
+    """A text in which nothing is markup."""
+    return _SPECIAL.sub(lambda match: _ENTITIES.get(match[0], "\\" + match[0]), one_line(text))

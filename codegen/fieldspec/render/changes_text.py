@@ -1,0 +1,38 @@
+"""Changes as text for people, and one line each for comparisons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from fieldspec.changes.change import Change, Effect
+from fieldspec.render.blocks import Block, Line
+from fieldspec.render.changes import Difference, groups, places, remark, summary, title
+from fieldspec.render.columns import one_line
+
+_STYLES = {Effect.WIRE: "red", Effect.SOURCE: "red", Effect.BEHAVIOUR: "yellow", Effect.DOCS: "", None: "dim"}
+
+
+def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
+    """A paragraph for each comparison, and in it one for each class: the rule, what happened, and where."""
+    for number, difference in enumerate(differences):
+        if number:
+            yield Line("")
+        yield Line(f"{title(difference)}: {summary(difference)}", "bold")
+        for group in groups(difference):
+            yield Line("")
+            yield Line(group.heading, _STYLES[group.effect])
+            for found in group.found:
+                said = remark(found)
+                yield Line(f"  {found.change.rule}: {found.change.message}" + (f" ({said})" if said else ""))
+                yield Line(f"    {found.change.path}, {places(found.change)}".rstrip(", "), "dim")
+
+
+def concise(changes: Iterable[Change]) -> str:
+    """Two lines a change: class, rule, path and message; then the values, the places and the outputs."""
+    text = ""
+    for change in changes:
+        text += one_line(f"{change.effect.value} {change.rule} {change.path}: {change.message}") + "\n"
+        values = f"{change.old or '-'} -> {change.new or '-'}"
+        outputs = f"; {', '.join(change.outputs)}" if change.outputs else ""
+        text += one_line(f"  {values}; {places(change)}{outputs}") + "\n"
+    return text
