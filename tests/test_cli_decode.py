@@ -202,7 +202,7 @@ def test_a_misprint_of_the_manual_is_recognised(
         (["decode", "widget", ANSWER, "--request", "zz"], "this is no frame: there are no bytes in it"),
         (["decode", "widget", ANSWER, "--request", ANSWER], "--request is no good request of widget: "),
         (["decode", "widget", ANSWER, "--request", READ, "--direction", "request"], "--direction cannot be request"),
-        (["decode", "widget", READ, "--direction", "up"], "invalid choice: 'up'"),
+        (["decode", "widget", READ, "--direction", "up"], "there is no direction up; there are request, response"),
         (["decode", "widget", READ, "--format", "xml"], "invalid choice: 'xml'"),
         (["decode"], "the following arguments are required: DEVICE[@VERSION]"),
     ],

@@ -18,7 +18,7 @@ import pytest
 from command_line import MADE_UP, CommandLine
 from fieldspec.commands.decode import LONGEST_LINE, Log
 from fieldspec.commands.frame_printer import FramePrinter
-from fieldspec.commands.readings import Given
+from fieldspec.commands.given import Given
 from laid_out import newest
 
 READ = "01 03 10 00 00 02 C0 CB"

@@ -72,6 +72,7 @@ def test_json_holds_the_frame_and_what_it_is(run: CommandLine) -> None:
         "version": "2.0",
         "link": "ascii",
         "direction": "request",
+        "direction_name": "request",
         "message": "read_registers",
         "frame": "3A3031303331303030303030324541" + "0D0A",
         "characters": ":010310000002EA\r\n",
@@ -108,8 +109,10 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
         (["nest", *PACKET, "nest=4"], "nest: a mapping of fields is expected"),
         (["nest", *PACKET, "nest=4", "nest.color=1"], "nest.color: nest has a value of its own"),
         (["read_corners", *PACKET, "count=1", "corners.1.x=1"], "there is no field corners"),
-        (["write_one", *PACKET, "number=1", "value=1", "--direction", "sideways"], "invalid choice: 'sideways'"),
-        ([], "the following arguments are required: MESSAGE"),
+        (["write_one", *PACKET, "number=1", "value=1", "--direction", "sideways"], "there is no direction sideways"),
+        ([], "nothing says which message it is; widget has "),
+        (["station=1"], "nothing says which message it is; widget has "),
+        (["--message", "stop", "stop"], "stop is no NAME=VALUE"),
     ],
 )
 def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], said: str) -> None:

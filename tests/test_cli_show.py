@@ -10,7 +10,11 @@ from fieldspec.render.item import handles, items
 from laid_out import newest
 
 WIDGET = newest(MADE_UP, "widget")
-HANDLES = sorted({handle for item in items(WIDGET) for handle in handles(item) if handle})
+HANDLES = [
+    (device, handle)
+    for device in ("widget", "glider-x")
+    for handle in sorted({handle for item in items(newest(MADE_UP, device)) for handle in handles(item) if handle})
+]
 
 STATUS = """\
  15  14  13  12  11  10   9   8   7   6   5   4   3   2   1   0
@@ -55,9 +59,9 @@ def test_a_device_is_shown_with_all_that_it_has(run: CommandLine) -> None:
         assert cell in found.out
 
 
-@pytest.mark.parametrize("text", HANDLES)
-def test_everything_that_has_a_name_can_be_shown(run: CommandLine, text: str) -> None:
-    found = run("show", "widget", text)
+@pytest.mark.parametrize(("device", "text"), HANDLES)
+def test_everything_that_has_a_name_can_be_shown(run: CommandLine, device: str, text: str) -> None:
+    found = run("show", device, text)
     assert (found.code, found.err) == (0, "")
     assert text in found.lines[0]
 
@@ -101,6 +105,72 @@ def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, 
     assert [line for line in lines if line not in shown] == []
 
 
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("11", ["telegram_11", "number 11", "bytes received 14, sent 10", "received data", "sent data"]),
+        ("telegram_70", ["beside telegram_3 or telegram_11", "since 1.1"]),
+        (
+            "speed_setpoint",
+            ["goes to the device", "unit 100/2^30 %", "lies in telegram_3 received, byte 2, words 2 and 3"],
+        ),
+        ("NSET", ["speed_setpoint NSET", "share of Pt317 (3000 rpm by default): commanded_speed"]),
+        (
+            "output_torque",
+            ["quantity reference * (1 - raw / 0x4000)", "reference Pt42A", "raw u16 of torque_reduction"],
+        ),
+        ("short_speed", ["reference not said", "raw i16"]),
+        ("Pt317", ["reference_speed Pt317", "number Pt317, 0x2317 (8983) on the wire", "for rotary", "unit rpm"]),
+        ("pt317", ["reference_speed Pt317"]),
+        ("0x2317", ["reference_speed Pt317"]),
+        ("0x317", ["reference_speed Pt317"]),
+        ("2317h", ["reference_speed Pt317"]),
+        ("Pt100", ["Pt100", "set servo", "number Pt100, 0x2100 (8448) on the wire"]),
+        ("0x2100", ["Pt100", "set servo"]),
+        ("Ut102", ["unused Ut102", "number Ut102, 0x4102 (16642) on the wire"]),
+        ("0x4102", ["unused Ut100", "here Ut102, 0x4102 (16642) on the wire"]),
+        ("964", ["identification", "elements 5", "0 maker u16 2730", "2..4 reserved u16"]),
+        (
+            "servo",
+            [
+                "base a number on the wire is the number + 0x2000",
+                "numbers Pt000 to PtFFF, 0x2000 to 0x2FFF on the wire",
+            ],
+        ),
+        ("AL.EE0", ["fixed_stop AL.EE0", "value 3808 (0xEE0)", "number 78", "cause A wall -> Move the wall"]),
+        ("al.ee0", ["fixed_stop AL.EE0"]),
+        ("0xEE0", ["fixed_stop AL.EE0"]),
+        ("78", ["fixed_stop AL.EE0"]),
+        ("internal_alarm", ["follows from alarm", "78 fixed_stop AL.EE0"]),
+        ("running", ["running S2", "shown by status_word", "set ready, operating", "clear inhibited"]),
+        ("status_word", ["inhibited S1 inhibited ready, operating 0x0040 of 0x0043"]),
+        ("stored_turns", ["copy of turns at 0x0104", "address 0x0204 (516), 4 words"]),
+        ("turns", ["copied in stored_turns at 0x0204", "number 2"]),
+        ("cyclic", ["sends telegram: 3, 11, 70; received goes to the device, sent comes from it", "received: body"]),
+        ("read_parameter", ["+2 bool8 x 1..8 values, format boolean", "u16 x 1..8 values, format unsigned16 or word"]),
+    ],
+)
+def test_what_telegrams_and_parameters_are_called_means_them(run: CommandLine, text: str, lines: list[str]) -> None:
+    found = run("show", "glider-x", text)
+    assert found.code == 0
+    shown = [" ".join(line.split()) for line in found.lines]
+    assert [line for line in lines if line not in shown] == []
+
+
+def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:
+    shown = [" ".join(line.split()) for line in run("show", "glider-x").lines]
+    for line in (
+        "cyclic Process data telegram received / sent",
+        "channel Parameter channel message request / response",
+        "11 telegram_11 Position",
+        "speed_setpoint NSET i32 to 100/2^30 %",
+        "Pt317 0x2317 reference_speed Pt317 u16 rw rpm",
+        "Ut100..Ut104 0x4100..0x4104 unused u16 ?",
+        "conversions: commanded_speed, output_torque, short_speed",
+    ):
+        assert line in shown
+
+
 def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
     found = run("show", "widget", "nest")
     assert found.lines[0] == "nest"
@@ -116,6 +186,8 @@ def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
         (["show", "widget", "0x7000"], "there is no item of widget 0x7000; "),
         (["show", "widget", "0x1002"], "there is no item of widget 0x1002; "),
         (["show", "widget", ""], "there is no item of widget "),
+        (["show", "glider-x", "0x3000"], "there is no item of glider-x 0x3000"),
+        (["show", "glider-x", "Xt100"], "there is no item of glider-x Xt100; did you mean Ut100?"),
         (["show", "nothing"], "there is no device nothing"),
         (["show"], "the following arguments are required"),
     ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 from typing import Literal
 
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.explaining.worded import decimal_text
 from fieldspec.layout.explanation import Explanation, Row, closest, explained, recognised
 from fieldspec.model.example import Example
 from fieldspec.reference import CodecError, codec
@@ -25,6 +27,7 @@ EXAMPLES = [
 ]
 WIDGET = newest(MADE_UP, "widget")
 GIZMO = newest(MADE_UP, "gizmo")
+GLIDER = newest(MADE_UP, "glider-x")
 
 
 def of_example(laid: DeviceLayout, example: Example, frame: bytes | None = None) -> Explanation:
@@ -144,6 +147,25 @@ def test_any_bytes_are_explained(laid: DeviceLayout, frame: bytes, data: st.Data
     message = data.draw(st.sampled_from(["", *laid.messages]))
     request = data.draw(st.binary(max_size=20))
     assert sent(explained(laid, link, direction, frame, message, request)) == frame
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        ("20.00", "20.00"),
+        ("-0.000001", "-0.000001"),
+        ("0.0000001", "0.0000001"),
+        ("50.0000000000000000000000000000", "50"),
+        ("0.0061035156250000", "0.00610352"),
+        ("24.99989997595548629760742187500", "24.9999"),
+        ("-199.99999990686774253845214843750", "-199.9999999"),
+        ("24.99999990686774253845214843750", "24.9999999"),
+        ("1000000000", "1000000000"),
+        ("0", "0"),
+    ],
+)
+def test_a_number_is_exact_where_it_is_short_and_else_shows_that_it_is_rounded(number: str, text: str) -> None:
+    assert decimal_text(Decimal(number)) == text
 
 
 def test_a_value_is_given_raw_and_exactly_in_its_unit() -> None:
@@ -329,6 +351,17 @@ def test_a_frame_with_a_wrong_check_is_not_recognised_but_closest_to_what_it_was
 def test_bytes_that_are_no_frame_are_not_recognised() -> None:
     assert recognised(WIDGET, b"") == []
     assert closest(WIDGET, b"no frame at all") == []
+
+
+def test_a_format_without_a_case_leaves_the_values_unexplained() -> None:
+    found = explained(GLIDER, "channel", "response", bytes.fromhex("07 01 00 03 01 00 00"))
+    assert (found.rows[-1].path, found.rows[-1].kind, found.rows[-1].raw) == ("values", "unexplained", b"\0\0")
+    assert found.reasons == ("unknown_value", "unknown_value")
+
+
+def test_elements_have_the_size_that_their_format_says() -> None:
+    found = explained(GLIDER, "channel", "response", bytes.fromhex("07 01 00 04 02 FF FF FF FF 00 00 00 01"))
+    assert [one.number for one in found.rows if one.path.startswith("values[")] == [-1, 1]
 
 
 def test_two_frames_in_a_row_are_told_apart_by_length_and_check() -> None:

@@ -9,6 +9,7 @@ import argparse
 import errno
 import gc
 import os
+import re
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -40,15 +41,45 @@ class _Parser(argparse.ArgumentParser):
         raise UsageError(f"{message}; see: {self.prog} --help")
 
 
+class _Word(argparse.Action):
+    """An option that bears a word of the device. It is kept for the verb, which knows the device."""
+
+    def __call__(self, parser: object, namespace: Any, values: Any, option: str | None = None) -> None:
+        namespace.words = [*namespace.words, (option, values)]
+
+
+class _Suggested(tuple[str, ...]):
+    """What a shell offers for an option that takes other texts, too."""
+
+    __slots__ = ()
+
+    def __contains__(self, text: object) -> bool:
+        return True
+
+
 class _Verb(_Parser):
-    """The arguments of one verb; options may stand between the others."""
+    """The arguments of one verb; options may stand between the others.
+
+    Where the verb has a default for `words`, options that it does not know are kept there.
+    """
 
     _mixing = False
+
+    def _learn(self, arguments: Sequence[str]) -> None:
+        for argument in arguments:
+            if argument == "--":
+                return
+            option = argument.partition("=")[0]
+            known = any(text.startswith(option) for text in self._option_string_actions)
+            if re.fullmatch("--[A-Za-z][A-Za-z0-9_-]*", option) and not known:
+                self.add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         if self._mixing:
             return super().parse_known_args(args, namespace)
         self._mixing = True
+        if self.get_default("words") is not None:
+            self._learn(args)
         try:
             return self.parse_known_intermixed_args(args, namespace)
         finally:
@@ -84,22 +115,30 @@ def parser() -> argparse.ArgumentParser:
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
+    def sent(inner: argparse.ArgumentParser, direction: str, message: str) -> None:
+        """The options that say how a frame is sent."""
+        inner.set_defaults(words=[])
+        inner.add_argument("--link", help="the link that the frame is sent on")
+        inner.add_argument("--direction", choices=_Suggested(("request", "response")), metavar="NAME", help=direction)
+        inner.add_argument("--message", metavar="NAME", help=message)
+        inner.epilog = (
+            "A message may have a number beside its name. Where a link has a word of its own for messages, --WORD NAME "
+            "is as --message NAME. What a device has for messages and directions is shown by: fieldspec show DEVICE"
+        )
+
+    way = "request, response, or what the link calls them"
     decode = verb("decode", "explain a frame, or a log of frames, byte by byte")
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
     frames = "the bytes; - or nothing: lines of standard input"
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-", help=frames)
-    decode.add_argument("--link", help="the link that the frame was sent on")
-    decode.add_argument("--direction", choices=("request", "response"))
-    decode.add_argument("--message", help="the message, where the frame does not say it")
+    sent(decode, way, "the message by name or number, where the frame does not say it")
     decode.add_argument("--request", metavar="HEX", help="the request that a response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
 
     encode = verb("encode", "write the frame of a message")
     encode.add_argument("device", metavar="DEVICE[@VERSION]")
-    encode.add_argument("message", metavar="MESSAGE")
-    encode.add_argument("values", nargs="*", metavar="NAME=VALUE", help="counts, 20.00mm, names of members")
-    encode.add_argument("--link", help="the link; left out: the first one of the device")
-    encode.add_argument("--direction", choices=("request", "response"), default="request")
+    encode.add_argument("given", nargs="*", metavar="MESSAGE NAME=VALUE", help="counts, 20.00mm, names of members")
+    sent(encode, f"{way}; left out: request", "the message by name or number, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
     versions = verb("versions", "list the versions of a device, and what depends on them")

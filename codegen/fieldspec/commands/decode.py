@@ -10,11 +10,12 @@ from typing import BinaryIO
 
 from fieldspec.commands import specs
 from fieldspec.commands.frame_printer import FramePrinter
+from fieldspec.commands.given import Given, given
 from fieldspec.commands.logged import Logged, logged
-from fieldspec.commands.readings import Asked, Given, Read, read
+from fieldspec.commands.readings import Asked, Read, read
 from fieldspec.commands.remarks import remarks
 from fieldspec.commands.spelled import Unreadable
-from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.commands.usage import UsageError
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.render.explanation import faults
 
@@ -24,8 +25,10 @@ LONGEST_LINE = 8192
 def run(arguments: argparse.Namespace) -> int:
     """Explains what is given, or each line of the standard input. Exit code 1 where anything is wrong."""
     layout = specs.layout(arguments.specs, arguments.device)
-    given = _given(layout, arguments)
-    asked = _asked(layout, given, arguments.request)
+    said = given(layout, arguments)
+    if arguments.request and "response" not in said.directions:
+        raise UsageError(f"--request gives what a response answers, so --direction cannot be {arguments.direction}")
+    asked = _asked(layout, said, arguments.request)
     printer = FramePrinter(layout, arguments.format)
     written = " ".join(arguments.frame)
     if written in ("", "-"):
@@ -34,28 +37,19 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin.isatty():
             print("reading frames from the terminal, one a line", file=sys.stderr)
         gc.enable()  # a log may be long
-        return Log(layout, given, asked, printer).explain(sys.stdin.buffer)
+        return Log(layout, said, asked, printer).explain(sys.stdin.buffer)
     found = _frame(layout, written)
-    held = read(layout, found.frame, given, found.direction, asked)
-    printer.explain(held, [*found.remarks, *remarks(layout, held, 0)])
+    held = read(layout, found.frame, said, found.direction, asked)
+    printer.explain(held, [*found.remarks, *remarks(layout, held, 0, said)])
     return int(held.wrong)
 
 
-def _given(layout: DeviceLayout, arguments: argparse.Namespace) -> Given:
-    if arguments.link and arguments.link not in layout.links:
-        raise unknown("link", arguments.link, layout.links)
-    if arguments.message and arguments.message not in layout.messages:
-        raise unknown("message", arguments.message, layout.messages)
-    if arguments.request and arguments.direction == "request":
-        raise UsageError("--request gives what a response answers, so --direction cannot be request")
-    return Given(arguments.link or "", arguments.direction or "", arguments.message or "")
-
-
-def _asked(layout: DeviceLayout, given: Given, text: str | None) -> Asked | None:
+def _asked(layout: DeviceLayout, said: Given, text: str | None) -> Asked | None:
     """The request that the user names."""
     if text is None:
         return None
-    request = read(layout, _frame(layout, text).frame, Given(given.link, "request", given.message))
+    places = tuple((link, "request") for link in layout.links if said.goes(link, "response"))
+    request = read(layout, _frame(layout, text).frame, Given(places, said.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
         why = "; ".join(faults(request.explanation))
         raise UsageError(f"--request is no good request of {layout.device.id}: {why}")
@@ -79,8 +73,8 @@ class Log:
     without bytes gives to the next one.
     """
 
-    def __init__(self, layout: DeviceLayout, given: Given, asked: Asked | None, printer: FramePrinter) -> None:
-        self.layout, self.given, self.printer = layout, given, printer
+    def __init__(self, layout: DeviceLayout, said: Given, asked: Asked | None, printer: FramePrinter) -> None:
+        self.layout, self.said, self.printer = layout, said, printer
         self.links = [laid.link for laid in layout.links.values()]
         self.asked, self.asked_in = asked, 0
         self.mark = ""
@@ -105,8 +99,8 @@ class Log:
         self.mark = found.direction or self.mark
         if not found.frame:
             return
-        held = read(self.layout, found.frame, self.given, self.mark, self.asked)
-        self.printer.explain(held, [*found.remarks, *remarks(self.layout, held, self.asked_in)], number)
+        held = read(self.layout, found.frame, self.said, self.mark, self.asked)
+        self.printer.explain(held, [*found.remarks, *remarks(self.layout, held, self.asked_in, self.said)], number)
         self.wrong = self.wrong or held.wrong
         self.mark = ""
         if self.asked is None or not self.asked.sure:

@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import sys
+from collections.abc import Collection
+from dataclasses import dataclass
 
 from fieldspec.commands import specs
+from fieldspec.commands.counted import nearest, parameter_number
+from fieldspec.commands.given import DIRECTIONS, given
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.meaning import MeaningError, body_of, raw_of
 from fieldspec.render.columns import one_line
+
+_MOST = 20
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -16,26 +23,56 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.reference import CodecError, codec
 
     layout = specs.layout(arguments.specs, arguments.device)
-    link = arguments.link or next(iter(layout.links), "")
-    if link not in layout.links:
-        raise unknown("link", link, layout.links)
-    if arguments.message not in layout.messages:
-        raise unknown("message", arguments.message, layout.messages)
-    written = _written(arguments.values)
-    fields = _fields(layout, link, arguments)
+    way, pairs = _way(layout, arguments)
+    written = _written(pairs)
+    fields = _fields(layout, way)
+    _by_print(layout, way, written)
     for name in written:
         if name not in fields:
             raise unknown("field", name, fields)
-    _with_address(layout, arguments.message, written)
-    parts = layout.links[link].frame(arguments.direction).head
-    body = body_of(layout, link, arguments.direction, arguments.message, False)
+    _with_address(layout, way.message, written)
+    parts = layout.links[way.link].frame(way.direction).head
+    body = body_of(layout, way.link, way.direction, way.message, False)
     try:
-        values = raw_of(layout.device, parts, body, written)
-        frame = codec(layout).links[link].encode(arguments.direction, arguments.message, values)
+        counted = {name: _counted(layout, way, name, held) for name, held in written.items()}
+        values = raw_of(layout.device, parts, body, counted)
+        frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
-        raise UsageError(f"{error}; the {arguments.direction} has the fields {', '.join(fields)}") from None
-    _print(layout, link, arguments, frame)
+        raise UsageError(f"{error}; {_spoken(layout, way)} has the fields {', '.join(fields)}") from None
+    _print(layout, way, arguments.format, frame)
     return 0
+
+
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """Which message is sent, and which way."""
+
+    link: str
+    direction: str
+    message: str
+
+
+def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, list[str]]:
+    """The message, and the values behind it."""
+    pairs = list(arguments.given)
+    named = arguments.message is not None or arguments.words
+    if not named and pairs and "=" not in pairs[0]:
+        arguments.message = pairs.pop(0)
+    said = given(layout, arguments)
+    if not said.message:
+        raise UsageError(f"nothing says which message it is; {layout.device.id} has {_some(layout.messages)}")
+    if arguments.direction:
+        return _Way(*said.places[0], said.message), pairs
+    return _Way(said.places[0][0], "request", said.message), pairs
+
+
+def _spoken(layout: DeviceLayout, way: _Way) -> str:
+    name = layout.device.links[way.link].direction_name(way.direction)
+    return f"the {name}" if name in DIRECTIONS else f"{way.message} {name}"
+
+
+def _some(names: Collection[str]) -> str:
+    return ", ".join(names) if len(names) <= _MOST else f"{len(names)} of them"
 
 
 def _written(pairs: list[str]) -> dict[str, object]:
@@ -72,6 +109,17 @@ def _order(key: str) -> tuple[int, str]:
     return len(key), key
 
 
+def _by_print(layout: DeviceLayout, way: _Way, written: dict[str, object]) -> None:
+    """Puts our names in the place of the manual's."""
+    body = body_of(layout, way.link, way.direction, way.message, False)
+    printed = {field.field.printed_name.lower(): field.name for field in body.fields if field.field.printed_name}
+    for name in [name for name in written if body.named(name) is None and name.lower() in printed]:
+        own = printed[name.lower()]
+        if own in written:
+            raise UsageError(f"{name} is {own}, which is given twice")
+        written[own] = written.pop(name)
+
+
 def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
     """Puts the address of a register in the place of its name."""
     accesses = layout.messages[message].message.accesses
@@ -81,30 +129,53 @@ def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]
         written[accesses.start] = register.address
 
 
-def _fields(layout: DeviceLayout, link: str, arguments: argparse.Namespace) -> list[str]:
+def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:
+    """A value as counts, where that needs more than its own field: the number of a named parameter, and what is a
+    share of a power of two, of which hardly any value in the unit is a whole number. Says what it rounds.
+    """
+    body = body_of(layout, way.link, way.direction, way.message, False)
+    field = body.named(name)
+    value = field.value if field else None
+    if value is None or not isinstance(held, str):
+        return held
+    if value.parameter is not None and value.parameter.part == "number":
+        number = parameter_number(layout.device, value.parameter.set, held)
+        return held if number is None else number
+    if "/" not in value.scale_text:
+        return held
+    count = nearest(value, held)
+    if count is None or count.is_whole:
+        return held
+    which = "" if count.text.replace(" ", "") == held.replace(" ", "") else f", which is {count.text}"
+    print(f"fieldspec: {name}: {held} is {count.exact} counts; {count.raw} is sent{which}", file=sys.stderr)
+    return count.raw
+
+
+def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
     """What can be given: the parts of the head that no other part decides, and the fields of the body."""
-    shape = layout.links[link].frame(arguments.direction)
+    shape = layout.links[way.link].frame(way.direction)
     head = [part.name for part in shape.head if part.role in ("station", "plain")]
-    body = body_of(layout, link, arguments.direction, arguments.message, False)
+    body = body_of(layout, way.link, way.direction, way.message, False)
     return [*head, *(field.name for field in body.fields if field.field.measures is None)]
 
 
-def _print(layout: DeviceLayout, link: str, arguments: argparse.Namespace, frame: bytes) -> None:
-    characters = frame.decode("latin-1") if layout.links[link].link.encoding == "hex_ascii" else None
-    if arguments.format == "json":
+def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
+    characters = frame.decode("latin-1") if layout.links[way.link].link.encoding == "hex_ascii" else None
+    if form == "json":
         import json
 
         data = {
             "device": layout.device.id,
             "version": layout.device.version,
-            "link": link,
-            "direction": arguments.direction,
-            "message": arguments.message,
+            "link": way.link,
+            "direction": way.direction,
+            "direction_name": layout.device.links[way.link].direction_name(way.direction),
+            "message": way.message,
             "frame": frame.hex().upper(),
             "characters": characters,
         }
         print(json.dumps(data, ensure_ascii=False, indent=1))
         return
     print(frame.hex(" ").upper())
-    if arguments.format == "text" and characters is not None:
+    if form == "text" and characters is not None:
         print(one_line(characters))

@@ -67,11 +67,11 @@ def logged(text: str, links: Collection[Link]) -> Logged | None:
             frame, remarks = _frame(text[marks[number].end() :], links)
         except Unreadable:
             continue
-        return Logged(frame, _direction(text, marks[: number + 1]), remarks)
+        return Logged(frame, _direction(text, marks[: number + 1], links), remarks)
     try:
         return Logged(*_unmarked(text, links))
     except _NoBytes:
-        direction = _direction(text, marks)
+        direction = _direction(text, marks, links)
         if not direction:
             raise
         return Logged(b"", direction)
@@ -81,11 +81,16 @@ class _NoBytes(Unreadable):
     """Nothing in the text may be bytes."""
 
 
-def _direction(text: str, marks: list[re.Match[str]]) -> str:
-    """What marks say. Words go before arrows, which point from one name to the other where names stand before."""
-    words = [mark["word"] for mark in marks if mark["word"]]
+def _direction(text: str, marks: list[re.Match[str]], links: Collection[Link]) -> str:
+    """What marks say. Words go before arrows, which point from one name to the other where names stand before.
+
+    A word that a link uses the other way round says nothing: nobody knows who wrote the log.
+    """
+    words = [mark["word"].lower() for mark in marks if mark["word"]]
     if words:
-        return _DIRECTIONS[words[-1].lower()]
+        direction = _DIRECTIONS[words[-1]]
+        other = "response" if direction == "request" else "request"
+        return "" if any(link.direction_name(other) == words[-1] for link in links) else direction
     if not marks or re.search(r"[A-Za-z]", re.sub(_TIME, "", text[: marks[-1].start()])):
         return ""
     return "request" if ">" in marks[-1]["arrow"] else "response"

@@ -5,22 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from fieldspec.commands.given import DIRECTIONS, Given
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explanation import Explanation, Reading, closest, explained, recognised
-
-
-@dataclass(frozen=True, slots=True)
-class Given:
-    """What the user says of frames; empty where he leaves it to us."""
-
-    link: str = ""
-    direction: str = ""
-    message: str = ""
-
-    def allows(self, reading: Reading) -> bool:
-        """Whether a reading is one of those that the user means."""
-        pairs = zip((self.link, self.direction, self.message), reading, strict=False)
-        return all(not wanted or wanted == held for wanted, held in pairs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +47,7 @@ class Read:
 
 def read(layout: DeviceLayout, frame: bytes, given: Given, mark: str = "", asked: Asked | None = None) -> Read:
     """The explanation of a frame. `mark` is the direction that a log says, which need not be true."""
-    if asked is not None and given.direction != "request":
+    if asked is not None and "response" in given.directions:
         answer = _answer(layout, frame, asked)
         if asked.sure or (mark != "request" and not answer.wrong):
             return answer
@@ -94,9 +81,8 @@ def _closest(layout: DeviceLayout, frame: bytes, given: Given, mark: str) -> Rea
     """The reading of which the least is wrong."""
     near = [reading for reading in closest(layout, frame) if given.allows(reading)]
     if not near:
-        links = [given.link] if given.link else list(layout.links)
-        directions = [given.direction] if given.direction else ["request", "response"]
-        near = [(link, direction, given.message, False) for link in links for direction in directions]
+        places = ((link, direction) for link in layout.links for direction in DIRECTIONS)
+        near = [(*place, given.message, False) for place in places if given.goes(*place)]
 
     def faults(reading: Reading) -> tuple[object, ...]:
         held = _explained(layout, frame, reading)

@@ -5,10 +5,12 @@ from __future__ import annotations
 import argparse
 
 from fieldspec.commands import specs
+from fieldspec.commands.given import number_of
 from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.render.item import Item, blocks, handles, items, numbered
+from fieldspec.render.item import Item, handles, items, numbered, unnamed
+from fieldspec.render.item_blocks import blocks
 from fieldspec.render.overview import overview
 
 
@@ -18,7 +20,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.item is None:
         print_blocks(overview(layout))
         return 0
-    number = _number(arguments.item)
+    number = number_of(arguments.item)
     for at, item in enumerate(_meant(layout, arguments.item, number)):
         if at:
             print()
@@ -27,23 +29,22 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
-    """The items with a name, else those with an address or a code; our names go before the manual's words."""
+    """The items with a name, else those with an address or a number; our names go before the manual's words."""
     known = list(items(layout))
-    for place in range(3):
-        found = [item for item in known if text and text in handles(item)[place : place + 1]]
-        if found:
-            return found
+    for exact in (True, False):
+        for place in range(3):
+            found = [item for item in known if text and _called(item, text, place, exact)]
+            if found:
+                return found
     found = [item for item in known if number is not None and numbered(item, number)]
+    found = found or list(unnamed(layout, text, number))
     if not found:
         names = {handle for item in known for handle in handles(item) if handle}
         raise unknown(f"item of {layout.device.id}", text, names)
     return found
 
 
-def _number(text: str) -> int | None:
-    """`0x2011`, `2011h` or `8209` as a number."""
-    digits = text[:-1] if text[-1:] in ("h", "H") else text
-    try:
-        return int(digits, 16) if digits != text else int(text, 0)
-    except ValueError:
-        return None
+def _called(item: Item, text: str, place: int, exact: bool) -> bool:
+    """Whether a text is one of the handles of an item, capital letters being others only where it is `exact`."""
+    handle = "".join(handles(item)[place : place + 1])
+    return handle == text if exact else handle.lower() == text.lower()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 
@@ -13,8 +14,8 @@ def unknown(what: str, given: str, known: Iterable[str]) -> UsageError:
     """That there is no such thing, with the nearest one, or all of them."""
     import difflib
 
-    names = sorted(known)
-    near = difflib.get_close_matches(given, names, 1, 0.6)
+    names = sorted(set(known), key=_in_order)
+    near = [] if given.isdecimal() else difflib.get_close_matches(given, names, 1, 0.6)
     if near:
         hint = f"did you mean {near[0]}?"
     elif names and len(names) <= 20:
@@ -22,3 +23,8 @@ def unknown(what: str, given: str, known: Iterable[str]) -> UsageError:
     else:
         hint = f"there are {len(names)} of them" if names else "there are none"
     return UsageError(f"there is no {what} {given}; {hint}")
+
+
+def _in_order(name: str) -> list[object]:
+    """By letters, and by what numbers count."""
+    return [int(part) if number % 2 else part for number, part in enumerate(re.split(r"([0-9]{1,9})", name))]

@@ -22,7 +22,7 @@ from fieldspec.layout.meaning import Raw
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 
-__all__ = ["Explanation", "Meaning", "Row", "closest", "explained", "recognised"]
+__all__ = ["Explanation", "Meaning", "Row", "closest", "explained", "lengths", "recognised"]
 
 Reading = tuple[str, str, str, bool]
 
@@ -110,10 +110,16 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
 
 def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     """The messages whose body may be as long as that of a frame; of all others the length is wrong."""
-    shape = link.frame(direction)
-    length = len(wrapped(link.link, frame).data) - shape.head_size - shape.tail_size
-    bodies = ((name, laid.data(direction)) for name, laid in link.messages.items())
-    return [name for name, body in bodies if body.least <= length and (body.most is None or length <= body.most)]
+    length = len(wrapped(link.link, frame).data)
+    bounds = ((name, lengths(link, direction, name)) for name in link.messages)
+    return [name for name, (least, most) in bounds if least <= length and (most is None or length <= most)]
+
+
+def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:
+    """The least and the greatest number of bytes of a message's frames, without marks; None where nothing bounds it."""
+    shape, body = link.frame(direction), link.messages[message].data(direction)
+    around = shape.head_size + shape.tail_size
+    return body.least + around, None if body.most is None else body.most + around
 
 
 class _Frame:

@@ -23,7 +23,7 @@ _JUDGED = ("meaning", "check", "manual")
 def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
     """`write_register request, rtu, Gadget 2.0: Write one register`; without the message where that is not `sure`."""
     device = layout.device
-    kind = "refusal" if held.error else held.direction
+    kind = "refusal" if held.error else device.links[held.link].direction_name(held.direction)
     name = f"{held.message or 'unknown'} {kind}" if sure else kind
     text = f"{name}, {held.link}, {device.name} {device.version}"
     laid = layout.messages.get(held.message)
@@ -57,7 +57,7 @@ def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
     code = shape.role("code")
     laid = layout.messages.get(held.message)
     accesses = laid.message.accesses if laid else None
-    addresses = {code.name if code else "", accesses.start if accesses else ""}
+    addresses = {code.name if code else "", accesses.start if accesses else "", *_numbers(layout, held)}
     headings = ("at", "sent", "bytes", "field", "label", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
     for _, group in groupby(held.rows, key=_run):
@@ -72,6 +72,17 @@ def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
             first = (str(row.offset), row.characters, _hex(row.raw), row.path, _label(row), raw, row.value)
             lines += _lines(row, first, 2)
     return _table(headings, lines)
+
+
+def _numbers(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
+    """The fields that hold a number which has a base added, so that its digits tell most in hexadecimal."""
+    laid = layout.messages.get(held.message)
+    for field in laid.data(held.direction).fields if laid else ():
+        part, number = field.value.parameter if field.value else None, held.values.get(field.name)
+        if part is not None and part.part == "number" and isinstance(number, int):
+            found = layout.device.parameter_at(part.set, number)
+            if found is None or found[0].base:
+                yield field.name
 
 
 def register_table(held: Explanation) -> Table:
@@ -107,7 +118,7 @@ def examples(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
     own = [example for example in device.examples.values() if _alike(example, held)]
     same = [example for example in own if example.frame == held.frame]
     for example in same[:_EXAMPLES]:
-        text = f"example {example.id}, {citations(example.sources)}"
+        text = ", ".join(part for part in (f"example {example.id}", citations(example.sources)) if part)
         yield f"{text}: {example.title}" if example.title else text
     if len(same) > _EXAMPLES:
         yield f"{len(same) - _EXAMPLES} more examples have this frame"

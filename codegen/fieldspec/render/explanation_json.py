@@ -29,6 +29,7 @@ def as_data(
         "frame": _hex(held.frame),
         "link": held.link,
         "direction": held.direction,
+        "direction_name": layout.device.links[held.link].direction_name(held.direction),
         "message": held.message or None,
         "error": held.error,
         "wrong": wrong,

@@ -3,28 +3,63 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.explaining.numbered import number_written
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Flags
+from fieldspec.model.flags import Flags, State
 from fieldspec.model.limit import Limit
 from fieldspec.model.link import Link
 from fieldspec.model.lookup import Lookup
 from fieldspec.model.note import Note
 from fieldspec.model.parameter import Parameter, ParameterSet
 from fieldspec.model.register import Register, RegisterGroup
-from fieldspec.model.value import Value
-from fieldspec.render.blocks import Block, Line, Table, narrowed
-from fieldspec.render.drawing import drawn
-from fieldspec.render.item_texts import erratum_details, example_details, fact_details, note_details
-from fieldspec.render.overview import parameter_table, register_table
-from fieldspec.render.values import field_table, member_table, value_details
+from fieldspec.model.signal import Conversion, Signal
+
+
+@dataclass(frozen=True, slots=True)
+class Numbered:
+    """A number of a set and its parameter; None where it has no row, and the first of a run has it for all."""
+
+    words: ParameterSet
+    number: int
+    parameter: Parameter | None
+
+    @property
+    def written(self) -> str:
+        """The number as the manual writes it, where that is not in digits."""
+        return self.words.written(self.number) if self.words.printed_as else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Coded:
+    """A row of a table of codes."""
+
+    enum: Enum
+    member: Member
+
+    @property
+    def written(self) -> str:
+        """The code as the manual, or the device, shows it, where that is not in digits."""
+        member = self.member
+        form = self.enum.printed_as
+        return member.printed_name or (form.format(value=member.value, number=member.number) if form else "")
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A state that a word shows."""
+
+    word: Flags
+    state: State
+
 
 Item: TypeAlias = (
     Register
@@ -32,11 +67,14 @@ Item: TypeAlias = (
     | TableLayout
     | MessageLayout
     | RecordLayout
-    | Parameter
+    | Signal
+    | Conversion
+    | Numbered
     | ParameterSet
     | Enum
-    | Member
+    | Coded
     | Flags
+    | Shown
     | Link
     | Lookup
     | Limit
@@ -44,7 +82,6 @@ Item: TypeAlias = (
     | Example
     | Erratum
 )
-Details: TypeAlias = Iterator[tuple[str, str]]
 
 
 def items(layout: DeviceLayout) -> Iterator[Item]:
@@ -55,14 +92,19 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from layout.tables.values()
     yield from layout.messages.values()
     yield from layout.records.values()
+    yield from device.signals.values()
+    yield from device.conversions.values()
     for words in device.parameters.values():
         yield words
-        yield from words.parameters
+        yield from (Numbered(words, parameter.number, parameter) for parameter in words.parameters)
     for enum in device.enums.values():
         yield enum
+        base = device.enums.get(enum.derived.rpartition("/")[2])
         if enum.kind != "enum":
-            yield from enum.members
-    yield from device.flags.values()
+            yield from (Coded(enum, one) for one in enum.members if base is None or base.named(one.name) is None)
+    for word in device.flags.values():
+        yield word
+        yield from (Shown(word, state) for state in word.states)
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
@@ -71,13 +113,33 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from device.errata
 
 
+def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[Numbered]:
+    """The parameters without a row of their own that a text is as the manual writes it, or on the wire."""
+    for words in layout.device.parameters.values():
+        own = number_written(words, text)
+        if own is None and number is not None:
+            own = number - words.base
+        if own is not None and words.holds(own):
+            yield Numbered(words, own, words.numbered(own))
+
+
 def fact_of(item: Item) -> Fact | Note | Example | Erratum:
     """The fact that an item is, or that it lays out."""
-    if isinstance(item, MessageLayout):
-        return item.message
-    if isinstance(item, RecordLayout):
-        return item.record
-    return item.table if isinstance(item, TableLayout) else item
+    match item:
+        case MessageLayout():
+            return item.message
+        case RecordLayout():
+            return item.record
+        case TableLayout():
+            return item.table
+        case Numbered():
+            return item.parameter or item.words
+        case Coded():
+            return item.member
+        case Shown():
+            return item.state
+        case _:
+            return item
 
 
 def handles(item: Item) -> tuple[str, ...]:
@@ -85,145 +147,30 @@ def handles(item: Item) -> tuple[str, ...]:
     fact = fact_of(item)
     if isinstance(fact, Example | Erratum):
         return (fact.id,)
-    return (fact.name,) if isinstance(fact, Note) else (fact.name, fact.printed_name, fact.label)
+    if isinstance(fact, Note):
+        return (fact.name,)
+    if isinstance(item, Numbered) and item.parameter is None:
+        return ("", item.written, "")
+    written = item.written if isinstance(item, Numbered | Coded) else ""
+    return fact.name, fact.printed_name or written, fact.label
 
 
 def numbered(item: Item, number: int) -> bool:
-    """Whether an address lies in the item, or a code is the item's."""
-    if isinstance(item, Register):
-        steps = (number - item.address) // item.stride
-        return 0 <= steps < item.count and number < item.address + steps * item.stride + item.width
-    if isinstance(item, TableLayout):
-        table = item.table
-        return table.base <= number < table.base + table.stride * (table.count - 1) + item.words
-    return isinstance(item, MessageLayout) and item.message.code == number
-
-
-def blocks(layout: DeviceLayout, item: Item, address: int | None = None) -> Iterator[Block]:
-    """An item as lines and tables; an `address` that was asked for is named."""
-    fact = fact_of(item)
-    names = handles(item)
-    yield Line("  ".join(dict.fromkeys(name for name in names if name)), "bold")
-    pairs = [*_details(item, address)]
-    if isinstance(fact, Fact):
-        pairs += fact_details(layout.device, fact)
-    for key, text in pairs:
-        if text:
-            yield Line(f"  {key:<9} {text}", drawn=True)
-    yield from _inside(layout, item)
-
-
-def _details(item: Item, address: int | None) -> Details:
+    """Whether an address lies in the item, or a number or a code is the item's."""
     match item:
         case Register():
-            yield from _register(item, address)
+            steps = (number - item.address) // item.stride
+            inside = 0 <= steps < item.count and number < item.address + steps * item.stride + item.width
+            return inside or number == item.number
         case TableLayout():
-            yield from _table(item, address)
+            table = item.table
+            return table.base <= number < table.base + table.stride * (table.count - 1) + item.words
         case MessageLayout():
-            yield "what", item.message.title
-            yield "code", "" if item.message.code is None else f"0x{item.message.code:02X}"
-        case RecordLayout() if item.size is not None:
-            yield "size", f"{item.size} bytes"
-        case Parameter():
-            yield "number", str(item.number)
-            yield "access", item.access or "not printed"
-            yield from value_details(item.value)
-            yield "restart", _RESTART[item.restart]
-        case Member():
-            yield "value", str(item.value)
-            yield "problem", item.problem
-            for cause in item.causes:
-                yield "cause", cause.cause + "".join(f" -> {remedy}" for remedy in cause.remedies)
-            for remedy in item.remedies:
-                yield "remedy", remedy
-        case Link():
-            yield "encoding", item.encoding
-            yield "marks", " .. ".join(mark.hex(" ").upper() for mark in (item.start, item.end) if mark)
-            yield "order", f"bytes {item.byte_order}, words {item.word_order or item.byte_order}"
-        case Limit():
-            bounds = [str(bound) for bound in (item.low, item.high) if bound is not None]
-            number = str(item.value) if item.value is not None else "..".join(bounds)
-            yield "value", f"{number or item.text} {item.unit}".strip()
-        case Note():
-            yield from note_details(item)
-        case Example():
-            yield from example_details(item)
-        case Erratum():
-            yield from erratum_details(item)
-
-
-_RESTART = {True: "needed", False: "not needed", None: ""}
-
-
-def _register(register: Register, address: int | None) -> Details:
-    many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
-    words = "1 word" if register.width == 1 else f"{register.width} words"
-    yield "address", f"0x{register.address:04X} ({register.address}), {words}{many}"
-    if register.count > 1 and address is not None:
-        index = register.index_from + (address - register.address) // register.stride
-        yield "here", f"0x{address:04X} is {register.name}[{index}]"
-    yield "access", register.access or "not printed"
-    yield from value_details(register.value)
-    yield "restart", _RESTART[register.restart]
-    yield "trigger", "writing it starts something; reading gives 0" if register.trigger else ""
-    yield "atomic", "its words are read in one request" if register.atomic else ""
-    yield "same as", register.same_as
-
-
-def _table(laid: TableLayout, address: int | None) -> Details:
-    table = laid.table
-    formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
-    yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
-    yield "access", table.access or "not printed"
-    if address is not None:
-        steps, offset = divmod(address - table.base, table.stride)
-        held = [field.name for field in laid.record.fields if field.offset <= 2 * offset + 1]
-        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{held[-1]}"
-
-
-def _inside(layout: DeviceLayout, item: Item) -> Iterator[Block]:
-    match item:
-        case MessageLayout():
-            for direction in ("request", "response"):
-                yield Line(f"{direction} data", "bold")
-                yield from _record(layout, item.data(direction))
-        case RecordLayout():
-            yield from _record(layout, item)
-        case TableLayout():
-            yield from _record(layout, item.record, item.table.base)
-        case Register() | Parameter():
-            yield from _names(layout, item.value)
-        case Enum():
-            yield member_table(item)
-        case Flags():
-            yield from (Line(line, drawn=True) for line in drawn(item))
-        case RegisterGroup():
-            yield register_table(item.registers)
-        case ParameterSet():
-            yield parameter_table(item)
-        case Link():
-            for direction in ("request", "response"):
-                yield Line(f"{direction}: " + ", ".join(part.name for part in item.parts(direction)))
-        case Lookup():
-            yield narrowed(
-                Table(
-                    tuple(" ".join(text for text in (c.title or c.name, c.label) if text) for c in item.columns),
-                    tuple(tuple("" if cell is None else str(cell) for cell in row.cells) for row in item.rows),
-                )
-            )
-
-
-def _record(layout: DeviceLayout, record: RecordLayout, base: int | None = None) -> Iterator[Block]:
-    """The fields of a record, and the words of bits in it, drawn."""
-    yield field_table(record, base)
-    words = dict.fromkeys(field.value.flags for field in record.fields if field.value and field.value.flags)
-    for word in words:
-        yield Line(word, "bold")
-        yield from (Line(line, drawn=True) for line in drawn(layout.device.flags[word]))
-
-
-def _names(layout: DeviceLayout, value: Value) -> Iterator[Block]:
-    if value.enum:
-        yield member_table(layout.device.enums[value.enum])
-    if value.flags:
-        yield from (Line(line, drawn=True) for line in drawn(layout.device.flags[value.flags]))
+            return number in (item.message.code, item.message.number)
+        case Numbered():
+            count = item.parameter.count if item.parameter is not None else 1
+            return any(0 <= number - first < count for first in (item.number, item.words.base + item.number))
+        case Coded():
+            return number in (item.member.value, item.member.number)
+        case _:
+            return False

@@ -9,6 +9,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.parameter import ParameterSet
 from fieldspec.model.register import Register
 from fieldspec.render.blocks import Block, Line, Table, narrowed
+from fieldspec.render.values import unit_text
 
 
 def overview(layout: DeviceLayout) -> Iterator[Block]:
@@ -18,11 +19,12 @@ def overview(layout: DeviceLayout) -> Iterator[Block]:
     if device.title:
         yield Line(device.title)
     yield Line(f"versions {', '.join(version.id for line in device.lines for version in line.versions) or '1'}")
-    yield Line(f"links {', '.join(device.links)}")
     tables = (
+        _links(device),
         register_table(device.registers()),
         _tables(device),
         _messages(device),
+        _signals(device),
         *(parameter_table(words) for words in device.parameters.values()),
     )
     for table in tables:
@@ -49,14 +51,43 @@ def register_table(registers: Iterable[Register]) -> Table:
 
 
 def parameter_table(words: ParameterSet) -> Table:
-    """Parameters by number."""
+    """Parameters by number, as the manual counts and on the wire."""
     rows = []
     for parameter in words.parameters:
         label = " ".join(text for text in (parameter.printed_name, parameter.label) if text)
         value = parameter.value
-        first = (str(parameter.number), parameter.name, label, value.type.name, parameter.access or "?")
+        last = parameter.number + parameter.count - 1
+        number = _span(words.written(parameter.number), words.written(last))
+        wire = _span(f"0x{words.base + parameter.number:04X}", f"0x{words.base + last:04X}") if words.base else ""
+        kind = value.type.name + (f" x {parameter.elements}" if parameter.elements is not None else "")
+        name = parameter.name or "reserved"
+        first = (number, wire, name, label, kind, parameter.access or "?")
         rows.append((*first, value.unit, value.enum or value.flags))
-    return narrowed(Table(("number", "parameter", "label", "type", "access", "unit", "names"), tuple(rows)))
+    return narrowed(Table(("number", "wire", "parameter", "label", "type", "access", "unit", "names"), tuple(rows)))
+
+
+def _span(first: str, last: str) -> str:
+    return first if first == last else f"{first}..{last}"
+
+
+def _links(device: Device) -> Table:
+    """The links with their words for messages and directions."""
+    rows = []
+    for link in device.links.values():
+        ways = " / ".join((link.request_name, link.response_name))
+        rows.append((link.name, link.title, link.message_name, ways))
+    return Table(("link", "title", "sends", "to / from the device"), tuple(rows))
+
+
+def _signals(device: Device) -> Table:
+    """The signals with their units."""
+    rows = []
+    for signal in device.signals.values():
+        label = " ".join(text for text in (signal.printed_name, signal.label) if text)
+        way = {"request": "to", "response": "from"}.get(signal.direction, "")
+        names = signal.value.enum or signal.value.flags
+        rows.append((signal.name, label, signal.value.type.name, way, unit_text(signal.value), names))
+    return narrowed(Table(("signal", "label", "type", "way", "unit", "names"), tuple(rows)))
 
 
 def _tables(device: Device) -> Table:
@@ -68,14 +99,16 @@ def _tables(device: Device) -> Table:
 
 
 def _messages(device: Device) -> Table:
-    rows = tuple(
-        ("" if message.code is None else f"0x{message.code:02X}", message.name, message.label, message.title)
-        for message in device.messages.values()
-    )
-    return narrowed(Table(("code", "message", "label", "what"), rows))
+    rows = []
+    for message in device.messages.values():
+        code = "" if message.code is None else f"0x{message.code:02X}"
+        number = "" if message.number is None else str(message.number)
+        rows.append((code, number, message.name, message.label, message.title))
+    return narrowed(Table(("code", "number", "message", "label", "what"), tuple(rows)))
 
 
 def _names(device: Device) -> Iterator[tuple[str, list[str]]]:
+    yield "conversions", list(device.conversions)
     yield "records", list(device.records)
     yield "enums", list(device.enums)
     yield "flags", list(device.flags)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.layout.explaining.worded import range_in_unit
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.enum import Enum
 from fieldspec.model.value import Value
@@ -22,7 +23,8 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
 
 def unit_text(value: Value) -> str:
     """`0.01 mm`, and the offset where there is one."""
-    text = f"{value.scale:f} {value.unit}".strip() if value.scaled else value.unit
+    scale = value.scale_text if "/" in value.scale_text else f"{value.scale:f}"
+    text = f"{scale} {value.unit}".strip() if value.scaled else value.unit
     return text if value.offset == 0 else f"{text}, {value.offset:+f}"
 
 
@@ -33,33 +35,45 @@ def range_text(value: Value) -> str:
     counts = value.ranges.text()
     if not value.scaled:
         return counts
-    pairs = ((value.in_unit(low), value.in_unit(high)) for low, high in value.ranges.intervals)
-    spans = ", ".join(f"{low:f}" if low == high else f"{low:f}..{high:f}" for low, high in pairs)
-    return f"{counts} ({spans} {value.unit}".rstrip() + ")"
+    return f"{counts} ({range_in_unit(value, value.ranges)})"
 
 
 def field_table(record: RecordLayout, base: int | None = None) -> Block:
     """The fields of a record: where they are, and what they hold; `base` is the address of the first word."""
     if not record.fields:
         return Line("no data")
-    rows = tuple(_field(field, base) for field in record.fields)
+    rows = [row for field in record.fields for row in _rows(field, base)]
     headings = ("at" if base is None else "address", "type", "name", "label", "unit", "range", "default", "names")
-    return narrowed(Table(headings, rows))
+    return narrowed(Table(headings, tuple(rows)))
 
 
-def _field(field: FieldLayout, base: int | None) -> tuple[str, ...]:
-    value = field.value
-    kind = field.record.name if field.record else field.primitive.name
-    repeat = field.field.repeat
-    times = f" x {repeat.text() if repeat else field.count}" if field.listed else ""
+def _rows(field: FieldLayout, base: int | None) -> Iterator[tuple[str, ...]]:
+    """The row of a field, or of the types that it has by cases."""
     at = f"+{field.offset}" if base is None else f"0x{base + field.offset // 2:04X}"
     label = " ".join(text for text in (field.field.printed_name, field.field.label) if text)
-    first = (at, kind + times, field.name, label)
+    name = "reserved" if field.field.reserved and not field.name else field.name
+    choice = field.field.choice
+    if choice is None:
+        yield (at, _type(field, field.record.name if field.record else ""), name, label, *_value(field.value))
+        return
+    for case in field.cases:
+        when = " or ".join(case.case.when)
+        yield (at, _type(field, case.value.type.name), f"{name}, {choice.by} {when}", label, *_value(case.value))
+        at = label = ""
+
+
+def _type(field: FieldLayout, name: str) -> str:
+    repeat = field.field.repeat
+    times = f" x {repeat.text() if repeat else field.count}" if field.listed else ""
+    return (name or field.primitive.name) + times
+
+
+def _value(value: Value | None) -> tuple[str, ...]:
     if value is None:
-        return (*first, "", "", "", "")
+        return "", "", "", ""
     default = value.default if value.const is None else f"always {value.const}"
     names = value.enum or value.flags or ", ".join(f"{held.value} = {held.name}" for held in value.sentinels)
-    return (*first, unit_text(value), range_text(value), "" if default is None else str(default), names)
+    return unit_text(value), range_text(value), "" if default is None else str(default), names
 
 
 def member_table(enum: Enum) -> Table:
@@ -68,5 +82,6 @@ def member_table(enum: Enum) -> Table:
     for member in enum.members:
         name = member.name + (" (not available)" if member.unavailable else "")
         label = " ".join(text for text in (member.printed_name, member.label) if text)
-        rows.append((str(member.value), name, label, member.problem or member.doc))
-    return narrowed(Table(("value", "name", "label", "meaning"), tuple(rows)))
+        number = "" if member.number is None else str(member.number)
+        rows.append((str(member.value), number, name, label, member.problem or member.doc))
+    return narrowed(Table(("value", "number", "name", "label", "meaning"), tuple(rows)))

@@ -89,6 +89,17 @@ def with_parameter(
     return replace(row, meanings=(*row.meanings, element.meaning))
 
 
+def number_written(words: ParameterSet, text: str) -> int | None:
+    """The number of a set, with a row or without one, that a text is as the manual writes it."""
+    if words.numbers is None or not words.printed_as:
+        return None
+    for low, high in words.numbers.intervals:
+        for number in range(low, high + 1):
+            if words.written(number).lower() == text.lower():
+                return number
+    return None
+
+
 def _index_field(outer: Fact, part: ParameterPart) -> str:
     """The field of a message that holds the index of the first element whose values it has."""
     if not isinstance(outer, Message):

@@ -1,0 +1,134 @@
+"""An item as lines and tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.enum import Enum
+from fieldspec.model.fact import Fact
+from fieldspec.model.flags import Flags
+from fieldspec.model.link import Link
+from fieldspec.model.lookup import Lookup
+from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.signal import Signal
+from fieldspec.model.value import Value
+from fieldspec.render.blocks import Block, Line, Table, narrowed
+from fieldspec.render.drawing import drawn
+from fieldspec.render.item import Item, Numbered, fact_of, handles
+from fieldspec.render.item_details import details
+from fieldspec.render.item_texts import fact_details
+from fieldspec.render.overview import parameter_table, register_table
+from fieldspec.render.values import field_table, member_table, range_text, unit_text
+
+
+def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Iterator[Block]:
+    """An item as lines and tables; an address or a `number` that was asked for is named."""
+    fact = fact_of(item)
+    names = handles(item)
+    yield Line("  ".join(dict.fromkeys(name for name in names if name)) or fact_name(fact), "bold")
+    pairs = [*details(layout, item, number)]
+    if isinstance(fact, Fact):
+        pairs += fact_details(layout.device, fact)
+    for key, text in pairs:
+        if text:
+            yield Line(f"  {key:<9} {text}", drawn=True)
+    yield from _inside(layout, item)
+
+
+def fact_name(fact: object) -> str:
+    """The name of a fact that has neither print nor label."""
+    return fact.name if isinstance(fact, Fact) else ""
+
+
+def _inside(layout: DeviceLayout, item: Item) -> Iterator[Block]:
+    match item:
+        case MessageLayout():
+            yield from _message(layout, item)
+        case RecordLayout():
+            yield from _record(layout, item)
+        case TableLayout():
+            yield from _record(layout, item.record, item.table.base)
+        case Register() | Signal():
+            yield from _names(layout, item.value)
+        case Numbered():
+            if item.parameter is not None:
+                yield from _subindices(item.parameter)
+                yield from _names(layout, item.parameter.value)
+        case Enum():
+            yield member_table(item)
+        case Flags():
+            yield from _word(item)
+        case RegisterGroup():
+            yield register_table(item.registers)
+        case ParameterSet():
+            yield parameter_table(item)
+        case Link():
+            for direction in ("request", "response"):
+                yield Line(f"{item.direction_name(direction)}: {_parts(item, direction)}")
+        case Lookup():
+            yield narrowed(
+                Table(
+                    tuple(" ".join(text for text in (c.title or c.name, c.label) if text) for c in item.columns),
+                    tuple(tuple("" if cell is None else str(cell) for cell in row.cells) for row in item.rows),
+                )
+            )
+
+
+def _parts(link: Link, direction: str) -> str:
+    return ", ".join(part.name for part in link.parts(direction))
+
+
+def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[Block]:
+    links = [link.link for link in layout.links.values() if laid.name in link.messages]
+    for direction in ("request", "response"):
+        names = dict.fromkeys(link.direction_name(direction) for link in links)
+        yield Line(f"{' or '.join(names) or direction} data", "bold")
+        yield from _record(layout, laid.data(direction))
+
+
+def _record(layout: DeviceLayout, record: RecordLayout, base: int | None = None) -> Iterator[Block]:
+    """The fields of a record, and the words of bits in it, drawn."""
+    yield field_table(record, base)
+    words = dict.fromkeys(field.value.flags for field in record.fields if field.value and field.value.flags)
+    for word in words:
+        yield Line(word, "bold")
+        yield from _word(layout.device.flags[word])
+
+
+def _word(word: Flags) -> Iterator[Block]:
+    """The bits of a word, drawn, and the states that they show together."""
+    yield from (Line(line, drawn=True) for line in drawn(word))
+    rows = []
+    for state in word.states:
+        label = " ".join(text for text in (state.printed_name, state.label) if text)
+        mask, value = word.masked(state)
+        digits = 2 * word.type.size
+        bits = f"0x{value:0{digits}X} of 0x{mask:0{digits}X}"
+        rows.append((state.name, label, ", ".join(state.set), ", ".join(state.clear), bits))
+    if rows:
+        yield narrowed(Table(("state", "label", "set", "clear", "word"), tuple(rows)))
+
+
+def _names(layout: DeviceLayout, value: Value) -> Iterator[Block]:
+    if value.enum:
+        yield member_table(layout.device.enums[value.enum])
+    if value.flags:
+        yield from _word(layout.device.flags[value.flags])
+
+
+def _subindices(parameter: Parameter) -> Iterator[Block]:
+    """The elements of a parameter that have meanings of their own."""
+    rows = []
+    for inner in parameter.subindices:
+        label = " ".join(text for text in (inner.printed_name, inner.label) if text)
+        value, name = inner.value, "reserved" if inner.reserved else inner.name
+        always = "" if value.const is None else str(value.const)
+        first = (inner.indices.text(), name, label, value.type.name)
+        rows.append((*first, unit_text(value), range_text(value), always, value.enum or value.flags, inner.doc))
+    if rows:
+        headings = ("index", "element", "label", "type", "unit", "range", "always", "names", "what")
+        yield narrowed(Table(headings, tuple(rows)))

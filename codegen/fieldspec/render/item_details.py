@@ -1,0 +1,237 @@
+"""What is said of an item, key by key; keys without a text are left out by who prints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.explaining.shares import references_text
+from fieldspec.layout.explanation import lengths
+from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.enum import Enum
+from fieldspec.model.erratum import Erratum
+from fieldspec.model.example import Example
+from fieldspec.model.limit import Limit
+from fieldspec.model.link import Link
+from fieldspec.model.note import Note
+from fieldspec.model.parameter import ParameterSet
+from fieldspec.model.register import Register
+from fieldspec.model.signal import Conversion, Signal
+from fieldspec.render.item import Coded, Item, Numbered, Shown
+from fieldspec.render.item_texts import Details, erratum_details, example_details, note_details
+from fieldspec.render.values import value_details
+
+_RESTART = {True: "needed", False: "not needed", None: ""}
+_DIRECTIONS = ("request", "response")
+
+
+def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
+    """What is said of an item alone; what every fact has is said elsewhere. `number` is what was asked for."""
+    match item:
+        case Register():
+            yield from _register(layout, item, number)
+        case TableLayout():
+            yield from _table(item, number)
+        case MessageLayout():
+            yield from _message(layout, item)
+        case RecordLayout() if item.size is not None:
+            yield "size", f"{item.size} bytes"
+        case Signal():
+            yield from _signal(layout, item)
+        case Conversion():
+            yield from _conversion(layout, item)
+        case Numbered():
+            yield from _parameter(item, number)
+        case ParameterSet():
+            yield from _set(item)
+        case Enum():
+            yield "what", item.title
+            yield "follows", f"from {item.derived}" if item.derived else ""
+        case Coded():
+            yield from _code(item)
+        case Shown():
+            yield "shown by", item.word.name
+            yield "set", ", ".join(item.state.set)
+            yield "clear", ", ".join(item.state.clear)
+        case Link():
+            yield from _link(layout, item)
+        case Limit():
+            bounds = [str(bound) for bound in (item.low, item.high) if bound is not None]
+            count = str(item.value) if item.value is not None else "..".join(bounds)
+            yield "value", f"{count or item.text} {item.unit}".strip()
+        case Note():
+            yield from note_details(item)
+        case Example():
+            yield from example_details(item)
+        case Erratum():
+            yield from erratum_details(item)
+
+
+def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
+    many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
+    words = "1 word" if register.width == 1 else f"{register.width} words"
+    yield "address", f"0x{register.address:04X} ({register.address}), {words}{many}"
+    if register.count > 1 and address is not None and register.address <= address < register.end:
+        index = register.index_from + (address - register.address) // register.stride
+        yield "here", f"0x{address:04X} is {register.name}[{index}]"
+    yield "number", "" if register.number is None else str(register.number)
+    yield "access", register.access or "not printed"
+    yield from value_details(register.value)
+    yield "restart", _RESTART[register.restart]
+    yield "trigger", "writing it starts something; reading gives 0" if register.trigger else ""
+    yield "atomic", "its words are read in one request" if register.atomic else ""
+    yield "same as", register.same_as
+    yield "copy of", _placed(layout, register.copy_of)
+    for other in layout.device.registers():
+        if other.copy_of == register.name:
+            yield "copied in", _placed(layout, other.name)
+
+
+def _placed(layout: DeviceLayout, name: str) -> str:
+    """A register with its address."""
+    register = layout.device.register(name) if name else None
+    return f"{name} at 0x{register.address:04X}" if register is not None else name
+
+
+def _table(laid: TableLayout, address: int | None) -> Details:
+    table = laid.table
+    formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
+    yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
+    yield "access", table.access or "not printed"
+    if address is not None:
+        steps, offset = divmod(address - table.base, table.stride)
+        held = [field.name for field in laid.record.fields if field.offset <= 2 * offset + 1]
+        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{held[-1]}"
+
+
+def _message(layout: DeviceLayout, laid: MessageLayout) -> Details:
+    message = laid.message
+    yield "what", message.title
+    yield "code", "" if message.code is None else f"0x{message.code:02X}"
+    yield "number", "" if message.number is None else str(message.number)
+    yield "beside", " or ".join(message.supplements)
+    for link in layout.links.values():
+        if laid.name in link.messages and len(layout.links) > 1 and message.links:
+            yield "sent on", link.name
+        if laid.name in link.messages and message.code is None:
+            sizes = ((way, lengths(link, way, laid.name)) for way in _DIRECTIONS)
+            yield "bytes", ", ".join(f"{link.link.direction_name(way)} {_bounds(*size)}" for way, size in sizes)
+
+
+def _bounds(least: int, most: int | None) -> str:
+    if most is None:
+        return f"{least} or more"
+    return str(least) if most == least else f"{least}..{most}"
+
+
+def _signal(layout: DeviceLayout, signal: Signal) -> Details:
+    yield "goes", {"request": "to the device", "response": "from the device"}.get(signal.direction, "")
+    yield from value_details(signal.value)
+    for laid in layout.messages.values():
+        for direction in _DIRECTIONS:
+            for field in laid.data(direction).fields:
+                if field.field.signal == signal.name:
+                    link = next((one.link for one in layout.links.values() if laid.name in one.messages), None)
+                    way = link.direction_name(direction) if link else direction
+                    yield "lies in", f"{laid.name} {way}, byte {field.offset}{_words(field.field.word_span)}"
+    for conversion in layout.device.conversions.values():
+        if signal.name in conversion.signals:
+            yield "share of", f"{references_text(layout.device, conversion)}: {conversion.name}"
+
+
+def _words(span: tuple[int, int] | None) -> str:
+    if span is None:
+        return ""
+    first, last = span
+    return f", word {first}" if first == last else f", words {first} and {last}" if last == first + 1 else ""
+
+
+def _conversion(layout: DeviceLayout, conversion: Conversion) -> Details:
+    yield "what", conversion.title
+    share = f"raw / 0x{conversion.full_scale:X}"
+    yield "quantity", f"reference * {f'(1 - {share})' if conversion.complement else share}"
+    yield "reference", references_text(layout.device, conversion) if conversion.references else "not said"
+    yield "raw", f"{conversion.type.name}{' of ' if conversion.signals else ''}{', '.join(conversion.signals)}"
+    yield "printed", conversion.printed
+
+
+def _parameter(item: Numbered, number: int | None) -> Details:
+    words, parameter = item.words, item.parameter
+    yield "set", words.name
+    yield "number", _number(words, item.number)
+    if parameter is None:
+        yield "row", "none: the manual gives the number no meaning of its own"
+        return
+    if parameter.count > 1:
+        last = _number(words, parameter.number + parameter.count - 1)
+        yield "count", f"{parameter.count} of them, {_number(words, parameter.number)}, to {last}"
+        own = [held for held in (number, (number or 0) - words.base) if held is not None and held != item.number]
+        here = next((held for held in own if words.numbered(held) is parameter), None)
+        yield "here", "" if here is None else _number(words, here)
+    yield "access", parameter.access or "not printed"
+    value = parameter.value
+    yield from value_details(value if parameter.elements is None else replace(value, default=None))
+    yield "elements", "" if parameter.elements is None else str(parameter.elements)
+    if parameter.elements is not None and value.default is not None:
+        yield "default", str(value.default)
+    yield "names", value.enum or value.flags
+    yield "restart", _RESTART[parameter.restart]
+    yield "for", ", ".join(parameter.applies_to)
+    yield "used by", ", ".join(parameter.messages)
+    yield "reserved", "it has no meaning to the user" if parameter.reserved else ""
+
+
+def _number(words: ParameterSet, number: int) -> str:
+    """`Pt317, 0x2317 on the wire`"""
+    if not words.base:
+        return words.written(number)
+    own = words.written(number) if words.printed_as else f"{number}"
+    return f"{own}, 0x{words.base + number:04X} ({words.base + number}) on the wire"
+
+
+def _set(words: ParameterSet) -> Details:
+    yield "what", words.title
+    yield "base", f"a number on the wire is the number + 0x{words.base:04X}" if words.base else ""
+    form = words.written
+    for low, high in words.numbers.intervals if words.numbers is not None else ():
+        yield (
+            "numbers",
+            f"{form(low)} to {form(high)}, 0x{words.base + low:04X} to 0x{words.base + high:04X} on the wire",
+        )
+    yield "space", words.space if words.space != words.name else ""
+
+
+def _code(item: Coded) -> Details:
+    member = item.member
+    yield "value", f"{member.value} (0x{member.value:X})" if item.enum.printed_as else str(member.value)
+    yield "number", "" if member.number is None else str(member.number)
+    yield "of", item.enum.title or item.enum.name
+    yield "problem", member.problem
+    for cause in member.causes:
+        yield "cause", cause.cause + "".join(f" -> {remedy}" for remedy in cause.remedies)
+    for remedy in member.remedies:
+        yield "remedy", remedy
+
+
+def _link(layout: DeviceLayout, link: Link) -> Details:
+    yield "what", link.title
+    yield "encoding", link.encoding
+    yield "marks", " .. ".join(mark.hex(" ").upper() for mark in (link.start, link.end) if mark)
+    yield "order", f"bytes {link.byte_order}, words {link.word_order or link.byte_order}"
+    yield "sends", _sends(layout, link)
+
+
+def _sends(layout: DeviceLayout, link: Link) -> str:
+    """What it calls messages and directions, where these are its own words."""
+    word = "" if link.message_name == "message" else f"{link.message_name}: "
+    names = ", ".join(_names(layout, link))
+    ways = [link.direction_name(way) for way in _DIRECTIONS]
+    spoken = "" if tuple(ways) == _DIRECTIONS else f"; {ways[0]} goes to the device, {ways[1]} comes from it"
+    return f"{word}{names}{spoken}" if word or spoken else ""
+
+
+def _names(layout: DeviceLayout, link: Link) -> Iterator[str]:
+    for laid in layout.links[link.name].messages.values():
+        yield laid.name if laid.message.number is None else str(laid.message.number)

@@ -1,0 +1,298 @@
+"""`decode` and `encode` take the words that a device has for its messages and directions, and explain process data."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from command_line import MADE_UP, SPECS, CommandLine
+from fieldspec.model.example import Example
+from laid_out import newest
+from test_cli_encode import written
+
+EXAMPLES = newest(MADE_UP, "glider-x").device.examples
+RECEIVED = "F0 03 20 00 00 00"
+POSITION = "04 01 FF FF FF FE 00 00 05 DC 20 00 00 00"
+READ = "07 01 00 01 23 17 00 00"
+ANSWER = "07 01 00 06 01 0B B8"
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, MADE_UP)
+
+
+def decoded(run: CommandLine, *arguments: str) -> Any:
+    return run.json("decode", "glider-x", *arguments)
+
+
+def cells(run: CommandLine, *arguments: str) -> list[str]:
+    """The lines of an explanation, blanks being one."""
+    return [" ".join(line.split()) for line in run("decode", "glider-x", *arguments).lines]
+
+
+@pytest.mark.parametrize("example", EXAMPLES.values(), ids=lambda example: example.id)
+def test_every_example_is_explained_by_its_message_and_direction(run: CommandLine, example: Example) -> None:
+    request = ["--request", EXAMPLES[example.reply_to].frame.hex()] if example.reply_to else []
+    options = ["--message", example.message, "--direction", example.direction, *request]
+    found = run("decode", "glider-x", example.frame.hex(), *options)
+    assert (found.code, found.err) == (0, "")
+    assert "ambiguous" not in found.out
+
+
+@pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if not e.error], ids=lambda example: example.id)
+def test_every_example_is_written_from_its_values(run: CommandLine, example: Example) -> None:
+    link = newest(MADE_UP, "glider-x").device.links[example.link]
+    options = [f"--{link.message_name}", example.message, "--direction", link.direction_name(example.direction)]
+    values = {name: held for name, held in example.values.items() if name != "order"}
+    found = run("encode", "glider-x", *options, *written(values))
+    assert (found.code, found.err) == (0, "")
+    assert bytes.fromhex(found.lines[0]) == example.frame
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--telegram", "3", "--direction", "received"],
+        ["--telegram=3", "--direction=received"],
+        ["--telegram", "telegram_3", "--direction", "request"],
+        ["--message", "3", "--direction", "received"],
+        ["--message", "telegram_3", "--direction", "received", "--link", "cyclic"],
+        ["--message", "0x3", "--direction", "received"],
+        ["--direction", "received"],
+    ],
+    ids=" ".join,
+)
+def test_a_telegram_is_named_in_the_words_of_the_device(run: CommandLine, options: list[str]) -> None:
+    data = decoded(run, RECEIVED, *options)
+    assert (data["link"], data["direction"], data["direction_name"]) == ("cyclic", "request", "received")
+    assert (data["message"], data["chosen"], data["wrong"]) == ("telegram_3", "only", False)
+
+
+def test_the_title_has_the_words_of_the_device(run: CommandLine) -> None:
+    found = run("decode", "glider-x", RECEIVED, "--telegram", "3", "--direction", "sent")
+    assert found.lines[0] == "telegram_3 sent, cyclic, Glider X 1.1: Speed"
+
+
+def test_options_may_stand_before_the_bytes(run: CommandLine) -> None:
+    first = run("decode", "glider-x", "--telegram", "3", "--direction", "received", *RECEIVED.split())
+    assert first == run("decode", "glider-x", RECEIVED, "--telegram", "3", "--direction", "received")
+
+
+def test_the_number_of_a_coded_message_is_its_code(run: CommandLine) -> None:
+    assert decoded(run, READ, "--message", "1")["message"] == "read_parameter"
+
+
+def test_frames_without_a_code_are_told_apart_by_length(run: CommandLine) -> None:
+    assert decoded(run, POSITION)["message"] == "telegram_11"
+    assert decoded(run, POSITION)["chosen"] == "only"
+    assert run("decode", "glider-x", RECEIVED).lines[1] == (
+        "ambiguous: 6 bytes may be telegram_3 received or telegram_3 sent; --direction tells"
+    )
+
+
+def test_a_frame_that_no_message_is_as_long_as_says_how_long_they_are(run: CommandLine) -> None:
+    found = run("decode", "glider-x", "F0 03 20", "--link", "cyclic", "--direction", "received")
+    assert found.code == 1
+    assert found.lines[2] == (
+        "the frame has 3 bytes; telegram_3 received has 6, telegram_11 received has 14, telegram_70 received has 2"
+    )
+
+
+def test_a_frame_of_another_length_than_the_telegram_is_wrong(run: CommandLine) -> None:
+    found = run("decode", "glider-x", RECEIVED, "--telegram", "11", "--direction", "received")
+    assert found.code == 1
+    assert "the frame has 6 bytes; telegram_11 received has 14" in found.lines
+    assert "wrong: gain at byte 6: 8 bytes are missing for gain, torque_reduction, spare" in found.lines
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--telegram", "4"], "there is no telegram 4; there are 3, 11, 70"),
+        (["--telegram", "telegram_4"], "there is no telegram telegram_4; did you mean telegram_3?"),
+        (["--telegramm", "3"], "there is no option --telegramm; did you mean --telegram?"),
+        (["--verbose"], "there is no option --verbose; there are --direction, --format, --link, --message, --telegram"),
+        (["--telegram"], "--telegram needs a name or a number"),
+        (["--telegram", "3", "--message", "3"], "--message and --telegram both say which message it is"),
+        (["--telegram", "read_parameter"], "read_parameter is not sent on cyclic, but on channel"),
+        (["--link", "channel", "--telegram", "3"], "channel has no telegram; what it sends is called message"),
+        (["--link", "channel", "--message", "telegram_3"], "telegram_3 is not sent on channel, but on cyclic"),
+        (
+            ["--link", "channel", "--direction", "sent"],
+            "sent is a direction of cyclic; channel has request and response",
+        ),
+        (
+            ["--message", "read_parameter", "--direction", "sent"],
+            "sent is a direction of cyclic; channel has request and",
+        ),
+        (["--telegram", "3", "--direction", "up"], "there is no direction up; there are received, request, response, "),
+        (["--request", READ, "--direction", "received"], "so --direction cannot be received"),
+    ],
+    ids=lambda part: part if isinstance(part, str) else " ".join(part),
+)
+def test_what_the_device_does_not_have_is_wrong_use(run: CommandLine, arguments: list[str], said: str) -> None:
+    found = run("decode", "glider-x", RECEIVED, *arguments)
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+def test_a_device_without_such_words_has_no_such_option(run: CommandLine) -> None:
+    found = run("decode", "widget", "00 06 20 00 20 46", "--telegram", "3")
+    assert (found.code, found.out) == (2, "")
+    assert "there is no option --telegram" in found.err
+
+
+def test_a_telegram_of_a_later_version_is_unknown_to_an_earlier_one(run: CommandLine) -> None:
+    assert run("decode", "glider-x", "20 00", "--telegram", "70").code == 0
+    found = run("decode", "glider-x@1.0", "20 00", "--telegram", "70")
+    assert (found.code, found.err) == (2, "fieldspec: there is no telegram 70; there are 3, 11\n")
+
+
+def test_words_values_and_what_they_are_a_share_of_are_explained(run: CommandLine) -> None:
+    shown = cells(run, POSITION, "--telegram", "11", "--direction", "received")
+    assert "0 04 01 control CTL 0x0401 bit 0 on 2 L27" in shown
+    assert "bits 9..10 path=negative" in shown
+    assert "2 FF FF FF FE target TPOS -2 -2 control unit 2 L28" in shown
+    assert "6 00 00 05 DC gain KP 1500 1.500 1/s 2 L29" in shown
+    assert "10 20 00 torque_reduction MRED 8192 50 % output_torque: 50 % of Pt42A 2 L30" in shown
+
+
+def test_the_state_that_a_word_shows_is_named(run: CommandLine) -> None:
+    assert "inhibited: state S1" in run("decode", "glider-x", "00 40 00 00 00 00", "--direction", "sent").out
+    assert "running: state S2" in run("decode", "glider-x", "00 03 00 00 00 00", "--direction", "sent").out
+    assert "state" not in run("decode", "glider-x", "00 01 00 00 00 00", "--direction", "sent").out
+
+
+def test_a_bit_that_acts_at_an_edge_says_so(run: CommandLine) -> None:
+    assert "bit 7 acknowledge: acts at its rising edge" in run("decode", "glider-x", "00 80 00 00 00 00").out
+
+
+@pytest.mark.parametrize(
+    ("number", "said"),
+    [
+        ("23 17", "0x2317 reference_speed: parameter Pt317"),
+        ("21 00", "0x2100 servo: parameter Pt100"),
+        ("41 02", "0x4102 unused: parameter Ut102"),
+        ("03 C4", "964 identification: parameter 964"),
+        ("30 00", "0x3000 3 L38"),
+    ],
+)
+def test_the_number_of_a_parameter_is_named_as_the_manual_writes_it(run: CommandLine, number: str, said: str) -> None:
+    assert any(said in line for line in cells(run, f"07 01 00 01 {number} 00 00"))
+
+
+def test_the_request_says_which_parameter_a_response_holds(run: CommandLine) -> None:
+    assert "5 0B B8 values[0] 3000 3 L38" in cells(run, ANSWER)
+    named = "5 0B B8 values[0] 3000 3000 rpm reference_speed: parameter Pt317 8 L68"
+    assert named in cells(run, ANSWER, "--request", READ)
+
+
+@pytest.mark.parametrize(
+    ("request_frame", "answer", "said"),
+    [
+        ("07 01 00 02 03 C4 00 00", "06 02 0A AA 00 01", "identification.firmware: parameter 964[1]"),
+        ("07 01 00 02 03 C4 00 00", "06 02 0A AB 00 01", "wrong: should be 2730"),
+        ("07 01 00 01 03 C4 00 03", "06 01 00 00", "identification: parameter 964[3]"),
+        ("07 01 00 01 03 B1 00 07", "06 01 0E E0", "fault_codes: parameter 945[7]"),
+        ("07 01 00 01 40 95 00 00", "06 01 00 24", "alarm_code: parameter Ut095"),
+        ("07 01 00 01 24 2A 00 00", "06 01 0B B8", "3.000 Nm"),
+        ("07 01 00 01 24 2A 00 00", "04 01 00 00 0B B8", "3.000 Nm"),
+        ("07 01 00 01 24 2A 00 00", "08 01 3F C0 00 00", "1.5"),
+        ("07 01 00 01 21 00 00 00", "06 01 00 01", "servo: parameter Pt100"),
+    ],
+)
+def test_a_value_is_read_as_the_element_of_the_parameter(
+    run: CommandLine, request_frame: str, answer: str, said: str
+) -> None:
+    found = run("decode", "glider-x", f"07 01 00 {answer}", "--request", request_frame)
+    assert said in found.out
+    assert found.code == 0
+
+
+def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: CommandLine) -> None:
+    found = run("decode", "glider-x", "07 01 00 03 01 00 00", "--link", "channel", "--direction", "response")
+    assert found.code == 1
+    assert "wrong: format at byte 3: should be one of 1, 2, 4, 6, 8, 66" in found.lines
+    assert "wrong: values at byte 5: format 3 does not say what lies here" in found.lines
+
+
+@pytest.mark.parametrize(
+    ("line", "chosen"),
+    [(f"TX: {RECEIVED}", "mark"), (f"received: {RECEIVED}", "likeliest"), (f"Sent: {RECEIVED}", "likeliest")],
+)
+def test_a_word_of_a_log_that_the_device_uses_the_other_way_round_says_nothing(
+    run: CommandLine, line: str, chosen: str
+) -> None:
+    (found,) = run("decode", "glider-x", "-", "--format", "json", stdin=line.encode()).lines
+    assert f'"chosen": "{chosen}"' in found
+
+
+@pytest.mark.parametrize(
+    ("arguments", "frame"),
+    [
+        (["--telegram", "3", "control=on,no_off2,sign_of_life=15", "speed_setpoint=50 %"], RECEIVED),
+        (["--telegram", "3", "CTL=0xF003", "nset=50%"], RECEIVED),
+        (["3", "control=0xF003", "speed_setpoint=536870912"], RECEIVED),
+        (["telegram_3", "--direction", "sent", "status=ready", "speed_actual=-50 %"], "00 01 E0 00 00 00"),
+        (["read_parameter", "reference=7", "element_count=1", "number=Pt317", "subindex=0"], READ),
+        (["read_parameter", "reference=7", "element_count=1", "number=reference_speed", "subindex=0"], READ),
+        (["1", "reference=7", "element_count=1", "number=pt100", "subindex=0"], "07 01 00 01 21 00 00 00"),
+        (["read_parameter", "--direction", "response", "reference=7", "format=unsigned16", "values=3000"], ANSWER),
+        (
+            ["write_parameter", "reference=8", "number=Pt42A", "format=floating", "values=1.5"],
+            EXAMPLES["write-request"],
+        ),
+    ],
+)
+def test_a_telegram_is_written_from_names_and_units(
+    run: CommandLine, arguments: list[str], frame: str | Example
+) -> None:
+    found = run("encode", "glider-x", *arguments)
+    assert (found.code, found.err) == (0, "")
+    assert found.lines == [frame if isinstance(frame, str) else frame.frame.hex(" ").upper()]
+
+
+def test_a_share_that_is_no_whole_count_is_rounded_and_said(run: CommandLine) -> None:
+    found = run("encode", "glider-x", "3", "control=0", "speed_setpoint=10 %")
+    assert (found.code, found.lines) == (0, ["00 00 06 66 66 66"])
+    assert found.err == (
+        "fieldspec: speed_setpoint: 10 % is 107374182.4 counts; 107374182 is sent, which is 9.99999996 %\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--telegram", "4"], "there is no telegram 4; there are 3, 11, 70"),
+        (["--telegram", "3", "control=0"], "speed_setpoint is not given; telegram_3 received has the fields control, "),
+        (["--telegram", "3", "--direction", "request", "speed=1"], "there is no field speed"),
+        (["--telegram", "3", "control=1", "CTL=2"], "CTL is control, which is given twice"),
+        (["--telegram", "3", "control=of"], "`of` is no bit of control_word: on, no_off2, acknowledge, sign_of_life"),
+        (["--telegram", "3", "control=sign_of_life=16"], "16 does not fit the 4 bits of sign_of_life"),
+        (["--telegram", "3", "control=0", "speed_setpoint=250 %"], "out_of_range"),
+        (["--telegram", "3", "control=0", "speed_setpoint=50 rpm"], "`50 rpm` is no number; give a count, or with its"),
+        (
+            ["11", "control=0", "target=0", "gain=1.5 1/s", "torque_reduction=101 %"],
+            "out_of_range: torque_reduction is",
+        ),
+        (["read_parameter", "--direction", "response", "reference=1", "values=1"], "it decides what values holds"),
+        (["read_parameter", "--direction", "sent"], "sent is a direction of cyclic; channel has request and response"),
+    ],
+)
+def test_what_cannot_be_written_is_wrong_use(run: CommandLine, arguments: list[str], said: str) -> None:
+    found = run("encode", "glider-x", *arguments)
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+def test_process_data_of_a_real_drive_explain_themselves(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    frame = "04 BF 91 00 00 00 00 00 40 00 FF FF D8 F0 00 00 03 E8 40 00 20 00 00 00"
+    run = CommandLine(capsys, monkeypatch, SPECS)
+    found = run("decode", "hiwin-e", "--telegram", "111", "--direction", "received", frame)
+    assert (found.code, found.err) == (0, "")
+    for said in ("bit 10 control_by_plc", "bits 9..10 path=shortest", "-10000 control unit", "STW1", "3.2 L551"):
+        assert said in found.out
