@@ -22,7 +22,8 @@ _KEYS = ("name", "printed_name", "label")
 
 def enum_names_unique(device: Device) -> Iterator[Diagnostic]:
     for enum in device.enums.values():
-        for key in _KEYS:
+        # What the members of another list are called is looked at there.
+        for key in ("name",) if enum.derived else _KEYS:
             yield from _of_key(enum, key)
 
 

@@ -25,6 +25,11 @@ from fieldspec.model.place import Place
 from fieldspec.model.record import Field, Record
 from fieldspec.model.value import ParameterPart, Value
 
+_PARTS = frozenset(
+    ("causes", "elements", "error", "frame_length", "data_words", "restated", "rows", "serial", "stations")
+)
+"""What a path may name below a fact that is none itself."""
+
 
 def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
@@ -50,10 +55,14 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for held in device.parameters.values():
         for parameter in held.parameters:
             yield from _all(parameter.place, "messages", "message", parameter.messages, device.messages)
-    paths = {fact.place.path for fact in facts(device)} if device.conversions else set()
+    paths = {fact.place.path for fact in facts(device)}
     for conversion in device.conversions.values():
         yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
+    paths.update(f"examples/{example}" for example in device.examples)
+    for note in device.notes:
+        about = (path for path in note.about if not _PARTS & set(path.split("/")[2:]))
+        yield from _all(note.place, "about", "fact", about, paths)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
     for example in device.examples.values():
