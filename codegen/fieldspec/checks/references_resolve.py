@@ -61,8 +61,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
-        about = (path for path in note.about if not _PARTS & set(path.split("/")[2:]))
-        yield from _all(note.place, "about", "fact", about, paths)
+        yield from _all(note.place, "about", "fact", map(_holder, note.about), paths)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
     for example in device.examples.values():
@@ -73,6 +72,13 @@ def _named(place: Place, key: str, what: str, name: str, known: Collection[str])
     if name and name not in known:
         text = f"there is no {what} `{name}`"
         yield finding("references_resolve", place, key, text, near(name, known))
+
+
+def _holder(path: str) -> str:
+    """The path of the fact that holds what a path names; most paths name facts themselves."""
+    steps = path.split("/")
+    end = next((at for at in range(2, len(steps)) if steps[at] in _PARTS), len(steps))
+    return "/".join(steps[:end])
 
 
 def _all(place: Place, key: str, what: str, names: Iterable[str], known: Collection[str]) -> Iterator[Diagnostic]:
