@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import construct
 import pytest
 from pymodbus.framer import FramerAscii, FramerRTU
 from pymodbus.pdu import DecodePDU
+from pymodbus.pdu.other_message import ReportDeviceIdResponse
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.meaning import raw_values
@@ -18,6 +20,17 @@ EXAMPLES = [
     for example in layout.device.examples.values()
 ]
 MODBUS = {"rtu": FramerRTU, "ascii": FramerAscii}
+PDU = {
+    "address": "address",
+    "word_count": "count",
+    "value": "registers",
+    "values": "registers",
+    "exception_code": "exception_code",
+}
+"""What the other stack calls the fields of our messages."""
+
+JUDGED = [param for param in EXAMPLES if param.values[0].device.id in ("tc100", "ck10") and param.values[1].message]
+GLIDER = newest(MADE_UP, "glider-x")
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
@@ -52,22 +65,32 @@ def test_all_frames_of_both_manuals_are_examples() -> None:
     assert printed["esc11"] >= 80
 
 
-@pytest.mark.parametrize(
-    "example",
-    [e for e in newest(SPECS, "tc100").device.examples.values() if e.message and not e.error],
-    ids=lambda example: example.id,
-)
-def test_another_modbus_stack_reads_the_same_from_a_frame(example: Example) -> None:
+@pytest.mark.parametrize(("layout", "example"), JUDGED)
+def test_another_modbus_stack_reads_the_same_from_a_frame(layout: DeviceLayout, example: Example) -> None:
     framer = MODBUS[example.link](DecodePDU(is_server=example.direction == "request"))
     used, pdu = framer.handleFrame(example.frame, 0, 0)
     assert used == len(example.frame)
     assert pdu is not None
-    values = raw_values(newest(SPECS, "tc100"), example)
-    assert (pdu.dev_id, pdu.address) == (values["station"], values["address"])
-    if example.message == "read_registers":
-        assert pdu.count == values["word_count"]
-    else:
-        assert pdu.registers == values.get("values", [values.get("value")])
+    values = codec(layout).links[example.link].decode(example.frame, example.direction, example.message)
+    found = {**values.head, **values.values}
+    assert pdu.dev_id == found["station"]
+    code = layout.messages[example.message].message.code
+    assert code is not None
+    assert pdu.function_code == (code | 0x80 if example.error else code)
+    for name, value in found.items():
+        if name in PDU:
+            held = getattr(pdu, PDU[name])
+            assert held == ([value] if name == "value" else value)
+
+
+def test_another_modbus_stack_reads_an_identity() -> None:
+    layout = newest(SPECS, "ck10")
+    held = layout.device.examples["identity-response"]
+    _, pdu = MODBUS[held.link](DecodePDU(is_server=False)).handleFrame(held.frame, 0, 0)
+    assert isinstance(pdu, ReportDeviceIdResponse)
+    found = codec(layout).links[held.link].decode(held.frame, "response", held.message).values
+    identity, state = found["server_id"], found["run_status"]
+    assert (pdu.identifier, pdu.status) == (bytes([identity]), state == 0xFF)
 
 
 @pytest.mark.parametrize("cut", [1, 2, 5])
@@ -81,4 +104,70 @@ def test_a_frame_that_is_cut_short_is_refused(cut: int) -> None:
 
 def test_the_made_up_devices_are_laid_out() -> None:
     assert MADE_UP.is_dir()
-    assert {layout.device.id for layout in all_layouts()} >= {"tc100", "esc11", "widget"}
+    assert {layout.device.id for layout in all_layouts()} >= {"tc100", "esc11", "ck10", "hiwin-e", "widget", "glider-x"}
+
+
+@pytest.mark.parametrize(
+    ("data", "values"),
+    [
+        ("06 01 0B B8", [3000]),
+        ("42 02 0B B8 FF FF", [3000, 65535]),
+        ("04 01 FF FF FF FF", [-1]),
+        ("02 03 FF 00 01", [-1, 0, 1]),
+        ("08 01 3F C0 00 00", [1.5]),
+        ("01 02 00 01", [0, 1]),
+    ],
+)
+def test_a_choice_is_a_switch_in_the_struct_of_its_record(data: str, values: list[int | float]) -> None:
+    struct = codec(GLIDER).records["read_parameter_response"]
+    parsed = struct.parse(bytes.fromhex(data))
+    assert list(parsed["values"]) == values
+    assert struct.build(parsed) == bytes.fromhex(data)
+
+
+def test_a_selector_without_a_case_cannot_be_parsed_in_the_struct_of_its_record() -> None:
+    with pytest.raises(construct.ConstructError):
+        codec(GLIDER).records["read_parameter_response"].parse(bytes.fromhex("03 01 00 00"))
+
+
+@pytest.mark.parametrize(
+    ("data", "reason"),
+    [
+        ("06 02 0B B8", "wrong_measure"),
+        ("06 01 0B", "incomplete"),
+        ("06 01 0B B8 00", "wrong_length"),
+        ("03 01 0B B8", "unknown_value"),
+        ("01 01 02", "unknown_value"),
+    ],
+)
+def test_values_that_do_not_fit_their_format_are_refused(data: str, reason: str) -> None:
+    with pytest.raises(CodecError) as caught:
+        codec(GLIDER).links["channel"].decode(bytes.fromhex("07 01 00" + data), "response")
+    assert caught.value.reason == reason
+
+
+@pytest.mark.parametrize(
+    ("form", "values", "reason"),
+    [(6, [65536], "out_of_range"), (2, [-129], "out_of_range"), (3, [1], "unknown_value"), (6, [], "wrong_length")],
+)
+def test_values_that_a_format_cannot_hold_are_not_encoded(form: int, values: list[int], reason: str) -> None:
+    given = {"reference": 7, "axis": 0, "format": form, "values": values}
+    with pytest.raises(CodecError) as caught:
+        codec(GLIDER).links["channel"].encode("response", "read_parameter", given)
+    assert caught.value.reason == reason
+
+
+def test_a_frame_without_a_code_is_decoded_as_the_message_that_is_named() -> None:
+    link = codec(GLIDER).links["cyclic"]
+    frame = bytes.fromhex("00 03 20 00 00 00")
+    assert link.decode(frame, "request", "telegram_3").values == {"control": 3, "speed_setpoint": 0x20000000}
+    assert link.decode(frame, "response", "telegram_3").values == {"status": 3, "speed_actual": 0x20000000}
+    with pytest.raises(CodecError) as caught:
+        link.decode(frame, "request")
+    assert caught.value.reason == "unknown_code"
+
+
+def test_a_message_of_another_link_is_unknown() -> None:
+    with pytest.raises(CodecError) as caught:
+        codec(GLIDER).links["channel"].encode("request", "telegram_3", {})
+    assert caught.value.reason == "unknown_code"

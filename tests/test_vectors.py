@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import struct
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -112,7 +113,7 @@ def test_the_reference_refuses_what_must_be_refused(device: str, vector: dict[st
     assert (caught.value.reason, vector["values"]) == (vector["refused"], None)
 
 
-@pytest.mark.parametrize(("device", "vector"), [param for param in TAKEN if param.values[0] == "tc100"])
+@pytest.mark.parametrize(("device", "vector"), [param for param in TAKEN if param.values[0] in ("tc100", "ck10")])
 def test_another_modbus_stack_reads_the_same(device: str, vector: dict[str, Any]) -> None:
     framer = FramerRTU if vector["link"] == "rtu" else FramerAscii
     pdu = decoder(framer, vector["direction"], bytes.fromhex(vector["right"]))
@@ -126,6 +127,53 @@ def test_another_modbus_stack_reads_the_same(device: str, vector: dict[str, Any]
         assert pdu.address == values["address"]
     if "values" in values or "value" in values:
         assert pdu.registers == values.get("values", [values.get("value")])
+
+
+# The letters that struct gives the formats of the manual's table 4.3.5.
+FORMATS = {1: "?", 2: "b", 3: "h", 4: "i", 5: "B", 6: "H", 7: "I", 8: "f", 0x41: "B", 0x42: "H", 0x43: "I"}
+CHANNEL = [param for param in TAKEN if param.values[1]["link"] == "parameter_channel"]
+
+
+@pytest.mark.parametrize(("device", "vector"), CHANNEL)
+def test_a_decoder_by_hand_reads_the_same_from_the_parameter_channel(device: str, vector: dict[str, Any]) -> None:
+    frame, request = bytes.fromhex(vector["right"]), vector["direction"] == "request"
+    names = ["request_reference", "request_id" if request else "response_id", "do_id", "parameter_count"]
+    values: dict[str, Any] = dict(zip(names, struct.unpack(">4B", frame[:4]), strict=True))
+    assert vector["error"] == bool(values[names[1]] & 0x80)
+    values[names[1]] &= 0x7F
+    assert vector["message"] == {1: "read_parameter", 2: "write_parameter"}[values[names[1]]]
+    rest = frame[4:]
+    if request:
+        address = ("attribute", "element_count", "parameter_number", "subindex")
+        values |= dict(zip(address, struct.unpack(">BBHH", rest[:6]), strict=True))
+        rest = rest[6:]
+    if vector["error"]:
+        values |= dict(zip(("format", "value_count", "error_number"), struct.unpack(">BBH", rest), strict=True))
+    elif rest:
+        form, count = rest[:2]
+        held = list(struct.unpack(f">{count}{FORMATS[form]}", rest[2:]))
+        values |= {"format": form, "value_count": count, "values": held}
+    assert vector["values"] == values
+
+
+CYCLIC = [
+    param for param in TAKEN if param.values[0] in ("hiwin-e", "glider-x") and param.values[1]["link"] == "cyclic"
+]
+
+
+@pytest.mark.parametrize(("device", "vector"), CYCLIC)
+def test_process_data_are_the_words_of_their_values_where_the_manual_prints_them(
+    device: str, vector: dict[str, Any]
+) -> None:
+    message = laid_at(device, vector["versions"][0]).device.messages[vector["message"]]
+    fields = message.request.fields if vector["direction"] == "request" else message.response.fields
+    words: dict[int, int] = {}
+    for field in fields:
+        first, last = field.word_span or (0, 0)
+        for number in range(first, last + 1):
+            words[number] = vector["values"][field.name] >> 16 * (last - number) & 0xFFFF
+    assert sorted(words) == list(range(1, len(words) + 1))
+    assert vector["right"] == "".join(f"{words[number]:04x}" for number in sorted(words))
 
 
 @pytest.mark.parametrize(("device", "vector"), [param for param in TAKEN if param.values[0] == "esc11"])
