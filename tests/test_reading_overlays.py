@@ -1,4 +1,4 @@
-"""A version may be a file that says what it changes in another one; whatever does not fit is found, with both places."""
+"""A version may be a file of what it changes in another one; whatever does not fit is found, with both places."""
 
 from __future__ import annotations
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
+from fieldspec.names import Name
 from fieldspec.reading.applying import applied
 from fieldspec.reading.building.device import built
 from fieldspec.reading.expanding import expanded
@@ -100,9 +101,12 @@ class _Reader:
             spec = self._device(folder, paths)
             if spec is None:
                 continue
-            if spec.id in devices:
-                first = Label(_id_span(devices[spec.id].tree), "the first one")
+            other = next((one for one in devices.values() if Name.of(one.id) == Name.of(spec.id)), None)
+            if other is not None:
+                first = Label(_id_span(other.tree), "the first one")
                 text = f"two devices have the id `{spec.id}`"
+                if other.id != spec.id:
+                    text = f"the ids `{other.id}` and `{spec.id}` are one name in generated code"
                 span = _id_span(spec.tree)
                 self.found.append(Diagnostic("device_id_unique", text, span, (first,), "give one another id"))
                 continue

@@ -235,13 +235,13 @@ Example: `access: readonly`
 
 Cure: Use one of the words that the finding lists.
 """,
-    "version_twice": """A version is declared once, and one line of versions is built.
+    "version_twice": """A version is declared once, and has one place on its line.
 
 Why: `since` and `until` have to mean one place in one line.
 
 Example: two members with the id `1.17`.
 
-Cure: Give each version an identifier of its own, and one line `builds: true`.
+Cure: Give each version an identifier of its own; where two files follow the same version, say `after`.
 """,
     "version_unknown": """`since`, `until` and `only` name versions that the device declares.
 

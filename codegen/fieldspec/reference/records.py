@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Mapping
 from typing import Any
 
@@ -245,7 +246,7 @@ def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> 
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
     if kind is Kind.FLOAT:
-        return float(held)
+        return _float(name, float(held))
     if not isinstance(held, int):
         raise CodecError("wrong_type", f"{name} is a whole number, not {held!r}")
     if value.const is not None and held != value.const:
@@ -253,6 +254,15 @@ def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> 
     if value.enum and not _known(device, value, int(held)):
         raise CodecError("unknown_value", f"{name} is {held}, which {value.enum} does not list")
     return _in_range(name, value, int(held))
+
+
+def _float(name: str, held: float) -> float:
+    """A number that its 32 bits hold; infinities and what is no number are held too."""
+    try:
+        struct.pack(">f", held)
+    except OverflowError:
+        raise CodecError("out_of_range", f"{name} is {held}, which 32 bits do not hold") from None
+    return held
 
 
 def _in_range(name: str, value: Value | None, held: int) -> int:
