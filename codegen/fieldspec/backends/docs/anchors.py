@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import replace
 
 from fieldspec.backends.docs.document import (
@@ -24,11 +24,26 @@ from fieldspec.backends.docs.document import (
 
 def linked(sections: tuple[Section, ...]) -> tuple[Section, ...]:
     """Sections whose links lead to what encloses a fact, where the fact has no anchor of its own."""
-    anchors = _Anchors(frozenset(_anchors(sections)))
+    anchors = _Anchors(frozenset(every(sections)))
     return tuple(anchors.section(section) for section in sections)
 
 
-def _anchors(sections: tuple[Section, ...]) -> Iterator[str]:
+def innermost(path: str, known: Container[str]) -> str:
+    """The innermost of some anchors that encloses a path; an empty one where none does."""
+    while path and path not in known:
+        path = path.rpartition("/")[0]
+    return path
+
+
+def headings(sections: tuple[Section, ...]) -> Iterator[str]:
+    """The anchors of sections, and of those within them."""
+    for section in sections:
+        yield section.anchor
+        yield from headings(section.sections)
+
+
+def every(sections: tuple[Section, ...]) -> Iterator[str]:
+    """The anchors of sections, and of the tables, rows and footnotes in them."""
     for section in sections:
         yield section.anchor
         for block in section.blocks:
@@ -36,7 +51,7 @@ def _anchors(sections: tuple[Section, ...]) -> Iterator[str]:
                 yield block.anchor
                 yield from (row.anchor for row in block.rows)
                 yield from (footnote.anchor for footnote in block.footnotes)
-        yield from _anchors(section.sections)
+        yield from every(section.sections)
 
 
 class _Anchors:
@@ -49,9 +64,7 @@ class _Anchors:
         """A link to the innermost anchor of a path; no link where there is none."""
         if not link.startswith("#"):
             return link
-        path = link[1:]
-        while path and path not in self.known:
-            path = path.rpartition("/")[0]
+        path = innermost(link[1:], self.known)
         return f"#{path}" if path else ""
 
     def piece(self, held: Piece) -> Piece:

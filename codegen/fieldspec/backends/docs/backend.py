@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fieldspec.backends.docs import markdown
-from fieldspec.backends.docs.document import Document
+from fieldspec.backends.docs.anchors import every, headings
+from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps
+from fieldspec.backends.docs.document import Document, plain
 from fieldspec.backends.docs.page import page
 from fieldspec.backends.docs.versions import versions
 from fieldspec.backends.templates import fill
@@ -13,17 +16,34 @@ from fieldspec.layout.device import DeviceLayout
 
 
 def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:
-    """The pages of all versions of one device, the oldest first, and the lists of these versions, by path."""
+    """The pages of all versions of one device, the oldest first, the lists of these versions, and what has changed.
+
+    A device of one version has no page of changes.
+    """
     folder = layouts[-1].device.id
+    held = steps(layouts)
+    pages = {layout.device.version: page(layout) for layout in layouts}
     texts = {
-        f"{folder}/index.html": _html(versions(layouts, ".html")),
-        f"{folder}/README.md": _markdown(versions(layouts, ".md")),
+        f"{folder}/index.html": _html(versions(layouts, held, ".html")),
+        f"{folder}/README.md": _markdown(versions(layouts, held, ".md")),
     }
-    for layout in layouts:
-        made = page(layout)
-        texts[f"{folder}/{layout.device.version}.html"] = _html(made)
-        texts[f"{folder}/{layout.device.version}.md"] = _markdown(made)
+    if held:
+        rows = {version: frozenset(every(made.sections)) for version, made in pages.items()}
+        sections = {version: frozenset(headings(made.sections)) for version, made in pages.items()}
+        texts[f"{folder}/{NAME}.html"] = _html(changed(held, ".html", rows))
+        texts[f"{folder}/{NAME}.md"] = _markdown(changed(held, ".md", sections))
+    came_by = {step.new.device.version for step in held}
+    for version, made in pages.items():
+        name = page_name(version)
+        fresh = version in came_by
+        texts[f"{folder}/{name}.html"] = _html(_leading(made, version, ".html") if fresh else made)
+        texts[f"{folder}/{name}.md"] = _markdown(_leading(made, version, ".md") if fresh else made)
     return texts
+
+
+def _leading(made: Document, version: str, ending: str) -> Document:
+    """A page that leads to what has changed with its version."""
+    return replace(made, summary=(*made.summary, (plain("what has changed", link(version, ending)),)))
 
 
 def shared() -> dict[str, str]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from fieldspec.backends.docs.anchors import headings
 from fieldspec.backends.docs.document import (
     Bits,
     Block,
@@ -58,14 +59,8 @@ def _entries(sections: tuple[Section, ...], indent: str) -> Iterator[Entry]:
 
 def parts(document: Document) -> tuple[Part, ...]:
     """All sections in order, those within a section behind it."""
-    anchors = frozenset(_section_anchors(document.sections))
+    anchors = frozenset(headings(document.sections))
     return tuple(_parts(document.sections, "##", anchors))
-
-
-def _section_anchors(sections: tuple[Section, ...]) -> Iterator[str]:
-    for section in sections:
-        yield section.anchor
-        yield from _section_anchors(section.sections)
 
 
 def _parts(sections: tuple[Section, ...], hashes: str, anchors: frozenset[str]) -> Iterator[Part]:

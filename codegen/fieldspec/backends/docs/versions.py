@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.backends.docs.changes import Step, link, page_name
 from fieldspec.backends.docs.context import Context, cited
 from fieldspec.backends.docs.document import (
     Cell,
@@ -31,23 +32,28 @@ COLUMNS = (
     Column("Messages", "number"),
     Column("Parameters", "number"),
     Column("Example frames", "number"),
+    Column("Changed since the version before"),
     Column("Identity", kept=True),
     Column("Source", "source"),
 )
 
 
-def versions(layouts: Sequence[DeviceLayout], ending: str) -> Document:
-    """The versions, the newest first; `ending` is that of the pages to which they lead."""
+def versions(layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str) -> Document:
+    """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead."""
     newest = layouts[-1]
     device = newest.device
     known = {version.id: version for line in device.lines for version in line.versions}
-    rows = [_row(layout, known.get(layout.device.version), ending) for layout in reversed(layouts)]
+    came_by = {step.new.device.version: step for step in held}
+    rows = []
+    for layout in reversed(layouts):
+        version = layout.device.version
+        rows.append(_row(layout, known.get(version), came_by.get(version), ending))
     blocks = [Paragraph((plain(device.doc),))] if device.doc else []
     section = Section("versions", (plain("Versions"),), (*blocks, table("Versions, the newest first", COLUMNS, rows)))
     return Document(clean(device.name), clean(device.title), newest.identity, device.manual.language, (), (section,))
 
 
-def _row(layout: DeviceLayout, version: Version | None, ending: str) -> Row:
+def _row(layout: DeviceLayout, version: Version | None, step: Step | None, ending: str) -> Row:
     device = layout.device
     doc: list[Line] = []
     if version is not None:
@@ -56,12 +62,13 @@ def _row(layout: DeviceLayout, version: Version | None, ending: str) -> Row:
             doc.append((styled("inferred: ", "strong"), plain(version.inferred)))
     return Row(
         (
-            cell(plain(version_title(Context(layout)), f"{device.version}{ending}")),
+            cell(plain(version_title(Context(layout)), f"{page_name(device.version)}{ending}")),
             cell(*doc),
             _count(sum(register.count for register in device.registers())),
             _count(len(device.messages)),
             _count(sum(len(held.parameters) for held in device.parameters.values())),
             _count(len(device.examples)),
+            cell(plain(step.counts(), link(device.version, ending)) if step is not None else ()),
             cell(code(layout.identity)),
             cell(cited(version.sources) if version else ()),
         )
