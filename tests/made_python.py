@@ -63,6 +63,17 @@ def made(layout: DeviceLayout) -> ModuleType:
     return importlib.import_module(f"{package().__name__}.{device}.{module_name(layout.device.version)}")
 
 
+def made_apart(layout: DeviceLayout, name: str) -> ModuleType:
+    """The module of a layout that is none of the specs', beside the others under a name of its own."""
+    module = module_name(layout.device.version)
+    made_files = files([layout])
+    text = made_files[f"{PACKAGE}/{package_name(layout.device.id)}/{module}.py"]
+    folder = f"{package().__name__}/{name}"
+    write(Path(_FOLDER.name), {f"{folder}/__init__.py": "", f"{folder}/{module}.py": text})
+    importlib.invalidate_caches()
+    return importlib.import_module(f"{package().__name__}.{name}.{module}")
+
+
 def codec_error() -> type[Any]:
     """The exception of the output."""
     error: type[Any] = package().CodecError
@@ -98,13 +109,18 @@ def stored(record: RecordLayout) -> Iterator[FieldLayout]:
 
 def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values: Mapping[str, Any]) -> Any:
     """The object that has some raw values."""
-    return record_class(module, record)(*(_made(module, layout, field, values[field.name]) for field in stored(record)))
+    by = record.selector
+    chosen = record.of_number(values[by.name]) if by is not None else None
+    fields = (chosen or record).fields
+    held = {field.name: _made(module, layout, field, values[field.name]) for field in fields if field.name in values}
+    if by is not None and chosen is not None and chosen.fields[-1].listed:
+        held[chosen.fields[-1].name] = tuple(held[chosen.fields[-1].name])
+    return record_class(module, record)(*(held[field.name] for field in stored(record)))
 
 
 def _made(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
     if field.listed:
-        made = [_one(module, layout, field, item) for item in held]
-        return tuple(made) if field.cases else made
+        return [_one(module, layout, field, item) for item in held]
     return _one(module, layout, field, held)
 
 

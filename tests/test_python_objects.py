@@ -57,6 +57,33 @@ def test_a_version_has_the_members_of_its_own() -> None:
     assert WIDGET.Alarm.OVER_VOLTAGE == 0x100
 
 
+GLIDER = made(newest(MADE_UP, "glider-x"))
+
+
+def test_a_code_is_found_by_what_is_displayed_and_by_its_other_number() -> None:
+    alarm = GLIDER.Alarm
+    assert (alarm.FIXED_STOP.printed_name, alarm.FIXED_STOP.number) == ("AL.EE0", 78)
+    assert alarm.by_printed_name("AL.EE0") is alarm.by_printed_name(" al.ee0 ") is alarm.FIXED_STOP
+    assert alarm.by_number(4) is alarm(0x24) is alarm.SYSTEM
+    for call in (lambda: alarm.by_printed_name("AL.FFF"), lambda: alarm.by_number(5)):
+        with pytest.raises(CodecError) as caught:
+            call()
+        assert caught.value.reason == "unknown_value"
+
+
+def test_codes_that_follow_from_others_have_their_numbers() -> None:
+    assert [(member.name, member.value) for member in GLIDER.InternalAlarm] == [("SYSTEM", 4), ("FIXED_STOP", 78)]
+    assert GLIDER.InternalAlarm.by_printed_name("AL.024") is GLIDER.InternalAlarm.SYSTEM
+    assert not hasattr(GLIDER.Path, "by_printed_name")
+
+
+def test_the_masks_of_bits_are_the_members_that_follow_from_them() -> None:
+    function = GLIDER.InputFunction
+    assert (function.NONE, function.LIMIT_NEGATIVE, function.USER_5) == (0, 2, 2**31)
+    assert GLIDER.INPUT_1_FUNCTION.decode(bytes.fromhex("80000000")) is function.USER_5
+    assert GLIDER.INPUT_1_FUNCTION.encode(function.USER_5) == bytes.fromhex("80000000")
+
+
 # Flags
 
 

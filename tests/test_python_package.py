@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from fieldspec.backends.python.backend import PACKAGE, files
-from fieldspec.backends.python.naming import Scope, module_name
+from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal
 from laid_out import MADE_UP, SPECS, layouts, newest
 from made_python import made, texts, write
@@ -63,7 +63,7 @@ def test_pyright_is_content_with_the_package(written: Path) -> None:
 
 USER = """
 from typing import assert_type
-from fieldspec_devices import CodecError, ErrorReply, Register, Request, Response, widget
+from fieldspec_devices import CodecError, ErrorReply, Parameter, Register, Request, Response, glider_x, widget
 from fieldspec_devices.widget import before_2_0
 
 request = widget.ReadRegistersRequest(0x1000, 2)
@@ -86,16 +86,45 @@ assert_type(widget.parameters.read_value(widget.parameters.HOME, widget.ReadOneR
 assert_type(widget.Point.decode(b"").speed, int)
 assert_type(widget.Corner(1, 2).x_mm, float)
 assert_type(before_2_0.LAMP, Register[before_2_0.Color])
+
+cyclic = glider_x.cyclic
+assert_type(cyclic.decode_request(b"", glider_x.Telegram3Request), Request[glider_x.Telegram3Request])
+assert_type(cyclic.decode_request(b"", 11), Request[glider_x.Telegram11Request])
+assert_type(cyclic.decode_request(b"", "telegram_70").message, glider_x.Telegram70Request)
+assert_type(cyclic.decode_response(b"", 3), Response[glider_x.Telegram3Response])
+assert_type(cyclic.decode_response(b"", glider_x.Telegram11Request), Response[glider_x.Telegram11Response])
+assert_type(cyclic.decode_request(b"", str(3)).message, glider_x.AnyCyclicRequest)
+assert_type(glider_x.ControlWord(on=True, sign_of_life=3).on, bool)
+assert_type(glider_x.ControlWordPositioning(path=glider_x.Path.POSITIVE).path, glider_x.Path | int)
+assert_type(glider_x.StatusWord(3).state, glider_x.StatusWordState | None)
+assert_type(glider_x.commanded_speed(1, 3000), float)
+assert_type(glider_x.commanded_speed_to_raw(1.5, 3000), int)
+values = glider_x.ReadParameterResponse(glider_x.Format.WORD, (1,))
+assert_type(values.values, tuple[bool | int | float, ...])
+assert_type(glider_x.servo.REFERENCE_SPEED, Parameter[int])
+assert_type(glider_x.monitor.UNUSED[1], Parameter[int])
+assert_type(glider_x.pnu.read_value(glider_x.monitor.ALARM_CODE, values), glider_x.Alarm | int)
+assert_type(glider_x.pnu.read_values(glider_x.profile.FAULT_CODES, values), list[glider_x.Alarm | int])
+assert_type(glider_x.pnu(0x2317).applies_to, tuple[str, ...])
+assert_type(glider_x.pnu.write_request(glider_x.servo.REFERENCE_SPEED, 1), glider_x.WriteParameterRequest)
+assert_type(glider_x.Alarm.by_printed_name("AL.024").number, int | None)
+reference = glider_x.channel.decode_response(b"", glider_x.ReadParameterRequest)
+assert_type(reference.reference, int)
 """
 
 WRONG = """
-from fieldspec_devices import widget
+from fieldspec_devices import glider_x, widget
 widget.rtu.encode_request(1, widget.StopResponse())
 widget.write_request(widget.LAMP, "red")
 widget.Corner(x=1)
 widget.Status(redy=True)
 widget.LAMP.encode(1.5)
 widget.Corner(1, 2).x_mm = "1"
+glider_x.ControlWord(onn=True)
+glider_x.servo.REFERENCE_SPED
+glider_x.pnu.write_request(glider_x.servo.REFERENCE_SPEED, "fast")
+glider_x.cyclic.encode_request(glider_x.ReadParameterRequest(1, 2, 3))
+glider_x.pnu.read_request(glider_x.servo.REFERENCE_SPEED)
 """
 
 
@@ -111,7 +140,7 @@ def test_a_type_checker_finds_what_users_get_wrong(written: Path) -> None:
     command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "wrong.py"]
     done = subprocess.run(command, cwd=written, env=environment(), capture_output=True, text=True, check=False)
     found = sorted(int(line) for line in re.findall(r"wrong\.py:(\d+): error", done.stdout))
-    assert found == [3, 4, 5, 6, 7, 8], done.stdout[-5000:]
+    assert found == [*range(3, 14)], done.stdout[-5000:]
 
 
 @pytest.mark.parametrize("version", PYTHONS)
@@ -153,7 +182,7 @@ def test_an_output_names_no_machine_and_no_day() -> None:
 def test_every_module_of_a_version_holds_its_identity() -> None:
     for versions in layouts(SPECS).values():
         for layout in versions:
-            path = f"{PACKAGE}/{layout.device.id}/{module_name(layout.device.version)}.py"
+            path = f"{PACKAGE}/{package_name(layout.device.id)}/{module_name(layout.device.version)}.py"
             text = files(versions)[path]
             assert layout.identity in text[:3000]
             assert f'IDENTITY: _Final = "{layout.identity}"' in text

@@ -15,6 +15,7 @@ from made_python import codec_error, made
 
 WIDGET, GADGET, GIZMO = (made(newest(MADE_UP, name)) for name in ("widget", "gadget", "gizmo"))
 TC100, ESC11 = made(newest(SPECS, "tc100")), made(newest(SPECS, "esc11"))
+CK10, GLIDER = made(newest(SPECS, "ck10")), made(newest(MADE_UP, "glider-x"))
 CodecError = codec_error()
 
 
@@ -133,8 +134,34 @@ def test_a_table_is_indexed_by_the_numbers_of_the_manual() -> None:
             WIDGET.points[number]
 
 
+def test_a_copy_of_a_block_has_the_values_of_the_block() -> None:
+    assert (GLIDER.STORED_TURNS.copy_of, GLIDER.STORED_TURNS.address, GLIDER.STORED_TURNS.access) == (
+        "turns",
+        0x204,
+        "ro",
+    )
+    assert (GLIDER.TURNS.copy_of, GLIDER.TURNS.number, GLIDER.STORED_TURNS.number) == ("", 2, None)
+    for register in (GLIDER.TURNS, GLIDER.STORED_TURNS):
+        assert register.decode(bytes.fromhex("FFFFFFFFFFFFFFFF")) == 2**64 - 1
+    assert GLIDER.STORED_INPUT_1_FUNCTION.decode(bytes(4)) is GLIDER.InputFunction.NONE
+    assert GLIDER.register_at(0x200) is GLIDER.STORED_RESOLUTION
+
+
+def test_a_record_that_is_in_two_tables_is_one_class() -> None:
+    assert CK10.points.record is CK10.flash_points.record
+    for layout_table in newest(SPECS, "ck10").tables.values():
+        table = getattr(CK10, layout_table.name)
+        for element in (layout_table.table.index_from, layout_table.table.indexes[-1]):
+            assert table[element].address == layout_table.table.address(element)
+            assert CK10.register_at(table[element].address) is not None
+    point = CK10.points.record.decode(bytes(64))
+    words = [0] * 32
+    assert CK10.flash_points[1].from_words(words) == CK10.points[1].from_words(words) == point
+    assert CK10.flash_points[1].words == 32
+
+
 def test_every_register_of_the_layout_is_there() -> None:
-    for module, name, root in ((TC100, "tc100", SPECS), (WIDGET, "widget", MADE_UP)):
+    for module, name, root in ((TC100, "tc100", SPECS), (CK10, "ck10", SPECS), (WIDGET, "widget", MADE_UP)):
         laid_out = newest(root, name)
         assert [register.address for register in module.REGISTERS] == [laid.address for laid in laid_out.registers]
         for laid in laid_out.registers:

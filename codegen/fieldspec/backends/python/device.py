@@ -18,6 +18,7 @@ from fieldspec.backends.python.registers import register_view, table_view
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.python.words import enum_view, flags_view
+from fieldspec.backends.python.writing import tuple_of
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.names import Name
@@ -27,11 +28,14 @@ from fieldspec.names import Name
 class MessageView:
     """The data of a message in one direction, and its frames on each link.
 
-    `response` is the class of the response, empty for responses.
+    `number` and `supplements` are empty where it has none; `response` is the class of the response, empty for
+    responses.
     """
 
     record: RecordView
     code: str
+    number: str
+    supplements: str
     response: str
     frames: list[ExchangeView]
 
@@ -72,7 +76,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         for link in layout.links.values()
         if any(carries(link, one.message) for one in exchanges)
     ]
-    messages = [view for one in exchanges for view in _messages(one, links)]
+    messages = [view for one in exchanges for view in _messages(one, links, layout)]
     order = device.byte_order
     single, block = write_accesses(exchanges)
     sets = [parameter_set_view(held, layout, words, exchanges, scope) for held in device.parameters.values()]
@@ -132,21 +136,36 @@ def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
     )
 
 
-def _messages(one: Exchange, links: list[LinkView]) -> list[MessageView]:
+def _messages(one: Exchange, links: list[LinkView], layout: DeviceLayout) -> list[MessageView]:
     """The response comes first, as the request refers to it."""
     message = one.message.message
     title = message.title or Name.of(message.name).title()
-    code = "" if message.code is None else f"Code {message.code:#04x}. "
-    group = f"Group {Name.of(message.group).title().lower()}. " if message.group else ""
+    group = f"Group {Name.of(message.group).title().lower()}." if message.group else ""
+    code = "" if message.code is None else f"Code {message.code:#04x}."
+    carrying = [link.link for link in layout.links.values() if message.name in link.messages]
+    called = {link.message_name for link in carrying}
+    known = Name.of(called.pop() if len(called) == 1 else "message").title()
+    number = "" if message.number is None else f"{known} {message.number}."
+    beside = f"It is sent beside {' or '.join(message.supplements)}." if message.supplements else ""
     views = []
     for direction in ("response", "request"):
         shaped, name = one.side(direction)
-        more = f"{code}{group}{sentence(message.doc)}"
-        doc = record_doc(shaped.record, shaped.stored, f"{title}: the {direction}", more.strip())
-        response = one.response_name if direction == "request" else ""
+        names = {link.direction_name(direction) for link in carrying} - {direction}
+        named = f"the {direction} ({', '.join(sorted(names))})" if names else f"the {direction}"
+        more = " ".join(text for text in (code, number, group, beside, sentence(message.doc)) if text)
+        doc = record_doc(shaped.record, shaped.stored, f"{title}: {named}", more)
         sides = [link.request if direction == "request" else link.response for link in links]
         frames = [view for side in sides for view in side.exchanges if view.message == name]
-        views.append(MessageView(record_view(shaped, name, doc), code_literal(message.code), response, frames))
+        views.append(
+            MessageView(
+                record=record_view(shaped, name, doc),
+                code=code_literal(message.code),
+                number="" if message.number is None else str(message.number),
+                supplements=tuple_of(map(literal, message.supplements)) if message.supplements else "",
+                response=one.response_name if direction == "request" else "",
+                frames=frames,
+            )
+        )
     return views
 
 

@@ -32,7 +32,7 @@ MODULE = _words(
     " read_value register_at write_request write_requests"
 )
 RECORD = _words("decode encode self")
-MESSAGE = RECORD | _words("CODE response_type")
+MESSAGE = RECORD | _words("CODE NUMBER SUPPLEMENTS response_type")
 FLAGS = _words("flags raw self")
 STATES = _words("state")
 PARAMETERS = _words(

@@ -85,7 +85,8 @@ class Choice:
         most: int,
         order: Literal["big", "little"] = "big",
     ) -> None:
-        self.record, self.by, self.at, self.by_size, self.order = record, by, at, by_size, order
+        self.record, self.by, self.at, self.by_size = record, by, at, by_size
+        self.order: Literal["big", "little"] = order
         self.least, self.most, self.fixed_size = least, most, Struct(fixed).size
         self.cases: dict[int, Case] = {}
         for numbers, letters, value in cases:

@@ -46,7 +46,7 @@ class Parameter(Generic[T]):
     """One parameter. Its value is of type T; a message carries it as a number or as bytes.
 
     `number` counts as the manual does in the set with the name `set`; `wire_number` is the one on the wire, and
-    `printed_name` the name that the manual gives it. `type` is its type on the wire, empty where the manual does not
+    `printed_name` is the name that the manual gives it, or its number as the manual writes it. `type` is its type on the wire, empty where the manual does not
     tell of the parameter at all; `name` and `source` are empty then too. `default` is a count. `elements` is the length
     of an array, None where it is none. `access` is ro, rw or wo, and empty where the manual does not say it; so is
     `restart` None. `applies_to` and `messages` say for what, and with which messages, it has an effect; they are empty
@@ -95,13 +95,13 @@ class Parameter(Generic[T]):
         base: int = 0,
     ) -> None:
         self.name, self.number, self.value, self.access = name, number, value, access
-        self.type, self.carrier, self.printed_name, self.default = type, carrier, printed_name, default
+        self.type, self.carrier, self.printed_name, self.default = type, carrier, printed_name or str(number), default
         self.elements, self.subindices, self.restart = elements, subindices, restart
         self.applies_to, self.messages, self.reserved, self.source = applies_to, messages, reserved, source
         self.set, self.wire_number = set, base + number
 
     def __repr__(self) -> str:
-        return f"<parameter {' '.join(word for word in (self.printed_name or str(self.number), self.name) if word)}>"
+        return f"<parameter {' '.join(word for word in (self.printed_name, self.name) if word)}>"
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
@@ -125,7 +125,7 @@ class Parameter(Generic[T]):
 
     def from_unit(self, value: float) -> int:
         """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
-        return counts(self.name, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+        return counts(self._title(None), value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
 
     def subindex(self, index: int) -> Subindex | None:
         """What the manual tells of the element with an index; None where it makes no difference."""
@@ -133,16 +133,16 @@ class Parameter(Generic[T]):
 
     def decode(self, data: bytes) -> T:
         """The value of exactly all of its bytes. Raises CodecError."""
-        return self.value.decode(self.name, data)
+        return self.value.decode(self._title(None), data)
 
     def encode(self, value: T) -> bytes:
         """The bytes of a value. Raises CodecError where it is out of range."""
-        return self.value.encode(self.name, value)
+        return self.value.encode(self._title(None), value)
 
     def writable(self) -> None:
         """Raises CodecError for a parameter that can only be read."""
         if self.access == "ro":
-            raise CodecError("read_only", f"{self.name} can only be read")
+            raise CodecError("read_only", f"{self._title(None)} can only be read")
 
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
         """The value of what a message carries for it, or for its element with an index. Raises CodecError."""
@@ -162,7 +162,7 @@ class Parameter(Generic[T]):
         try:
             return Struct(self.carrier).unpack(self.encode(value))[0]
         except StructError:
-            raise CodecError("out_of_range", f"no message can carry {self.name}") from None
+            raise CodecError("out_of_range", f"no message can carry {self._title(None)}") from None
 
     def from_raws(self, raws: Sequence[float | str | bytes], subindex: int = 0) -> list[T]:
         """The values of its elements, of which `subindex` is the first one. Raises CodecError."""
