@@ -38,13 +38,13 @@ def _ambiguous(layout: DeviceLayout, held: Read) -> str:
     if all(not _coded(layout, link) for link, _, _, _ in readings):
         bytes_ = f"{len(own.frame)} bytes"
         names = _listed([_sent(layout.device.links[link], way, name) for link, way, name, _ in readings], "or")
-        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, held.others)} tells"
+        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, held.others)}"
     others: dict[tuple[str, str, bool], list[str]] = {}
     for link, direction, message, error in held.others:
         others.setdefault((link, direction, error), []).append(message or "an unknown message")
     listed = " or ".join(_named(layout, own, *key, names) for key, names in others.items())
     explained = _named(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
-    return f"ambiguous: explained as {explained}, it may also be {listed}; {_options(layout, own, held.others)} tells"
+    return f"ambiguous: explained as {explained}, it may also be {listed}; {_options(layout, own, held.others)}"
 
 
 def _own(held: Explanation) -> Reading:
@@ -52,18 +52,20 @@ def _own(held: Explanation) -> Reading:
 
 
 def _options(layout: DeviceLayout, own: Explanation, others: Sequence[Reading]) -> str:
-    """The options that tell the readings apart."""
-    options = []
-    if any(link != own.link for link, _, _, _ in others):
-        options.append("--link")
-    if any(direction != own.direction for _, direction, _, _ in others):
-        options.append("--direction")
-    alike = [link for link, direction, message, _ in others if direction == own.direction and message != own.message]
-    if alike or all(direction == own.direction for _, direction, _, _ in others):
-        words = {layout.device.links[link].message_name for link in (own.link, *alike)}
-        word = f"--{option_word(words.pop())}" if len(words) == 1 else "--message"
-        options += ["--request", word] if own.direction == "response" and _asks(layout, own.link) else [word]
-    return " or ".join(options) if len(options) < 2 or "--request" in options else " and ".join(options)
+    """The options that tell the readings apart: those of which one is enough, else all that help."""
+    words = {layout.device.links[link].message_name for link in (own.link, *(other[0] for other in others))}
+    word = f"--{option_word(words.pop())}" if len(words) == 1 else "--message"
+    telling = {
+        "--link": [link != own.link for link, _, _, _ in others],
+        "--direction": [direction != own.direction for _, direction, _, _ in others],
+        word: [message != own.message for _, _, message, _ in others],
+    }
+    if own.direction == "response" and _asks(layout, own.link) and any(telling[word]):
+        telling = {"--request": telling[word], **telling}
+    enough = [option for option, tells in telling.items() if all(tells)]
+    if enough:
+        return f"{' or '.join(enough)} tells"
+    return f"{' and '.join(option for option, tells in telling.items() if any(tells))} tell"
 
 
 def _asks(layout: DeviceLayout, link: str) -> bool:

@@ -57,7 +57,7 @@ def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
     code = shape.role("code")
     laid = layout.messages.get(held.message)
     accesses = laid.message.accesses if laid else None
-    addresses = {code.name if code else "", accesses.start if accesses else "", *_numbers(layout, held)}
+    addresses = {code.name if code else "", accesses.start if accesses else "", *_in_digits(layout, held)}
     headings = ("at", "sent", "bytes", "field", "label", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
     for _, group in groupby(held.rows, key=_run):
@@ -74,14 +74,16 @@ def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
     return _table(headings, lines)
 
 
-def _numbers(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
-    """The fields that hold a number which has a base added, so that its digits tell most in hexadecimal."""
+def _in_digits(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
+    """The fields whose hexadecimal digits tell most: words of bits, and numbers that the manual writes in them."""
     laid = layout.messages.get(held.message)
-    for field in laid.data(held.direction).fields if laid else ():
-        part, number = field.value.parameter if field.value else None, held.values.get(field.name)
-        if part is not None and part.part == "number" and isinstance(number, int):
-            found = layout.device.parameter_at(part.set, number)
-            if found is None or found[0].base:
+    for field in laid.data(held.direction).fields if laid and not held.error else ():
+        value, number = field.value, held.values.get(field.name)
+        if value is not None and value.flags:
+            yield field.name
+        if value is not None and value.parameter is not None and isinstance(number, int):
+            found = layout.device.parameter_at(value.parameter.set, number)
+            if value.parameter.part == "number" and (found is None or found[0].printed_as or found[0].base):
                 yield field.name
 
 
@@ -108,7 +110,8 @@ def footnotes(layout: DeviceLayout, held: Explanation) -> Iterator[str]:
     touching = {*held.errata, *(number for row in rows for number in row.errata)}
     for erratum in layout.device.errata:
         if erratum.id in touching:
-            keys = ", ".join(f"{key} {value}" for key, value in erratum.printed.items())
+            pairs = erratum.printed.items()
+            keys = ", ".join(f"{key} {'absent' if value is None else value}" for key, value in pairs)
             yield f"erratum {erratum.id}: " + (f"printed {keys}. " if keys else "") + erratum.reason
 
 

@@ -149,7 +149,8 @@ def _whole(device: Device, value: Value, number: int) -> Worded:
     if sentinel is not None:
         return replace(found, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
-        found = replace(_named(device, value, number), text=in_unit(value, number))
+        named = _named(device, value, number)
+        found = replace(named, text=in_unit(value, number), verdict=named.verdict or found.verdict)
     elif value.flags:
         word = device.flags[value.flags]
         found = replace(found, meanings=tuple(_set_bits(device, word, number)), facts=(word.place.path,))
