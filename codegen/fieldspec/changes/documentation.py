@@ -51,20 +51,21 @@ def _beside(name: str, *attributes: str) -> Callable[[Any], object]:
     return texts
 
 
-def _said_of_value(fact: Any) -> object:
-    """What a value says beside its numbers: the scale as written, and its sentinels."""
-    value = fact.value
-    if value is None:
-        return ()
-    sentinels = tuple((one.value, one.doc, one.sources) for one in value.sentinels)
-    return (value.scale_text, sentinels)
+def _scale(fact: Any) -> str:
+    """The scale as it is written."""
+    return fact.value.scale_text if fact.value is not None else ""
+
+
+def _sentinels(fact: Any) -> dict[int, object]:
+    """What is said of each sentinel."""
+    return {one.value: (one.doc, one.sources) for one in fact.value.sentinels} if fact.value is not None else {}
 
 
 _FACT: Texts = {
     **_named("printed_name", "label", "doc", "sources", "notes", "inferred", "since", "until", "only"),
     "restated": _restated,
 }
-_OF_VALUE: Texts = {**_FACT, "sentinels": _said_of_value}
+_OF_VALUE: Texts = {**_FACT, "scale": _scale, "sentinels": _sentinels}
 _PRINTED_ADDRESS = ("decimal", "words")
 
 TEXTS: dict[type, Texts] = {

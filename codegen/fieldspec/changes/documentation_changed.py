@@ -24,7 +24,7 @@ from fieldspec.model.record import Field
 def documentation_changed(both: Comparison) -> Iterator[Change]:
     for noun, texts in TEXTS.items():
         for pair in both.any_of(noun):
-            held = [(key, _followed(both, key, get(pair.old)), get(pair.new)) for key, get in texts.items()]
+            held = [(key, *_followed(both, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()]
             differ = [(key, old, new) for key, old, new in held if old != new and not _told(both, pair, key)]
             if differ:
                 keys = [key for key, _, _ in differ]
@@ -35,16 +35,26 @@ def documentation_changed(both: Comparison) -> Iterator[Change]:
 
 _NAMES = {"same_as": "registers", "copy_of": "registers", "signal": "signals"}
 _PATHS = ("about", "fact")
-_OF_SIGNAL = ("printed_name", "label", "doc", "sentinels")
+_OF_SIGNAL = ("printed_name", "label", "doc", "scale", "sentinels")
 
 
-def _followed(both: Comparison, key: str, held: Any) -> Any:
-    """What an old text is called by its new names."""
+def _followed(both: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
+    """Two texts: the old one by new names, and both without what other rules tell."""
     if key in _NAMES:
-        return both.renamed_to(_NAMES[key], held)
+        return both.renamed_to(_NAMES[key], old), new
     if key in _PATHS:
-        return both.renamed_path(held) if isinstance(held, str) else tuple(map(both.renamed_path, held))
-    return held
+        return (both.renamed_path(old) if isinstance(old, str) else tuple(map(both.renamed_path, old))), new
+    if key == "sentinels":
+        shared = old.keys() & new.keys()
+        return {one: old[one] for one in old if one in shared}, {one: new[one] for one in new if one in shared}
+    if key == "scale" and not _same_scale(pair):
+        return "", ""
+    return old, new
+
+
+def _same_scale(pair: Pair[Any]) -> bool:
+    old, new = pair.old.value, pair.new.value
+    return old is not None and new is not None and old.scale == new.scale
 
 
 def _told(both: Comparison, pair: Pair[Any], key: str) -> bool:

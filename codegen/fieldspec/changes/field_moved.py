@@ -24,8 +24,10 @@ def field_moved(both: Comparison) -> Iterator[Change]:
             first, now, before, after = fields.moved[0]
             names = listed([named(new) for _, new, _, _ in fields.moved])
             holder = fields.holder[1]
-            verb = "lies" if len(fields.moved) == 1 else "lie"
-            text = f"{named(holder)}: {names} {verb} elsewhere; {named(now)} at offset {after}, before at {before}"
+            text = f"{named(now)} lies at offset {after}, and lay at {before}"
+            if len(fields.moved) > 1:
+                text = f"{names} lie elsewhere; {text}"
+            text = f"{named(holder)}: {text}"
             yield Change(
                 "field_moved",
                 Effect.WIRE,

@@ -2,7 +2,7 @@
 
 Why: neither side finds the frames of the other.
 
-Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex`.
+Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
 
 Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
 own.

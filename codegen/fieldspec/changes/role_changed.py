@@ -77,7 +77,10 @@ def _access(both: Comparison | None, message: Message) -> str:
     words = [access.start, access.count, access.values]
     if both is not None:
         words = [_renamed(both, message, word) for word in words]
-    return f"{access.operation} {', '.join(words)}"
+    said = ", ".join(
+        f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
+    )
+    return f"{access.operation} with {said}"
 
 
 def _renamed(both: Comparison, message: Message, name: str) -> str:

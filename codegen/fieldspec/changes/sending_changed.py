@@ -24,12 +24,12 @@ def sending_changed(both: Comparison) -> Iterator[Change]:
         links = tuple(both.renamed_to("links", name) for name in _links(both.old, pair.old))
         beside = tuple(both.renamed_to("messages", name) for name in pair.old.supplements)
         for key, what, old, new, kept in (
-            ("links", "the links on which it is sent", links, _links(both.new, pair.new), pair.new.links),
-            ("supplements", "the messages beside which it is sent", beside, pair.new.supplements, pair.new.supplements),
+            ("links", "where it is sent", links, _links(both.new, pair.new), pair.new.links),
+            ("supplements", "what it is sent beside", beside, pair.new.supplements, pair.new.supplements),
         ):
             stated = getattr(pair.old, key) or kept
             if stated and sorted(old) != sorted(new):
-                lost = bool(set(old) - set(new)) or (key == "supplements" and not old)
+                lost = key == "links" and bool(set(old) - set(new))
                 text = f"{named(pair.new)}: {turned(what, old, new)}"
                 yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
 

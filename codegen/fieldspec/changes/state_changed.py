@@ -21,7 +21,7 @@ from fieldspec.model.flags import State
 def state_changed(both: Comparison) -> Iterator[Change]:
     for pair in both.of(State):
         word = pair.old.place.path.partition("/states/")[0]
-        for key, what in (("set", "the bits that are 1"), ("clear", "the bits that are 0")):
+        for key, what in (("set", "what is 1 in it"), ("clear", "what is 0 in it")):
             old = tuple(both.renamed_to(word, name) for name in getattr(pair.old, key))
             new = getattr(pair.new, key)
             if sorted(old) != sorted(new):

@@ -11,6 +11,10 @@ from fieldspec.commands.usage import UsageError
 from fieldspec.reading.project import MAIN, VERSIONS
 
 
+class NoRevision(UsageError):
+    """A name that is that of no revision."""
+
+
 @dataclass(frozen=True, slots=True)
 class Tree:
     """The spec files of a folder at a revision, by path below it. `path` is the folder's own in the repository, empty
@@ -57,11 +61,11 @@ def _verified(here: Path, revision: str) -> None:
         _git(here, "rev-parse", "--git-dir")
     except _Failed:
         text = f"{revision} is no device and no folder, and {here} is in no git repository"
-        raise UsageError(text) from None
+        raise NoRevision(text) from None
     try:
         _git(here, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{tree}}")
     except _Failed:
-        raise UsageError(f"there is no device, no folder and no git revision {revision}") from None
+        raise NoRevision(f"there is no device, no folder and no git revision {revision}") from None
 
 
 def _listed(here: Path, revision: str, path: str) -> dict[str, str]:

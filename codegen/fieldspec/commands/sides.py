@@ -66,11 +66,14 @@ def side(text: str, given: str | None, plain: bool) -> Side:
     for path, picked in ((text, ""), text.rpartition("@")[::2]):
         if path and Path(path).is_dir():
             return _folder(text, Path(path), picked)
-    if "@" in text and here is not None and ":" not in text and not text.startswith("@"):
-        known = [file.parent.name for file in here.glob(f"*/{MAIN}")]
-        if version and "{" not in version:
-            raise unknown("device", name, known)
-    return _revision(text, here, plain)
+    from fieldspec.commands.revisions import NoRevision
+
+    try:
+        return _revision(text, here, plain)
+    except NoRevision:
+        if here is not None and name and version and "{" not in version:
+            raise unknown("device", name, (file.parent.name for file in here.glob(f"*/{MAIN}"))) from None
+        raise
 
 
 def _named(text: str, project: Project, device: str, version: str) -> Side:

@@ -1,0 +1,110 @@
+"""Every rule of changes has a folder `changes/<rule>` with an old spec, a new one, and the changes between them.
+
+`old/*.yaml` and `new/*.yaml` are files of one device, as are `device.yaml` beside all folders, and `common.yaml` in a
+folder, which both sides have. `expected.txt` holds all changes that are found.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from fieldspec import rules
+from fieldspec.changes import RULES, changes
+from fieldspec.changes.change import Change, Effect
+from fieldspec.model.device import Device
+from fieldspec.reading.project import read
+from fieldspec.render.changes_text import concise
+
+CASES = Path(__file__).parent / "changes"
+FOLDERS = sorted(path for path in CASES.iterdir() if path.is_dir())
+PAGE = Path(__file__).parent.parent / "docs" / "changes.md"
+
+
+@cache
+def devices(folder: Path) -> tuple[Device, Device]:
+    """The two sides of a folder."""
+    sides = []
+    for side in ("old", "new"):
+        files = {"gadget/device.yaml": CASES / "device.yaml", "gadget/common.yaml": folder / "common.yaml"}
+        files |= {f"gadget/{side}_{path.name}": path for path in sorted((folder / side).glob("*.yaml"))}
+        project = read({path: file.read_bytes() for path, file in files.items() if file.exists()})
+        assert [finding.message for finding in project.found] == []
+        spec = project.devices["gadget"]
+        device, found = spec.at(spec.versions()[-1])
+        assert [finding.message for finding in found] == []
+        sides.append(device)
+    return sides[0], sides[1]
+
+
+def found(folder: Path) -> list[Change]:
+    return changes(*devices(folder))
+
+
+def name(folder: Path) -> str:
+    return folder.name
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=name)
+def test_the_changes_between_two_specs_are_found(folder: Path, accept: bool) -> None:
+    text = concise(found(folder))
+    expected = folder / "expected.txt"
+    if accept:
+        expected.write_text(text, "utf-8", newline="\n")
+    assert text == expected.read_text("utf-8")
+
+
+@pytest.mark.parametrize(("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda one: str(one))
+def test_every_rule_has_a_folder_that_shows_each_of_its_classes(rule: str, effects: tuple[Effect, ...]) -> None:
+    assert {change.effect for change in found(CASES / rule) if change.rule == rule} == set(effects)
+
+
+def test_every_folder_belongs_to_a_rule() -> None:
+    assert {folder.name for folder in FOLDERS} == {code for code, _, _ in RULES}
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=name)
+def test_a_spec_does_not_differ_from_itself(folder: Path) -> None:
+    assert [changes(side, side) for side in devices(folder)] == [[], []]
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=name)
+def test_every_change_has_values_places_and_a_class_of_its_rule(folder: Path) -> None:
+    effects = {code: held for code, _, held in RULES}
+    for change in found(folder):
+        assert change.effect in effects[change.rule]
+        assert change.old != change.new
+        assert change.before or change.after or change.what in ("line of versions", "version")
+        assert change.path
+        assert not change.path.startswith("/")
+        assert change.outputs or change.effect is not Effect.SOURCE
+
+
+def test_rules_are_listed_by_name() -> None:
+    names = [code for code, _, _ in RULES]
+    assert names == sorted(set(names))
+    assert [rule.__name__ for _, rule, _ in RULES] == names
+
+
+def test_every_module_that_documents_a_rule_is_in_the_table() -> None:
+    folder = Path(rules.__file__).parent / "changes"
+    documented = {path.stem for path in folder.glob("*.py") if "\nCure: " in path.read_text("utf-8")}
+    assert documented == {code for code, _, _ in RULES}
+
+
+def test_names_of_changes_are_no_names_of_findings() -> None:
+    assert {rule.code for rule in rules.all_rules()} & {code for code, _, _ in RULES} == set()
+
+
+def test_page_of_changes_is_fresh(accept: bool) -> None:
+    if accept:
+        PAGE.write_text(rules.changes_page(), "utf-8", newline="\n")
+    assert PAGE.read_text("utf-8") == rules.changes_page()
+
+
+def test_rules_of_changes_say_something_in_every_part() -> None:
+    for rule in rules.change_rules():
+        assert min(map(len, (rule.what, rule.why, rule.example, rule.cure))) > 5, rule.code
+        assert rule.what.endswith("."), rule.code

@@ -1,0 +1,127 @@
+"""The diff notices every random change that a device on the wire would notice, and never takes a text for one."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from fieldspec.changes import changes
+from fieldspec.changes.change import Change, Effect
+from fieldspec.layout.device import device_layout
+from fieldspec.model.device import Device
+from fieldspec.reading.building.device import built
+from fieldspec.reading.nodes import Mapping, Scalar
+from fieldspec.reading.project import read
+from fieldspec.render.changes import Difference, Found, hurts
+from mutations import MUTATIONS, mappings, put, scalar
+
+ROOT = Path(__file__).parent
+ROUNDS = 1
+"""How often each mutation is tried on each device."""
+
+REWORDED = ("doc", "label", "title", "notes", "source", "printed_name", "zero", "one", "when", "problem", "cause")
+NOT_IN_IDENTITY = {
+    ("broadcast_changed", "links"): "the address of all stations",
+    ("const_changed", "links"): "the values of the parts of a frame",
+    ("const_changed", "parameters"): "constants of parameters",
+    ("polarity_changed", "flags"): "the active level of a bit",
+    ("scale_changed", "links"): "the values of the parts of a frame",
+    ("scale_changed", "parameters"): "offsets of parameters",
+    ("sentinel_changed", "links"): "the values of the parts of a frame",
+    ("sentinel_changed", "parameters"): "sentinels of parameters",
+    ("sentinel_changed", "registers"): "sentinels of registers",
+    ("type_changed", "links"): "the values of the parts of a frame",
+    ("unit_changed", "links"): "the values of the parts of a frame",
+}
+"""Changes on the wire that the identity of a layout does not know yet: the rule, the section, and what is missing."""
+
+
+@cache
+def trees() -> dict[str, tuple[Mapping, str]]:
+    """The trees of all devices at their newest versions, the real and the made-up ones."""
+    found = {}
+    for folder in (ROOT.parent / "specs", ROOT / "specs"):
+        files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.yaml"))}
+        project = read(files)
+        broken = {finding.span.file.path.partition("/")[0] for finding in project.found}
+        for name, spec in project.devices.items():
+            if name not in broken:
+                found[name] = spec.tree_at(spec.versions()[-1]), spec.versions()[-1]
+    assert len(found) > 4
+    return found
+
+
+@cache
+def device(name: str) -> Device:
+    return built(*trees()[name])[0]
+
+
+def difference(found: list[Change]) -> list[Difference]:
+    return [Difference("old", "new", tuple(map(Found, found)))]
+
+
+@cache
+def own_identity(name: str) -> str | None:
+    return identity(device(name))
+
+
+def identity(held: Device) -> str | None:
+    """The identity of a layout; None of a device that cannot be laid out any more."""
+    try:
+        return device_layout(held).identity
+    except (AssertionError, KeyError, IndexError, ValueError):
+        return None
+
+
+def cases() -> list[tuple[str, int]]:
+    return [(name, number) for name in trees() for number in range(len(MUTATIONS))]
+
+
+def mutated(name: str, number: int) -> list[Mapping]:
+    """Some mutations of a device's tree."""
+    chance = random.Random(f"{name} {number}")
+    made = [MUTATIONS[number][1](trees()[name][0], chance) for _ in range(ROUNDS)]
+    return [tree for tree in made if tree is not None]
+
+
+@pytest.mark.parametrize(("name", "number"), cases(), ids=lambda one: str(one))
+def test_every_change_on_the_wire_is_noticed_and_called_by_its_rule(name: str, number: int) -> None:
+    rule = MUTATIONS[number][0]
+    for tree in mutated(name, number):
+        new = built(tree, trees()[name][1])[0]
+        found = changes(device(name), new)
+        assert hurts(difference(found), "breaking"), rule
+        assert rule in {change.rule for change in found if change.effect.breaking}
+        wire = [(change.rule, change.path.partition("/")[0]) for change in found if change.effect is Effect.WIRE]
+        if set(wire) - NOT_IN_IDENTITY.keys():
+            assert identity(new) != own_identity(name), wire
+
+
+def test_there_are_enough_mutations_of_every_kind() -> None:
+    counted = Counter(MUTATIONS[number][0] for name, number in cases() for _ in mutated(name, number))
+    assert sum(counted.values()) >= 200
+    assert set(counted) == {rule for rule, _ in MUTATIONS}
+
+
+@pytest.mark.parametrize("name", trees())
+@pytest.mark.parametrize("seed", range(8))
+def test_other_words_are_never_called_breaking(name: str, seed: int) -> None:
+    tree, version = trees()[name]
+    chance = random.Random(seed)
+    worded = [
+        (*way, key)
+        for way, node in mappings(tree)
+        for key in REWORDED
+        if isinstance(node.values.get(key), Scalar) and not {"restated", "cases", "errata"} & set(way)
+    ]
+    for way in chance.sample(worded, min(20, len(worded))):
+        other = "9.9 L99" if way[-1] == "source" else "In other words."
+        tree = put(tree, way, scalar(other, tree))
+    found = changes(device(name), built(tree, version)[0])
+    assert found or not worded
+    assert {change.effect for change in found} <= {Effect.DOCS}
+    assert not hurts(difference(found), "behaviour")

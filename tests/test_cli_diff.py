@@ -1,0 +1,314 @@
+"""`fieldspec diff`: what can be compared, in which forms, and with which exit codes."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import html5lib
+import pytest
+
+from command_line import MADE_UP, SPECS
+from fieldspec.cli import main
+from tools_available import require_tool
+
+DEVICE = f'''device:
+  id: gadget
+  name: Gadget
+  vendor: Maker
+  manual: {{title: The manual, file: gadget.txt, sha256: "{"0" * 64}", lines: 999}}
+versions:
+  - line: firmware
+    builds: true
+    members: [{{id: "1.0", source: L1}}, {{id: "2.0", source: L1}}]
+'''
+SPEED = (
+    '  - group: all\n    section: "1"\n    rows:\n      - {at: 0x10, name: speed, type: u16, range: 0..9, source: L2}\n'
+)
+MORE = '      - {at: 0x11, name: ramp, type: u16, since: "2.0", source: L3}\n'
+REGISTERS = f"registers:\n{SPEED}{MORE}"
+MOVED = REGISTERS.replace("0x10", "0x20")
+ACCEPTS = "accepts:\n  - {rule: register_moved, path: registers/speed, reason: A slip of ours., date: 2026-05-03}\n"
+OVERLAY = """overlay: {id: "2.1", line: firmware, based_on: "2.0"}
+changes:
+  - {fact: registers/speed, set: {at: {was: 0x10, is: 0x30}}, reason: It has moved., source: L9}
+"""
+
+
+class Run:
+    """Runs `fieldspec diff` and keeps what it has printed."""
+
+    def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
+        self.capsys = capsys
+        self.out = self.err = ""
+
+    def __call__(self, *arguments: str) -> int:
+        code = main(["diff", *arguments])
+        self.out, self.err = self.capsys.readouterr()
+        return code
+
+    def json(self, *arguments: str) -> Any:
+        """The data that are printed as JSON."""
+        assert self(*arguments, "--format", "json") == 0
+        return json.loads(self.out)
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    return Run(capsys)
+
+
+def write(root: Path, registers: str = REGISTERS, device: str = "gadget") -> Path:
+    """A folder of specs with one device."""
+    folder = root / device
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "device.yaml").write_text(DEVICE.replace("gadget\n", device + "\n", 1), "utf-8")
+    (folder / "registers.yaml").write_text(registers, "utf-8")
+    return root
+
+
+@pytest.fixture
+def repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A git repository with specs in two commits; the first one is tagged. It is the current folder."""
+    require_tool("git")
+    monkeypatch.chdir(tmp_path)
+    git("init", "--quiet", "--initial-branch=main")
+    (tmp_path / "README.md").write_text("no specs yet", "utf-8")
+    git("add", ".")
+    git("commit", "--quiet", "-m", "Begin")
+    write(tmp_path / "specs")
+    git("add", ".")
+    git("commit", "--quiet", "-m", "Transcribe")
+    git("tag", "released")
+    write(tmp_path / "specs", MOVED)
+    git("commit", "--quiet", "-am", "Move")
+    return tmp_path
+
+
+def git(*arguments: str) -> None:
+    who = ["-c", "user.name=somebody", "-c", "user.email=somebody@example.invalid", "-c", "commit.gpgsign=false"]
+    subprocess.run(["git", *who, *arguments], check=True, capture_output=True)
+
+
+def rules(data: Any) -> list[tuple[str, str, str]]:
+    return [(change["rule"], change["class"], change["path"]) for one in data for change in one["changes"]]
+
+
+@pytest.mark.parametrize(("fail_on", "code"), [("breaking", 0), ("behaviour", 1), ("any", 1), ("", 0)])
+def test_two_versions_fail_on_what_is_asked_for(run: Run, fail_on: str, code: int) -> None:
+    options = ["--fail-on", fail_on] if fail_on else []
+    assert run("tc100@before-2.0", "tc100@2.0", "--specs", str(SPECS), *options) == code
+    assert "reserved_changed: acceleration_time was reserved" in run.out
+
+
+def test_a_version_does_not_differ_from_itself(run: Run) -> None:
+    assert run("tc100@2.0", "tc100", "--specs", str(SPECS), "--fail-on", "any") == 0
+    assert run.out == "tc100@2.0 -> tc100@2.0: no differences\n"
+
+
+@pytest.mark.parametrize("form", ["text", "json", "markdown", "html", "sarif", "github"])
+def test_every_form_is_printed_with_the_same_exit_code(run: Run, tmp_path: Path, form: str) -> None:
+    old, new = str(write(tmp_path / "old")), str(write(tmp_path / "new", MOVED))
+    assert run(old, new, "--format", form, "--fail-on", "breaking") == 1
+    assert "register_moved" in run.out.replace("\\_", "_")
+    assert run.err == ""
+
+
+def test_json_has_class_values_and_both_places(run: Run, tmp_path: Path) -> None:
+    data = run.json(str(write(tmp_path / "old")), str(write(tmp_path / "new", MOVED)))
+    (change,) = data[0]["changes"]
+    assert (change["class"], change["breaking"], change["old"], change["new"]) == ("wire", True, "0x10", "0x20")
+    assert (change["before"]["line"], change["after"]["file"]) == (5, f"{tmp_path}/new/gadget/registers.yaml")
+    assert change["versions"] == []
+
+
+def test_a_change_at_some_versions_says_at_which(run: Run, tmp_path: Path) -> None:
+    new = write(tmp_path / "new", REGISTERS.replace("0x11", "0x12"))
+    data = run.json(str(write(tmp_path / "old")), str(new))
+    assert [change["versions"] for change in data[0]["changes"]] == [["2.0"]]
+
+
+def test_texts_of_specs_are_escaped_in_html_and_markdown(run: Run, tmp_path: Path) -> None:
+    hostile = REGISTERS.replace("name: speed,", "name: speed, label: '</td><script>alert(1)</script> | *x* `y`',")
+    folders = str(write(tmp_path / "old")), str(write(tmp_path / "new", hostile.replace("u16", "u32", 1)))
+    assert run(*folders, "--format", "html") == 0
+    page = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(run.out)
+    assert page.findall(".//script") == []
+    assert len(page.findall(".//tbody/tr")) >= 2
+    assert run(*folders, "--format", "markdown") == 0
+    assert "<script>" not in run.out
+    table = [line for line in run.out.splitlines() if line.startswith("|")]
+    assert {line.replace("\\|", "").count("|") for line in table} == {5}
+
+
+def test_a_removed_device_is_breaking_and_a_new_one_is_not(run: Run, tmp_path: Path) -> None:
+    one, two = write(tmp_path / "one"), write(write(tmp_path / "two"), device="widget")
+    assert rules(run.json(str(one), str(two))) == [("fact_added", "behaviour", "widget")]
+    assert run(str(two), str(one), "--fail-on", "breaking") == 1
+
+
+def test_a_folder_may_be_that_of_one_device_and_may_name_a_version(run: Run, tmp_path: Path) -> None:
+    old, new = write(tmp_path / "old"), write(tmp_path / "new", MOVED)
+    assert rules(run.json(f"{old}/gadget", f"{new}/gadget")) == [("register_moved", "wire", "registers/speed")]
+    assert rules(run.json(f"{old}@1.0", f"{new}/gadget@2.0"))[1] == ("fact_added", "behaviour", "registers/ramp")
+
+
+def test_revisions_are_compared_with_each_other_and_with_the_files(run: Run, repository: Path) -> None:
+    moved = [("register_moved", "wire", "registers/speed")]
+    assert rules(run.json("HEAD~1", "HEAD")) == moved
+    assert rules(run.json("released", "specs")) == moved
+    assert rules(run.json("released:specs", "main:specs/gadget")) == moved
+    assert rules(run.json("released:specs/gadget@2.0", ".")) == moved
+    assert rules(run.json("HEAD", ".")) == []
+    assert rules(run.json("main@{0}", "released")) == moved
+
+
+def test_a_revision_is_compared_with_a_version(run: Run, repository: Path) -> None:
+    data = run.json("released", "gadget@1.0")
+    assert (data[0]["old"], data[0]["new"]) == ("released gadget@1.0", "gadget@1.0")
+    assert rules(data) == [("register_moved", "wire", "registers/speed")]
+
+
+def test_files_of_a_revision_bear_its_name_except_in_reviews(run: Run, repository: Path) -> None:
+    (change,) = run.json("released", "HEAD")[0]["changes"]
+    assert change["before"]["file"] == "released:specs/gadget/registers.yaml"
+    run("released", "HEAD", "--format", "github")
+    assert run.out.startswith("::error file=specs/gadget/registers.yaml,line=5,")
+    run("released", "HEAD", "--format", "sarif")
+    (result,) = json.loads(run.out)["runs"][0]["results"]
+    assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == "specs/gadget/registers.yaml"
+
+
+def test_a_new_version_is_compared_with_the_one_it_is_based_on(run: Run, repository: Path) -> None:
+    git("checkout", "--quiet", "released")
+    (repository / "specs/gadget/versions").mkdir()
+    (repository / "specs/gadget/versions/2.1.yaml").write_text(OVERLAY, "utf-8")
+    data = run.json("HEAD", ".")
+    assert [(one["old"], one["new"]) for one in data][1] == (". gadget@2.0", ". gadget@2.1")
+    assert ("fact_added", "behaviour", "versions/firmware/2.1") in rules(data[:1])
+    assert rules(data[1:]) == [("register_moved", "wire", "registers/speed")]
+
+
+def test_an_accepted_change_hurts_nobody(run: Run, tmp_path: Path) -> None:
+    folders = str(write(tmp_path / "old")), str(write(tmp_path / "new", MOVED + ACCEPTS))
+    assert run(*folders, "--fail-on", "any") == 0
+    assert "accepted 2026-05-03: A slip of ours." in run.out
+    assert run(*folders, "--format", "github") == 0
+    assert run.out == ""
+
+
+def test_what_the_old_side_has_accepted_already_counts_no_more(run: Run, tmp_path: Path) -> None:
+    old = write(tmp_path / "old", REGISTERS + ACCEPTS)
+    assert run(str(old), str(write(tmp_path / "new", MOVED + ACCEPTS)), "--fail-on", "breaking") == 1
+    assert run(str(old), str(write(tmp_path / "same", REGISTERS + ACCEPTS)), "--fail-on", "any") == 0
+
+
+@pytest.mark.parametrize(
+    ("accepts", "said"),
+    [
+        (ACCEPTS.replace("registers/speed", "registers/sped"), "finds no change at `registers/sped`"),
+        (ACCEPTS.replace("register_moved", "scale_changed"), "`scale_changed` finds no change"),
+        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule `register_move`"),
+    ],
+)
+def test_accepting_what_has_not_happened_is_an_error(run: Run, tmp_path: Path, accepts: str, said: str) -> None:
+    folders = str(write(tmp_path / "old")), str(write(tmp_path / "new", MOVED + accepts))
+    assert run(*folders) == 1
+    assert "accepts_used" in run.err
+    assert said in run.err
+    assert run(*folders, "--format", "sarif") == 1
+    assert "accepts_used" in run.out
+
+
+def test_an_overlay_accepts_what_its_version_brings(run: Run, tmp_path: Path) -> None:
+    specs = write(tmp_path / "specs", f"registers:\n{SPEED}")
+    (specs / "gadget/versions").mkdir()
+    (specs / "gadget/versions/2.1.yaml").write_text(OVERLAY + ACCEPTS, "utf-8")
+    assert run("gadget@2.0", "gadget@2.1", "--specs", str(specs), "--fail-on", "breaking") == 0
+    assert run("gadget@1.0", "gadget@2.1", "--specs", str(specs), "--fail-on", "breaking") == 0
+    assert main(["check", "--specs", str(specs)]) == 0
+    (specs / "gadget/versions/2.1.yaml").write_text(OVERLAY + ACCEPTS.replace("moved", "removed"), "utf-8")
+    assert run("gadget@2.0", "gadget@2.1", "--specs", str(specs), "--fail-on", "breaking") == 1
+    assert main(["check", "--specs", str(specs)]) == 1
+
+
+def refused(run: Run, *arguments: str) -> str:
+    """The one line that says why a comparison is not possible."""
+    assert run(*arguments) == 2
+    assert run.out == ""
+    (line,) = run.err.splitlines()
+    assert line.startswith("fieldspec: ")
+    return line
+
+
+@pytest.mark.parametrize(
+    ("old", "said"),
+    [
+        ("tc100@9.9", "there is no version of tc100 9.9"),
+        ("tc10@2.0", "did you mean tc100?"),
+        ("esc11@1.17", "are two devices"),
+        ("nothing-like-it", "no device, no folder and no git revision nothing-like-it"),
+        ("", "there is no device, no folder and no git revision"),
+    ],
+)
+def test_what_cannot_be_compared_is_wrong_use(run: Run, repository: Path, old: str, said: str) -> None:
+    assert said in refused(run, old, "tc100@2.0", "--specs", str(SPECS)).replace(str(SPECS), "")
+
+
+@pytest.mark.parametrize(
+    ("old", "said"),
+    [
+        ("no-such-branch", "there is no device, no folder and no git revision no-such-branch"),
+        ("HEAD~99", "no git revision HEAD~99"),
+        ("HEAD~2", "the revision HEAD~2 has no folder specs"),
+        ("HEAD:nowhere", "the revision HEAD has no folder nowhere"),
+        ("HEAD~2:", "HEAD~2 holds no specs"),
+        ("HEAD:README.md", "the revision HEAD has no folder README.md"),
+        ("HEAD@9.9", "there is no version of gadget 9.9"),
+        (":specs", "no git revision"),
+    ],
+)
+def test_a_revision_that_is_not_there_or_holds_no_specs_is_wrong_use(
+    run: Run, repository: Path, old: str, said: str
+) -> None:
+    assert said in refused(run, old, "specs")
+
+
+def test_a_folder_that_holds_no_specs_is_wrong_use(run: Run, repository: Path) -> None:
+    (repository / "empty").mkdir()
+    assert "the folder empty holds no specs" in refused(run, "empty", "specs")
+
+
+def test_specs_that_cannot_be_read_are_wrong_use(run: Run, repository: Path) -> None:
+    write(repository / "specs", "registers: [")
+    git("commit", "--quiet", "-am", "Break")
+    assert "the specs of HEAD cannot be read: HEAD:specs/gadget/registers.yaml:1" in refused(run, "HEAD", "released")
+    assert "cannot be read" in refused(run, "released", "specs")
+
+
+def test_outside_of_a_repository_there_are_no_revisions(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    require_tool("git")
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+    monkeypatch.chdir(write(tmp_path / "specs").parent)
+    assert "is in no git repository" in refused(run, "HEAD", "specs")
+
+
+def test_without_git_there_are_no_revisions(run: Run, repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    assert "git is not installed" in refused(run, "HEAD", "specs")
+
+
+def test_the_made_up_devices_do_not_differ_from_themselves(run: Run) -> None:
+    assert run(str(MADE_UP), str(MADE_UP), "--fail-on", "any") == 0
+
+
+def test_a_rule_of_changes_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rule", "register_moved"]) == 0
+    out = capsys.readouterr().out
+    assert "Class: wire" in out
+    assert main(["rule"]) == 0
+    assert "register_moved" in capsys.readouterr().out
