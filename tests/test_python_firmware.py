@@ -1,0 +1,116 @@
+"""The package of a device picks a version's module by the firmware that the device says it has."""
+
+from __future__ import annotations
+
+import importlib
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from fieldspec.backends.python.backend import files, shared
+from fieldspec.reading.project import read
+from laid_out import SPECS, laid_at, layouts
+from made_python import NAME, package, write
+
+MILL = """
+device: {id: mill, name: Mill, vendor: Making, manual: {title: T, language: en, file: f, sha256: "%s", lines: 9}}
+versions:
+  - line: line_2
+    builds: true
+    members: [{id: before-2.8.16, source: L1}, {id: 2.8.16, source: L1}, {id: 2.12.5, source: L1}]
+  - line: line_3
+    builds: true
+    members: [{id: before-3.12.5, source: L1}, {id: 3.12.5, source: L1}, {id: 3.20.0-rc1, source: L1}]
+registers:
+  - group: all
+    source: L1
+    defaults: {access: rw}
+    rows: [{name: latest, at: 1, type: u16}, {name: for_firmware, at: 2, type: u16}]
+""" % ("0" * 64)
+
+
+@pytest.fixture(scope="module")
+def mill(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
+    """A device with two lines of firmware, in a package of its own."""
+    spec = read({"mill/device.yaml": MILL.encode()}).devices["mill"]
+    made = {**shared(), **files([laid_at(spec, version) for version in spec.versions()])}
+    folder = tmp_path_factory.mktemp("mill")
+    write(folder, {path.replace("fieldspec_devices", "mill_devices", 1): text for path, text in made.items()})
+    sys.path.insert(0, str(folder))
+    try:
+        return importlib.import_module("mill_devices.mill")
+    finally:
+        sys.path.remove(str(folder))
+
+
+@pytest.mark.parametrize(
+    ("firmware", "version"),
+    [
+        ("2.8.16", "2.8.16"),
+        (" V2.08.16\0", "2.8.16"),
+        ("before-2.8.16", "before-2.8.16"),
+        ("2.8.15", "before-2.8.16"),
+        ("2.0", "before-2.8.16"),
+        ("3.12.5.0", "3.12.5"),
+        ("3.0.1", "before-3.12.5"),
+        ("3.20.0-rc1", "3.20.0-rc1"),
+    ],
+)
+def test_a_firmware_has_the_module_of_its_version(mill: ModuleType, firmware: str, version: str) -> None:
+    assert version == mill.for_firmware(firmware).VERSION
+
+
+@pytest.mark.parametrize(
+    "firmware", ["2.12.6", "2.10", "4.0", "1.9", "", "two", "2..8", "-2.8", "\uff12.8", "3.20.0", "9" * 5000]
+)
+def test_what_the_spec_does_not_know_is_refused_with_what_it_knows(mill: ModuleType, firmware: str) -> None:
+    with pytest.raises(LookupError) as caught:
+        mill.for_firmware(firmware)
+    assert type(caught.value).__name__ == "UnknownFirmwareError"
+    assert caught.value.firmware == firmware  # type: ignore[attr-defined]
+    assert "known are before-2.8.16, 2.8.16, 2.12.5, before-3.12.5, 3.12.5, 3.20.0-rc1" in str(caught.value)
+
+
+@pytest.mark.parametrize(("firmware", "version"), [("2.12.6", "2.12.5"), ("2.10", "2.8.16"), ("3.99", "3.12.5")])
+def test_the_nearest_one_below_is_taken_if_that_is_asked_for(mill: ModuleType, firmware: str, version: str) -> None:
+    assert version == mill.for_firmware(firmware, nearest=True).VERSION
+
+
+@pytest.mark.parametrize("firmware", ["4.0", "1.9", "two", ""])
+def test_what_is_on_no_line_has_no_nearest_one(mill: ModuleType, firmware: str) -> None:
+    with pytest.raises(LookupError):
+        mill.for_firmware(firmware, nearest=True)
+
+
+def test_the_exception_can_be_passed_between_processes() -> None:
+    error = package().UnknownFirmwareError("9", ("1", "2"))
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), again.known) == (str(error), ("1", "2"))
+
+
+def test_the_text_that_a_device_sends_is_taken_as_it_comes() -> None:
+    device = importlib.import_module(f"{NAME}.esc11")
+    (laid,) = (laid for laid in layouts(SPECS)["esc11"] if laid.device.version == "1.17")
+    assert laid.identity == device.for_firmware(" 1.17 ").IDENTITY
+    assert device.for_firmware(" 0.01 ").VERSION == "before-1.17"
+
+
+def test_latest_is_the_newest_version_and_the_others_are_imported_when_they_are_asked_for(tmp_path: Path) -> None:
+    write(tmp_path, {**shared(), **files(layouts(SPECS)["esc11"])})
+    code = (
+        "import sys; from fieldspec_devices import esc11\n"
+        "assert esc11.latest.VERSION == esc11.LATEST == '1.17'\n"
+        "assert 'fieldspec_devices.esc11.before_1_17' not in sys.modules\n"
+        "assert esc11.for_firmware('1.0') is sys.modules['fieldspec_devices.esc11.before_1_17']\n"
+    )
+    done = subprocess.run([sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n{code}"])
+    assert done.returncode == 0
+
+
+def test_names_of_the_device_do_not_hide_those_of_the_package(mill: ModuleType) -> None:
+    assert callable(mill.for_firmware)
+    assert isinstance(mill.latest, ModuleType)
