@@ -110,6 +110,31 @@ def test_each_frame_is_read_by_what_stands_before_it(
     assert found == expected
 
 
+@pytest.mark.parametrize(
+    ("log", "expected"),
+    [
+        (["F0 03 20 00 00 00"] * 2, [("request", "telegram_3", "likeliest"), ("request", "telegram_3", "likeliest")]),
+        (
+            ["TX: F0 03 20 00 00 00", "RX: 00 03 20 00 00 00"],
+            [("request", "telegram_3", "mark"), ("response", "telegram_3", "request")],
+        ),
+        (
+            ["04 01 FF FF FF FE 00 00 05 DC 20 00 00 00", "00 03 00 24 00 00 00 00 00 00"],
+            [("request", "telegram_11", "only"), ("response", "telegram_11", "request")],
+        ),
+        (
+            ["07 01 00 01 23 17 00 00", "07 01 00 06 01 0B B8"],
+            [("request", "read_parameter", "only"), ("response", "read_parameter", "request")],
+        ),
+    ],
+)
+def test_a_frame_without_a_code_answers_only_what_is_a_request_for_sure(
+    run: CommandLine, log: list[str], expected: list[tuple[str, str, str]]
+) -> None:
+    found = run("decode", "glider-x", "-", "--format", "json", stdin="\n".join(log).encode())
+    assert [(one["direction"], one["message"], one["chosen"]) for one in map(json.loads, found.lines)] == expected
+
+
 def test_a_response_names_the_line_of_its_request(run: CommandLine) -> None:
     found = run("decode", "widget", stdin=f"\n{READ}\n# between\n{ANSWER}\n".encode())
     assert found.code == 0

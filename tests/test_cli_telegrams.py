@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from command_line import MADE_UP, SPECS, CommandLine
+from fieldspec.cli import main
 from fieldspec.model.example import Example
 from laid_out import newest
 from test_cli_encode import written
@@ -287,12 +289,104 @@ def test_what_cannot_be_written_is_wrong_use(run: CommandLine, arguments: list[s
     assert said in found.err
 
 
-def test_process_data_of_a_real_drive_explain_themselves(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("verb", ["decode", "encode"])
+def test_the_help_has_the_words_of_the_device(
+    verb: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setenv("COLUMNS", "400")
+    with pytest.raises(SystemExit) as left:
+        main([verb, "glider-x", "--specs", str(MADE_UP), "--help"])
+    assert left.value.code == 0
+    assert "On cyclic, --telegram is one of 3, 11, 70; --direction is received or sent." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [["decode", "--help"], ["decode", "no-such-device", "-h"], ["--help"]], ids=" ".join)
+def test_the_help_needs_no_device(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as left:
+        main(words)
+    assert left.value.code == 0
+    assert "telegram" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
+def test_shells_offer_the_words_of_the_devices(
+    shell: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("FIELDSPEC_SPECS", str(MADE_UP))
+    assert main(["completion", shell]) == 0
+    script = capsys.readouterr().out
+    for word in ("telegram", "received", "request"):
+        assert word in script
+
+
+def test_shells_offer_the_verbs_where_there_are_no_specs(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("FIELDSPEC_SPECS", str(tmp_path / "missing"))
+    assert main(["completion", "bash"]) == 0
+    assert "decode" in capsys.readouterr().out
+
+
+@pytest.fixture
+def real(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, SPECS)
+
+
+def test_process_data_of_a_real_drive_explain_themselves(real: CommandLine) -> None:
     frame = "04 BF 91 00 00 00 00 00 40 00 FF FF D8 F0 00 00 03 E8 40 00 20 00 00 00"
-    run = CommandLine(capsys, monkeypatch, SPECS)
-    found = run("decode", "hiwin-e", "--telegram", "111", "--direction", "received", frame)
+    found = real("decode", "hiwin-e", "--telegram", "111", "--direction", "received", frame)
     assert (found.code, found.err) == (0, "")
     for said in ("bit 10 control_by_plc", "bits 9..10 path=shortest", "-10000 control unit", "STW1", "3.2 L551"):
         assert said in found.out
+
+
+@pytest.mark.parametrize(
+    ("request_frame", "answer", "said"),
+    [
+        ("01 01 00 01 10 00 31 20 00 00", "01 01 00 01 07 01 00 00 80 C0", "bit 15 range_locked"),
+        ("01 01 00 01 10 00 24 2A 00 00", "01 01 00 01 07 01 00 00 03 E8", "1.000 Nm"),
+        ("01 01 00 01 10 07 03 C4 00 00", "01 01 00 01 06 02 0A AA 00 05", "drive_identification.drive_unit_type"),
+        ("01 01 00 01 10 00 21 00 00 00", "01 01 00 01 06 01 00 05", "parameter Pt100"),
+        ("01 01 00 01 10 00 FF FF 00 00", "01 81 00 01 44 01 00 00", "parameter_number_not_allowed"),
+    ],
+)
+def test_values_of_a_real_drive_are_those_of_the_parameter_that_was_asked_for(
+    real: CommandLine, request_frame: str, answer: str, said: str
+) -> None:
+    found = real("decode", "hiwin-e", answer, "--request", request_frame)
+    assert (found.code, found.err) == (0, "")
+    assert said in found.out
+
+
+def test_a_telegram_of_a_real_drive_is_written_from_names_and_units(real: CommandLine) -> None:
+    values = ["STW1=on,no_off2,no_off3,enable_operation,control_by_plc", "speed_setpoint_b=50 %", "STW2=sign_of_life=1"]
+    found = real("encode", "hiwin-e", "--telegram", "3", "--direction", "received", *values, "G1_STW=0")
+    assert (found.code, found.err, found.lines) == (0, "", ["04 0F 20 00 00 00 10 00 00 00"])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("111", "telegram_111"),
+        ("Pt317", "0x2317 (8983) on the wire"),
+        ("0x2317", "Pt317"),
+        ("Pt0FF", "0x20FF (8447) on the wire"),
+        ("STW1", "control_by_plc"),
+        ("NSOLL_B", "100/2^30 %"),
+        ("commanded_speed", "reference * raw / 0x40000000"),
+    ],
+)
+def test_items_of_a_real_drive_are_found_by_what_they_are_called(real: CommandLine, text: str, said: str) -> None:
+    found = real("show", "hiwin-e", text)
+    assert (found.code, found.err) == (0, "")
+    assert said in found.out
+
+
+def test_words_of_a_real_point_table_are_explained_with_their_request(real: CommandLine) -> None:
+    request = real("encode", "ck10", "read_registers", "station=1", "address=0x2730", "word_count=6").lines[0]
+    answer = ["--direction", "response", "station=1", "values=0xFFFF 0xFFFE 0 1 7 0xA120"]
+    frame = real("encode", "ck10", "read_registers", *answer).lines[0]
+    found = [" ".join(line.split()) for line in real("decode", "ck10", frame, "--request", request).lines]
+    assert "reads 0x2730..0x2735" in found
+    assert any("FF FF FF FE points[1].position 位置 rw -2 -2 pulse" in line for line in found)
+    assert any("points[1].high_speed 高速 rw 500000 500000 pps" in line for line in found)

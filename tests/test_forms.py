@@ -101,6 +101,12 @@ def test_junit_is_xml_with_a_case_for_every_finding(found: list[Diagnostic]) -> 
         (["encode", "esc11", "move_relative", "address=0", "distance=20.00mm", "speed=50"], 0),
         (["encode", "esc11", "move_relative", "address=0", "distance=20.00mm", "speed=101"], 2),
         (["encode", "esc11", "move_relativ"], 2),
+        (["decode", "ck10", "01 03 07 D0 00 08 44 81"], 0),
+        (["decode", "hiwin-e", "--telegram", "750", "--direction", "sent", "20 00"], 0),
+        (["decode", "hiwin-e", "--telegram", "750", "--direction", "sent", "20 00 00"], 1),
+        (["decode", "hiwin-e", "--telegram", "751", "20 00"], 2),
+        (["encode", "hiwin-e", "--telegram", "750", "--direction", "sent", "M_ACT=50 %"], 0),
+        (["show", "hiwin-e", "Pt317"], 0),
     ],
     ids=str,
 )

@@ -80,6 +80,9 @@ class _Verb(_Parser):
         self._mixing = True
         if self.get_default("words") is not None:
             self._learn(args)
+            if {"-h", "--help"} & {*args}:
+                told = import_module("fieldspec.commands.words").told(args)
+                self.epilog = told or self.epilog
         try:
             return self.parse_known_intermixed_args(args, namespace)
         finally:
@@ -123,7 +126,7 @@ def parser() -> argparse.ArgumentParser:
         inner.add_argument("--message", metavar="NAME", help=message)
         inner.epilog = (
             "A message may have a number beside its name. Where a link has a word of its own for messages, --WORD NAME "
-            "is as --message NAME. What a device has for messages and directions is shown by: fieldspec show DEVICE"
+            "is as --message NAME. With a device before it, --help tells which words there are."
         )
 
     way = "request, response, or what the link calls them"

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import argparse
 
+from fieldspec.commands.words import suggest
+
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the script; source it, or save it where the shell looks for completions."""
     import shtab
 
+    suggest(arguments.parser)
     print(shtab.complete(arguments.parser, shell=arguments.shell))
     return 0

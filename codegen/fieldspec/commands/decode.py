@@ -113,6 +113,8 @@ class Log:
         if request.direction != "request" or (held.wrong and request.reasons != ("unknown_code",)):
             return None
         link = self.layout.links[request.link]
+        if held.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
+            return None  # nothing says that it is a request at all
         station, stations = link.request.role("station"), link.link.stations
         if station and stations and request.values.get(station.name) == stations.broadcast:
             return None
