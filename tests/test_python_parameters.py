@@ -42,7 +42,7 @@ def test_every_row_of_a_set_is_told_as_the_spec_tells_it(layout: DeviceLayout, h
 def facts(parameter: Any) -> dict[str, Any]:
     """What a generated parameter tells of itself."""
     told = ("name", "printed_name", "number", "wire_number", "set", "type", "access", "default", "unit", "elements")
-    more = ("restart", "applies_to", "messages", "reserved", "ranges")
+    more = ("restart", "applies_to", "messages", "only", "reserved", "ranges")
     return {name: getattr(parameter, name) for name in (*told, *more)}
 
 
@@ -66,6 +66,7 @@ def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
         "restart": row.restart,
         "applies_to": row.applies_to,
         "messages": row.messages,
+        "only": row.only,
         "reserved": row.reserved,
         "ranges": value.ranges.intervals if narrow and value.ranges else (),
     }
@@ -268,3 +269,23 @@ def test_the_families_of_a_manual_are_found() -> None:
     assert isinstance(HIWIN.pnu(0x3056), package().Parameter)
     with pytest.raises(CodecError):
         HIWIN.pnu(0x1000)
+
+
+def test_the_channel_of_a_manual_carries_values_by_their_parameters() -> None:
+    reference, channel = HIWIN.servo_parameters.REFERENCE_TORQUE, HIWIN.parameter_channel
+    request = HIWIN.pnu.read_request(reference, element_count=0)
+    frame = channel.encode_request(request, request_reference=5)
+    assert frame == bytes.fromhex("05 01 00 01 10 00 24 2A 00 00")
+    reply = channel.decode_response(bytes.fromhex("05 01 00 01 07 01 00 00 04 F6"), request)
+    assert reference.in_unit(HIWIN.pnu.read_value(reference, reply.message)) == 1.27
+    back = HIWIN.pnu.write_request(reference, reference.from_unit(1.27), element_count=0)
+    frame = channel.encode_request(back, request_reference=6)
+    assert frame == bytes.fromhex("06 02 00 01 10 00 24 2A 00 00 07 01 00 00 04 F6")
+    refused = channel.decode_response(bytes.fromhex("05 81 00 01 44 01 00 01"), request)
+    assert refused.exception.error_number is HIWIN.ParameterErrorNumber.VALUE_NOT_CHANGEABLE
+    assert (refused.code, refused.request_reference) == (1, 5)
+
+
+def test_what_only_some_models_have_says_so() -> None:
+    assert monitor.ALARM_CODE.only == ("X",)
+    assert HIWIN.pnu(0x3063).only == ("E2",)

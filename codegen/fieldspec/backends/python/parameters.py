@@ -186,6 +186,7 @@ def _row(
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
+        "only": tuple_of(map(literal, row.only)),
         "reserved": "True" if row.reserved else "",
         "source": literal(places(row.sources)) if row.sources else "",
         "set": literal(held.name),

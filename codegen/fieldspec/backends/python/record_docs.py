@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.python.slots import Slots
-from fieldspec.backends.python.text import described, printed, sentence
+from fieldspec.backends.python.text import availability, described, printed, sentence
 from fieldspec.backends.python.units import quantity
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
@@ -34,7 +34,8 @@ def _field_doc(field: Slots) -> str:
         facts.append("takes effect after a restart")
     notes = " ".join(f"Note: {sentence(note)}" for note in fact.notes)
     manual = f" {printed(fact)}" if printed(fact) else ""
-    return f" {field.name}{manual}: {', '.join(facts)}. {sentence(fact.doc)} {notes}".rstrip()
+    texts = (f"{', '.join(facts)}.", sentence(fact.doc), availability(fact), notes)
+    return f" {field.name}{manual}: {' '.join(text for text in texts if text)}"
 
 
 def _type_doc(field: Slots) -> str:

@@ -100,9 +100,15 @@ def printed(fact: Fact) -> str:
     return f"({', '.join(shown)})" if shown else ""
 
 
+def availability(fact: Fact) -> str:
+    """`Only E2. Since 2.8.16.`, or nothing."""
+    known = (("Only", fact.only), ("Since", fact.since), ("Until", fact.until))
+    return " ".join(f"{word} {', '.join(versions)}." for word, versions in known if versions)
+
+
 def described(head: str, fact: Fact, *more: str) -> list[str]:
     """The paragraphs of a fact's docstring: a head with the manual's words, the doc, more, notes, sources."""
     first = f"{head} {printed(fact)}".strip()
     notes = [f"Note: {sentence(note)}" for note in fact.notes]
     inferred = [f"Inferred ({key}): {sentence(reason)}" for key, reason in fact.inferred.items()]
-    return [sentence(first), sentence(fact.doc), *more, *notes, *inferred, cited(fact.sources)]
+    return [sentence(first), sentence(fact.doc), *more, availability(fact), *notes, *inferred, cited(fact.sources)]

@@ -45,12 +45,13 @@ class Subindex:
 class Parameter(Generic[T]):
     """One parameter. Its value is of type T; a message carries it as a number or as bytes.
 
-    `number` counts as the manual does in the set with the name `set`; `wire_number` is the one on the wire, and
-    `printed_name` is the name that the manual gives it, or its number as the manual writes it. `type` is its type on the wire, empty where the manual does not
-    tell of the parameter at all; `name` and `source` are empty then too. `default` is a count. `elements` is the length
-    of an array, None where it is none. `access` is ro, rw or wo, and empty where the manual does not say it; so is
-    `restart` None. `applies_to` and `messages` say for what, and with which messages, it has an effect; they are empty
-    where the manual makes no difference.
+    `number` counts as the manual does in the set with the name `set`, and `wire_number` is the one on the wire;
+    `printed_name` is the name that the manual gives it, or its number as the manual writes it. `type` is its type on
+    the wire. Where the manual tells nothing of a parameter but that there is one, `name`, `type` and `source` are
+    empty. `default` is a count. `elements` is the length of an array, None where it is none. `access` is ro, rw or wo,
+    and empty where the manual does not say it; so is `restart` None. `applies_to` and `messages` say for what, and with
+    which messages, it has an effect, and `only` which versions or models have it; they are empty where the manual makes
+    no difference.
     """
 
     __slots__ = (
@@ -62,6 +63,7 @@ class Parameter(Generic[T]):
         "messages",
         "name",
         "number",
+        "only",
         "printed_name",
         "reserved",
         "restart",
@@ -89,6 +91,7 @@ class Parameter(Generic[T]):
         restart: bool | None = None,
         applies_to: tuple[str, ...] = (),
         messages: tuple[str, ...] = (),
+        only: tuple[str, ...] = (),
         reserved: bool = False,
         source: str = "",
         set: str = "",
@@ -98,10 +101,15 @@ class Parameter(Generic[T]):
         self.type, self.carrier, self.printed_name, self.default = type, carrier, printed_name or str(number), default
         self.elements, self.subindices, self.restart = elements, subindices, restart
         self.applies_to, self.messages, self.reserved, self.source = applies_to, messages, reserved, source
-        self.set, self.wire_number = set, base + number
+        self.only, self.set, self.wire_number = only, set, base + number
 
     def __repr__(self) -> str:
         return f"<parameter {' '.join(word for word in (self.printed_name, self.name) if word)}>"
+
+    @property
+    def title(self) -> str:
+        """What errors call it: its name, or where it has none its printed name."""
+        return self.name or self.printed_name
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
@@ -125,7 +133,7 @@ class Parameter(Generic[T]):
 
     def from_unit(self, value: float) -> int:
         """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
-        return counts(self._title(None), value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+        return counts(self.title, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
 
     def subindex(self, index: int) -> Subindex | None:
         """What the manual tells of the element with an index; None where it makes no difference."""
@@ -133,16 +141,16 @@ class Parameter(Generic[T]):
 
     def decode(self, data: bytes) -> T:
         """The value of exactly all of its bytes. Raises CodecError."""
-        return self.value.decode(self._title(None), data)
+        return self.value.decode(self.title, data)
 
     def encode(self, value: T) -> bytes:
         """The bytes of a value. Raises CodecError where it is out of range."""
-        return self.value.encode(self._title(None), value)
+        return self.value.encode(self.title, value)
 
     def writable(self) -> None:
         """Raises CodecError for a parameter that can only be read."""
         if self.access == "ro":
-            raise CodecError("read_only", f"{self._title(None)} can only be read")
+            raise CodecError("read_only", f"{self.title} can only be read")
 
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
         """The value of what a message carries for it, or for its element with an index. Raises CodecError."""
@@ -162,7 +170,7 @@ class Parameter(Generic[T]):
         try:
             return Struct(self.carrier).unpack(self.encode(value))[0]
         except StructError:
-            raise CodecError("out_of_range", f"no message can carry {self._title(None)}") from None
+            raise CodecError("out_of_range", f"no message can carry {self.title}") from None
 
     def from_raws(self, raws: Sequence[float | str | bytes], subindex: int = 0) -> list[T]:
         """The values of its elements, of which `subindex` is the first one. Raises CodecError."""
@@ -173,8 +181,7 @@ class Parameter(Generic[T]):
         return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
 
     def _title(self, held: Subindex | None) -> str:
-        name = self.name or self.printed_name
-        return name if held is None else f"{name}.{held.name}"
+        return self.title if held is None else f"{self.title}.{held.name}"
 
 
 class ParameterSet:
@@ -277,20 +284,24 @@ class ParameterSet:
 class ParameterSpace:
     """Sets of parameters that share the numbers on the wire."""
 
-    __slots__ = ("name", "sets")
+    __slots__ = ("_found", "name", "sets")
 
     def __init__(self, name: str, *sets: ParameterSet) -> None:
         self.name, self.sets = name, sets
+        self._found: dict[int, Parameter[Any]] = {}
 
     def __call__(self, wire_number: int) -> Parameter[Any]:
         """The parameter with a number on the wire, also one of which nothing but its set is known.
 
         Raises CodecError, which is a ValueError, for a number that no set has.
         """
-        for held in self.sets:
-            if wire_number - held.base in held:
-                return held[wire_number - held.base]
-        raise no_parameter(self.name, wire_number)
+        found = self._found.get(wire_number)
+        if found is None:
+            held = next((held for held in self.sets if wire_number - held.base in held), None)
+            if held is None:
+                raise no_parameter(self.name, wire_number)
+            found = self._found[wire_number] = held[wire_number - held.base]
+        return found
 
     def __contains__(self, wire_number: int) -> bool:
         return any(wire_number - held.base in held for held in self.sets)
@@ -304,10 +315,10 @@ def no_parameter(space: str, wire_number: int) -> CodecError:
     return CodecError("unknown_value", f"{space} has no number {wire_number} ({wire_number:#06x})")
 
 
-def single(name: str, values: Sequence[T]) -> T:
+def single(parameter: Parameter[Any], values: Sequence[T]) -> T:
     """The one value of a response. Raises CodecError where there are none or several."""
     if len(values) != 1:
-        raise CodecError("wrong_length", f"{name} has {len(values)} values, not one")
+        raise CodecError("wrong_length", f"{parameter.title} has {len(values)} values, not one")
     return values[0]
 
 
@@ -317,6 +328,6 @@ def selected(parameter: Parameter[Any], formats: Mapping[str, T], given: T | Non
         return given
     found = formats.get(parameter.type)
     if found is None:
-        text = f"no value of the selector is known for {parameter.name or parameter.printed_name}: give one"
+        text = f"no value of the selector is known for {parameter.title}: give one"
         raise CodecError("unknown_value", text)
     return found
