@@ -22,7 +22,7 @@ KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_by
 VERSIONS = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
 VERSIONS.append([laid_at(KNOT, version) for version in KNOT.versions()])
 TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
-HEADERS = sorted(path for path in TEXTS if path.endswith(".h"))
+HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(".h", "_selftest.c") in TEXTS)
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}
 
 

@@ -11,6 +11,7 @@ from fieldspec.backends.c.naming import Naming, stem
 from fieldspec.backends.c.parameters import parameter_lines
 from fieldspec.backends.c.records import record_lines
 from fieldspec.backends.c.registers import register_lines, table_lines
+from fieldspec.backends.c.selection import claim_selection, selection
 from fieldspec.backends.c.selftest import program
 from fieldspec.backends.c.signals import conversion_lines, signal_lines
 from fieldspec.backends.c.support import STATUSES, check_lines, number_lines, status_lines
@@ -25,8 +26,8 @@ _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double"
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """A header and a self-test for each version of a device."""
-    texts = {}
+    """A header and a self-test for each version of a device, and a header that takes the one that is asked for."""
+    texts = selection(versions)
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
         naming = Naming(layout.device.id)
@@ -43,7 +44,7 @@ def shared() -> dict[str, str]:
 def header(layout: DeviceLayout, naming: Naming) -> str:
     """The header of a version. It settles the names, so whoever uses it must have the same naming."""
     device = layout.device
-    _claim(naming, device.version)
+    _claim(naming, device.version, [version.id for line in device.lines for version in line.versions])
     algorithms = {
         part.algorithm
         for link in layout.links.values()
@@ -87,13 +88,14 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     )
 
 
-def _claim(naming: Naming, version: str) -> None:
+def _claim(naming: Naming, version: str, versions: Sequence[str]) -> None:
     """Settles the names that every header has before those of the device are."""
     for name in _OWN_TYPES:
         naming.own(name)
     for name in (*_OWN_MACROS, *(status for status, _ in STATUSES)):
         naming.own_macro(name)
     naming.own_macro("version", "is", version)
+    claim_selection(naming, versions)
 
 
 def _switches(naming: Naming, algorithms: set[str], coded: bool, converting: bool) -> list[str]:

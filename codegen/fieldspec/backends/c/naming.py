@@ -101,5 +101,10 @@ def frame_member(name: str) -> str:
 
 def stem(device: str, version: str) -> str:
     """The name of a version's files: `gadget_v2_0`, `gadget_before_1_17`."""
-    held, words = Name.of(device).snake(), Name.of(version).snake()
-    return f"{held}_v{words}" if words[:1].isdigit() else f"{held}_{words}"
+    return f"{Name.of(device).snake()}_{version_word(version)}"
+
+
+def version_word(version: str) -> str:
+    """A version within a name: `v2_0`, `before_1_17`"""
+    words = Name.of(version).snake()
+    return f"v{words}" if words[:1].isdigit() else words

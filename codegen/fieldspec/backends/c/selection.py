@@ -1,0 +1,43 @@
+"""The header of a device that takes, when it is compiled, the header of the version that is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from fieldspec.backends.c.naming import Naming, stem, version_word
+from fieldspec.backends.c.text import plain
+from fieldspec.backends.templates import fill
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import Name
+
+_SELECT, _LATEST = "select", "latest"
+
+
+def claim_selection(naming: Naming, versions: Iterable[str]) -> None:
+    """Keeps the names of the header free in those of all versions."""
+    for words in ((), (_LATEST,), *((version_word(version),) for version in versions)):
+        naming.own_macro(_SELECT, *words)
+
+
+def selection(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """The header, by its path; `versions` are those of one device, the oldest first."""
+    device = versions[-1].device
+    naming = Naming(device.id)
+    ids = [layout.device.version for layout in versions]
+    macros = {version: naming.own_macro(_SELECT, version_word(version)) for version in ids}
+    header = f"{Name.of(device.id).snake()}.h"
+    text = fill(
+        "c/selection.h.j2",
+        title=plain(f"{device.name} ({device.vendor}), in any of its versions"),
+        header=header,
+        identity=versions[-1].identity,
+        select=naming.own_macro(_SELECT),
+        latest=naming.own_macro(_SELECT, _LATEST),
+        newest=macros[device.version],
+        versions=[
+            (number, macros[layout.device.version], f"{stem(device.id, layout.device.version)}.h", layout.identity)
+            for number, layout in enumerate(versions, 1)
+        ],
+        choices=", ".join(macros.values()),
+    )
+    return {header: text}
