@@ -90,7 +90,9 @@ def test_a_file_that_is_no_longer_produced_is_removed(specs: Path, tmp_path: Pat
     shutil.rmtree(specs / "tc100")
     (tmp_path / "out/vectors/mine.txt").write_text("a file of somebody else", encoding="utf-8")
     assert build(specs, tmp_path / "out", "--to", "vectors") == 0
-    assert sorted(path.name for path in (tmp_path / "out/vectors").iterdir()) == ["esc11.json", "mine.txt"]
+    left = {path.name for path in (tmp_path / "out/vectors").iterdir()}
+    assert "tc100.json" not in left
+    assert {"esc11.json", "mine.txt"} <= left
 
 
 def test_one_version_of_one_device_can_be_built(specs: Path, tmp_path: Path) -> None:
