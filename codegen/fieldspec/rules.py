@@ -33,8 +33,10 @@ _CHANGES = """\
 
 # Changes
 
-`fieldspec diff` names every difference between two versions of a device by one of these rules; `fieldspec rule CODE`
-shows one of them. A change has a class, by who is hurt:
+`fieldspec diff A B` names every difference between two versions of a device by one of these rules; `fieldspec rule
+CODE` shows one of them. A and B are versions (`drive@1.5`), folders of specs, or git revisions (`HEAD~3`,
+`main:specs/drive`). Folders and revisions are compared version by version, and a version that is new in B with the one
+that it is based on. A change has a class, by who is hurt:
 
 - `wire`: bytes mean something else. Programs read and write wrong values without noticing.
 - `source`: generated names or types change. Programs must be changed.
@@ -42,6 +44,10 @@ shows one of them. A change has a class, by who is hurt:
 - `docs`: people read something else.
 
 `wire` and `source` are breaking. Where a rule has several classes, a change has the gravest that applies to it.
+
+The exit code is 1 with `--fail-on breaking`, `behaviour` or `any` where such a change is found that no
+[`accepts`](language.md#acceptance) of B names, and where an `accepts` names none that is found. It is 2 where A or B
+cannot be read. The forms `sarif` and `github` leave out the class `docs`.
 """
 
 

@@ -28,9 +28,10 @@ def enum_changed(both: Comparison) -> Iterator[Change]:
 
 
 def _compared(both: Comparison, held: Values | Pair[Bit], old: str, new: str) -> Iterator[Change]:
-    if both.renamed_to("enums", old) == new:
-        return
     before, after = _names(both.old, old), _names(both.new, new)
+    old = both.renamed_to("enums", old)
+    if old == new:
+        return
     differ = any(after[value] != name for value, name in before.items() if value in after)
     lost = bool(after) and any(value not in after for value in before)
     effect = Effect.WIRE if differ or lost else Effect.SOURCE

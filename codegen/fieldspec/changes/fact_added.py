@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparing import Comparison, Lone
-from fieldspec.changes.finding import around, kind, named, path, span
+from fieldspec.changes.finding import around, kind, named, path, span, within
 from fieldspec.changes.nouns import NOUNS
 from fieldspec.model.device import Version
 from fieldspec.model.enum import Member
@@ -25,7 +25,7 @@ def fact_added(both: Comparison) -> Iterator[Change]:
         item, holder = lone.item, lone.holder[1]
         if isinstance(item, Member):
             continue
-        text = f"the {kind(item)} {named(item)} is new"
+        text = f"the {kind(item)} {named(item)}{within(holder)} is new"
         before, after = around(lone.holder[0], "name"), span(item, "name", holder)
         yield Change("fact_added", _effect(lone), kind(item), path(item, holder), text, "", named(item), before, after)
 

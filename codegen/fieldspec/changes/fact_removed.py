@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparing import Comparison, Lone
-from fieldspec.changes.finding import around, kind, named, path, span
+from fieldspec.changes.finding import around, kind, named, path, span, within
 from fieldspec.changes.nouns import NOUNS, PYTHON, C
 from fieldspec.model.device import Version
 from fieldspec.model.enum import Member
@@ -26,7 +26,7 @@ def fact_removed(both: Comparison) -> Iterator[Change]:
         if isinstance(item, Member):
             continue
         effect, outputs = _effect(lone)
-        text = f"the {kind(item)} {named(item)} is gone"
+        text = f"the {kind(item)} {named(item)}{within(holder)} is gone"
         before, after = span(item, "name", holder), around(lone.holder[1], "name")
         yield Change(
             "fact_removed", effect, kind(item), path(item, holder), text, named(item), "", before, after, outputs

@@ -52,6 +52,11 @@ def named(item: Any) -> str:
     return str(NOUNS[type(item)].key(item))
 
 
+def within(holder: Any) -> str:
+    """` of status`, or nothing for what the device itself holds."""
+    return "" if isinstance(holder, Device) else f" of {named(holder)}"
+
+
 def path(item: Any, holder: Any) -> str:
     """The path of a thing."""
     if isinstance(item, VersionLine):

@@ -22,10 +22,10 @@ from fieldspec.model.device import Device
 
 def flags_changed(both: Comparison) -> Iterator[Change]:
     for held in both.values:
-        old, new = held.old.flags, held.new.flags
-        if both.renamed_to("flags", old) == new:
+        old, new = both.renamed_to("flags", held.old.flags), held.new.flags
+        if old == new:
             continue
-        before, after = _names(both.old, old), _names(both.new, new)
+        before, after = _names(both.old, held.old.flags), _names(both.new, new)
         lost = bool(before) and bool(after) and not before <= after
         effect = Effect.WIRE if lost else Effect.SOURCE
         text = f"{named(held.of.new)}: {turned('the word of flags', old, new)}"

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from fieldspec.changes.change import Change
 from fieldspec.changes.comparing import Comparison
-from fieldspec.changes.finding import change, kind, named
+from fieldspec.changes.finding import change, kind, named, within
 from fieldspec.changes.nouns import NOUNS
 
 
@@ -23,5 +23,7 @@ def renamed(both: Comparison) -> Iterator[Change]:
     for found in both.renamed:
         old, new = named(found.pair.old), named(found.pair.new)
         noun = NOUNS[type(found.pair.new)]
-        text = f"the {kind(found.pair.new)} {old} is called {new}; it has {found.evidence}"
+        text = (
+            f"the {kind(found.pair.new)} {old}{within(found.pair.holder[1])} is called {new}; it has {found.evidence}"
+        )
         yield change("renamed", noun.renaming, found.pair, "name", text, old, new, noun.outputs)

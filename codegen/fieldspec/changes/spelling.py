@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from decimal import Decimal
 
+from fieldspec.model.device import Manual
+from fieldspec.model.enum import Cause
 from fieldspec.model.fact import Citation, Claim
-from fieldspec.model.lookup import Column, Row
+from fieldspec.model.lookup import Column
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import ParameterPart
@@ -37,10 +40,9 @@ def spelled(held: object) -> str:
         return f"{held.part} of {held.set}" + (f" by {held.number}" if held.number else "")
     if isinstance(held, Claim):
         return f"{spelled(held.values)} in {spelled(held.sources)}"
-    if isinstance(held, Column):
-        return held.name
-    if isinstance(held, Row):
-        return " | ".join(map(spelled, held.cells))
+    if isinstance(held, Column | Cause | Manual):
+        parts = (spelled(getattr(held, field.name)) for field in fields(held))
+        return ": ".join(part for part in parts if part)
     if isinstance(held, Mapping):
         return ", ".join(f"{key}: {spelled(value)}" for key, value in held.items())
     if isinstance(held, Sequence) and not isinstance(held, str):

@@ -31,11 +31,13 @@ def type_changed(both: Comparison) -> Iterator[Change]:
         if word.old.type != word.new.type:
             yield _change(word, "type", word.old.type.name, word.new.type.name, named(word.new))
     for table in both.of(Table):
-        if both.renamed_to("records", table.old.record) != table.new.record:
-            yield _change(table, "record", table.old.record, table.new.record, named(table.new))
+        record = both.renamed_to("records", table.old.record)
+        if record != table.new.record:
+            yield _change(table, "record", record, table.new.record, named(table.new))
     for field in both.of(Field):
-        old, new = _content(field.old), _content(field.new)
-        if both.renamed_to("records", field.old.record) != field.new.record or old[0] != new[0]:
+        record = both.renamed_to("records", field.old.record)
+        old, new = _content(field.old, record), _content(field.new, field.new.record)
+        if record != field.new.record or old[0] != new[0]:
             yield _change(field, new[0], old[1], new[1], named(field.new))
     for part in both.of(Part):
         if (part.old.value is None) != (part.new.value is None):
@@ -48,11 +50,11 @@ def _of(value: Value | None) -> str:
     return value.type.name if value.type.size else f"{value.type.name} of {value.size} bytes"
 
 
-def _content(field: Field) -> tuple[str, str]:
+def _content(field: Field, record: str) -> tuple[str, str]:
     """The key that says what lies in a field, and what that is."""
     if field.choice is not None:
         return "choice", f"a choice by {field.choice.by}"
-    return ("record", field.record) if field.record else ("type", _of(field.value))
+    return ("record", record) if record else ("type", _of(field.value))
 
 
 def _change(

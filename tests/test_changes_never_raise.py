@@ -1,0 +1,47 @@
+"""The diff takes any two devices that can be read: it finds changes, or none, and never raises."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from fieldspec.changes import changes
+from fieldspec.changes.judging import Compared, accepts_used, judged
+from fieldspec.reading.building.device import built
+from fieldspec.reading.nodes import Mapping, Node
+from fieldspec.reading.scalars import violations
+from fieldspec.reading.versions import Lines, selected
+from test_checks_never_raise import changed, every, trees
+
+ROUNDS = 8
+
+
+@pytest.mark.parametrize("seed", range(32))
+def test_broken_devices_are_compared(seed: int) -> None:
+    chance = random.Random(seed)
+    tree = trees()[seed % len(trees())] if seed % 4 else chance.choice(trees()[:6])
+    spare = every(tree)
+    lines = Lines(tree)
+    version = lines.versions()[-1]
+    whole = selected(tree, (version,), lines)
+    assert isinstance(whole, Mapping)
+    sound = built(whole, version)[0]
+    compared = 0
+    for _ in range(ROUNDS * 5):
+        broken: Node = whole
+        for _ in range(chance.randint(1, 5)):
+            broken = changed(broken, chance, spare)
+        if not isinstance(broken, Mapping) or "device" not in broken.values or violations(broken):
+            continue
+        device = built(broken, version)[0]
+        for old, new in ((sound, device), (device, sound)):
+            found = changes(old, new)
+            assert [change for change in found if change.old == change.new] == []
+            held = Compared(old, new, found, step=True)
+            assert len(judged(held)) == len(found)
+            list(accepts_used([held]))
+        compared += 1
+        if compared == ROUNDS:
+            break
+    assert compared
