@@ -36,13 +36,14 @@ def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[
 
 
 def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout) -> st.SearchStrategy[dict[str, Any]]:
-    """Values of the type that the selector says; now and then with another selector."""
+    """Values of the type that the selector says; now and then, where all types are numbers, with another selector."""
     shapes = {id(shape): shape for shape in record.chosen.values()}
+    numeric = all(case.value.type.letter != "s" for case in record.fields[-1].cases)
     each = []
     for shape in shapes.values():
         numbers = sorted(number for number, chosen in record.chosen.items() if chosen is shape)
         right = st.sampled_from(numbers)
-        by = st.one_of(right, right, right, _field(layout, selector))
+        by = st.one_of(right, right, right, _field(layout, selector)) if numeric else right
         each.append(st.builds(lambda values, by: {**values, selector.name: by}, values_of(layout, shape), by))
     return st.one_of(*each)
 
