@@ -162,8 +162,8 @@ def test_words_values_and_what_they_are_a_share_of_are_explained(run: CommandLin
 
 
 def test_the_state_that_a_word_shows_is_named(run: CommandLine) -> None:
-    assert "inhibited: state S1" in run("decode", "glider-x", "00 40 00 00 00 00", "--direction", "sent").out
-    assert "running: state S2" in run("decode", "glider-x", "00 03 00 00 00 00", "--direction", "sent").out
+    assert "state: inhibited (S1)" in run("decode", "glider-x", "00 40 00 00 00 00", "--direction", "sent").out
+    assert "state: running (S2)" in run("decode", "glider-x", "00 03 00 00 00 00", "--direction", "sent").out
     assert "state" not in run("decode", "glider-x", "00 01 00 00 00 00", "--direction", "sent").out
 
 

@@ -151,9 +151,12 @@ def raw_text(row: Row, hexadecimal: bool) -> str:
 
 
 def meaning_text(meaning: Meaning) -> str:
-    """`bit 3 ready 准备: switched on`"""
+    """`bit 3 ready 准备: switched on`, or `state: running 运行 (S3)`"""
     text = "" if meaning.text.replace(" ", "_") == meaning.name else meaning.text
     words = " ".join(word for word in (meaning.name, meaning.label) if word)
+    if meaning.kind:
+        printed_as = text.removeprefix(meaning.kind).strip()
+        return f"{meaning.kind}: {words}" + (f" ({printed_as})" if printed_as else "")
     bits = f"bit {meaning.bits}" if meaning.bits.isdigit() else f"bits {meaning.bits}" if meaning.bits else ""
     head = " ".join(word for word in (bits, words) if word)
     return f"{head}: {text}" if head and text else head or text

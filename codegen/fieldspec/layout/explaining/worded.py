@@ -22,13 +22,15 @@ _PLACES, _DIGITS, _ROUNDED = 6, 8, 6
 class Meaning:
     """A name for a value, or for some of its bits: `bits` is empty, `3`, or `9..10`.
 
-    `label` is the manual's word for it, `text` is in our own words.
+    `label` is the manual's word for it, `text` is in our own words. `kind` is `state` for what several bits show
+    together, else empty.
     """
 
     name: str
     label: str
     text: str
     bits: str
+    kind: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,7 +202,7 @@ def _shows(word: Flags, state: State, number: int) -> bool:
 
 
 def _state(state: State) -> Meaning:
-    return Meaning(state.name, state.label, f"state {state.printed_name}".strip(), "")
+    return Meaning(state.name, state.label, f"state {state.printed_name}".strip(), "", "state")
 
 
 def _bit(device: Device, bit: Bit, held: int) -> Meaning:
