@@ -7,7 +7,8 @@ from fieldspec.backends.c.comments import of_value, told
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.text import comment, hexadecimal, indented
 from fieldspec.backends.c.values import Wire
-from fieldspec.layout.device import RegisterLayout, TableLayout
+from fieldspec.layout.device import TableLayout
+from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.device import Device
 
 

@@ -8,7 +8,8 @@ from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
 from fieldspec.backends.python.values import value_expression, value_facts
-from fieldspec.layout.device import RegisterLayout, TableLayout
+from fieldspec.layout.device import TableLayout
+from fieldspec.layout.register import RegisterLayout
 from fieldspec.names import Name
 
 ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from fieldspec.layout.device import DeviceLayout, RegisterLayout, TableLayout
+from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.explaining.row import Row, Spot, fact_row
 from fieldspec.layout.explaining.worded import Worded, worded
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.message import RegisterAccess
 from fieldspec.model.value import Value

@@ -1,0 +1,136 @@
+"""A hash over everything that decides what bytes mean, and over nothing else."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.device import Device
+from fieldspec.model.value import Value
+
+Words = tuple[object, ...]
+
+
+def identity(
+    device: Device,
+    records: Mapping[str, RecordLayout],
+    links: Mapping[str, LinkLayout],
+    messages: Mapping[str, MessageLayout],
+    registers: tuple[RegisterLayout, ...],
+) -> str:
+    """Sixteen hexadecimal digits that are the same for two layouts if and only if what is on the wire is."""
+    digest = hashlib.sha256()
+    for words in (
+        *_links(links),
+        *(line for record in records.values() for line in _record(record)),
+        *_messages(messages),
+        *_registers(registers),
+        *_tables(device),
+        *_parameters(device),
+        *_conversions(device),
+        *_words(device),
+    ):
+        digest.update("\x1f".join(str(word) for word in words).encode() + b"\n")
+    return digest.hexdigest()[:16]
+
+
+def _value(value: Value | None) -> Words:
+    if value is None:
+        return ()
+    sentinels = [(sentinel.value, sentinel.name) for sentinel in value.sentinels]
+    scaled = (value.scale, value.offset, value.unit)
+    return (
+        value.type.name,
+        value.size,
+        *scaled,
+        value.ranges,
+        value.const,
+        value.enum,
+        value.flags,
+        sentinels,
+        value.parameter,
+    )
+
+
+def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
+    for laid in links.values():
+        link = laid.link
+        stations = (link.stations.ranges, link.stations.broadcast) if link.stations else ()
+        error = (link.error.flag, link.error.record) if link.error else ()
+        yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
+        for frame in (laid.request, laid.response):
+            for part in (*frame.head, *frame.tail):
+                yield part.name, part.role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
+
+
+def _record(record: RecordLayout) -> Iterator[Words]:
+    yield "record", record.name
+    for field in record.fields:
+        yield from _field(field)
+
+
+def _field(field: FieldLayout) -> Iterator[Words]:
+    inner = field.record.name if field.record else ""
+    yield "field", field.name, field.offset, field.size, field.count, inner, field.order, field.swapped
+    spec = field.field
+    filled = spec.value.default if spec.value and spec.reserved else None
+    yield spec.measures, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
+    for case in field.cases:
+        yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)
+
+
+def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
+    for laid in messages.values():
+        message = laid.message
+        yield "message", message.name, message.code, message.number, message.broadcast, message.accesses
+        for data in (laid.request, laid.response):
+            yield from _record(data)
+
+
+def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
+    for laid in registers:
+        register = laid.register
+        yield "register", laid.name, laid.address, laid.words, laid.count, laid.stride, laid.order, laid.swapped
+        yield register.index_from, register.access, register.trigger, register.atomic, *_value(register.value)
+
+
+def _tables(device: Device) -> Iterator[Words]:
+    for table in device.tables.values():
+        yield "table", table.name, table.base, table.stride, table.count, table.index_from, table.record, table.access
+
+
+def _parameters(device: Device) -> Iterator[Words]:
+    for held in device.parameters.values():
+        yield "parameters", held.name, held.space, held.base, held.numbers
+        for one in held.parameters:
+            yield (
+                "parameter",
+                one.number,
+                one.name,
+                one.access,
+                one.count,
+                one.elements,
+                one.reserved,
+                *_value(one.value),
+            )
+            yield (one.value.byte_order,)
+            for inner in one.subindices:
+                yield "subindex", inner.name, inner.indices, inner.reserved, *_value(inner.value)
+
+
+def _conversions(device: Device) -> Iterator[Words]:
+    for one in device.conversions.values():
+        yield "conversion", one.name, one.type.name, one.full_scale, one.complement, one.signals, one.references
+
+
+def _words(device: Device) -> Iterator[Words]:
+    for enum in device.enums.values():
+        yield "enum", enum.name, enum.open, [(m.name, m.value, m.unavailable) for m in enum.members]
+    for flags in device.flags.values():
+        bits = [(bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge) for bit in flags.bits]
+        states = [(state.name, flags.masked(state)) for state in flags.states]
+        yield "flags", flags.name, flags.type.name, bits, states
