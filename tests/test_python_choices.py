@@ -10,15 +10,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.reading.project import read
+from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference.records import decoded, encoded
 from laid_out import MADE_UP, newest
-from made_python import built, codec_error, made, made_apart, only_stored, outcome, raws, record_class
+from made_python import built, codec_error, made, only_stored, outcome, raws, record_class
 from random_values import bytes_of, values_of
+from varied import varied
 
-NAME = "glider-x/device.yaml"
 GLIDER = made(newest(MADE_UP, "glider-x"))
 CodecError = codec_error()
 LITTLE = ("byte_order: big\n    word_order: big", "byte_order: little\n    word_order: little")
@@ -42,17 +40,9 @@ MADE: dict[str, tuple[tuple[str, str], ...]] = {
 
 
 @cache
-def varied(name: str) -> tuple[DeviceLayout, ModuleType]:
+def made_of(name: str) -> tuple[DeviceLayout, ModuleType]:
     """The made-up drive with another channel."""
-    text = (MADE_UP / NAME).read_text(encoding="utf-8")
-    for old, new in MADE[name]:
-        assert old in text
-        text = text.replace(old, new)
-    text = text[: text.index("\nexamples:")] + "\n"
-    device, found = read({NAME: text.encode()}).devices["glider-x"].at("1.1")
-    assert not has_errors(found), found[0].message
-    layout = device_layout(device)
-    return layout, made_apart(layout, f"glider_{name}")
+    return varied(name, MADE[name])
 
 
 def messages(layout: DeviceLayout) -> list[Any]:
@@ -65,7 +55,7 @@ def messages(layout: DeviceLayout) -> list[Any]:
 @settings(max_examples=80, deadline=None)
 @given(data=st.data())
 def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: st.DataObject) -> None:
-    layout, module = varied(name)
+    layout, module = made_of(name)
     record = data.draw(st.sampled_from(messages(layout)))
     values = data.draw(values_of(layout, record))
     instance = built(module, layout, record, values)
@@ -79,7 +69,7 @@ def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: s
 @settings(max_examples=80, deadline=None)
 @given(data=st.data())
 def test_bytes_become_the_values_of_the_type_that_the_reference_finds(name: str, data: st.DataObject) -> None:
-    layout, module = varied(name)
+    layout, module = made_of(name)
     record = data.draw(st.sampled_from(messages(layout)))
     given_bytes = data.draw(bytes_of(record))
     cls = record_class(module, record)

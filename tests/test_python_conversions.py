@@ -137,6 +137,7 @@ def test_normalised_values_are_also_values_in_their_units() -> None:
     assert speed.speed_setpoint_percent == -200
 
 
+@settings(deadline=None)
 @given(st.integers(-(2**31), 2**31 - 1))
 @example(2**31 - 1)
 @example(1)

@@ -73,7 +73,7 @@ def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(("layout", "held"), SETS)
-@settings(max_examples=40)
+@settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_a_number_is_found_in_the_set_that_has_it(
     layout: DeviceLayout, held: ParameterSet, data: st.DataObject

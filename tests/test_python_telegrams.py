@@ -138,6 +138,7 @@ STATED = [
 
 
 @pytest.mark.parametrize(("layout", "flags"), STATED)
+@settings(deadline=None)
 @given(raw=st.integers(0, 2**16 - 1))
 def test_the_first_state_that_fits_is_that_of_the_spec(layout: DeviceLayout, flags: Any, raw: int) -> None:
     fitting = [state for state in flags.states if raw & flags.masked(state)[0] == flags.masked(state)[1]]
@@ -155,6 +156,7 @@ WORDS = [
 
 
 @pytest.mark.parametrize(("layout", "flags"), WORDS)
+@settings(max_examples=30, deadline=None)
 @given(data=st.data())
 def test_a_word_comes_back_from_its_bits(layout: DeviceLayout, flags: Any, data: st.DataObject) -> None:
     cls = class_of(made(layout), flags.name, "Flags")

@@ -1,0 +1,119 @@
+"""Heads of frames with parts that the caller gives and parts that are always the same, with every check."""
+
+from __future__ import annotations
+
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fieldspec.layout.checksums import CHECKSUMS
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.reference import DeviceCodec, codec
+from laid_out import MADE_UP, newest
+from made_python import built, codec_error, made, outcome, package
+from random_values import values_of
+from varied import varied
+
+GLIDER = made(newest(MADE_UP, "glider-x"))
+CodecError = codec_error()
+BODY = "      - {name: body, role: body}\n    response: *head"
+WIDE = ("{name: axis, type: u8, const: 0}", "{name: axis, type: u16, const: 0x1234}")
+MADE: dict[str, tuple[tuple[str, str], ...]] = {
+    "no_check": (),
+    "wide_constant": (WIDE,),
+    **{
+        f"{check}_check": (
+            WIDE,
+            (BODY, BODY.replace("body}\n", f"body}}\n      - {{name: check, role: check, algorithm: {check}}}\n")),
+        )
+        for check in CHECKSUMS
+    },
+}
+
+
+@cache
+def made_of(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
+    """The made-up drive with another channel, and its reference codec."""
+    layout, module = varied(f"head_{name}", MADE[name])
+    return layout, module, codec(layout)
+
+
+@pytest.mark.parametrize("name", MADE)
+@settings(max_examples=80, deadline=None)
+@given(data=st.data())
+def test_a_frame_is_made_as_the_reference_makes_it(name: str, data: st.DataObject) -> None:
+    layout, module, reference = made_of(name)
+    laid = layout.messages[data.draw(st.sampled_from(["read_parameter", "write_parameter"]))]
+    direction = data.draw(st.sampled_from(["request", "response"]))
+    values = data.draw(values_of(layout, laid.data(direction)))
+    number = data.draw(st.integers(0, 256))
+    message = built(module, layout, laid.data(direction), values)
+    link = reference.links["channel"]
+    expected = outcome(lambda: link.encode(direction, laid.name, {**values, "reference": number}))
+    actual = outcome(lambda: getattr(module.channel, f"encode_{direction}")(message, reference=number))
+    # Where both the head and the data are wrong, either may be told.
+    assert actual == expected or (actual[0] and expected[0])
+
+
+@pytest.mark.parametrize("name", MADE)
+@settings(max_examples=120, deadline=None)
+@given(data=st.data())
+def test_a_frame_is_read_as_the_reference_reads_it(name: str, data: st.DataObject) -> None:
+    layout, module, reference = made_of(name)
+    link = reference.links["channel"]
+    frame = bytearray(link.encode("request", "read_parameter", READ))
+    for _ in range(data.draw(st.integers(0, 2))):
+        frame[data.draw(st.integers(0, len(frame) - 1))] ^= data.draw(st.sampled_from([1, 0x80, 0xFF]))
+    check = layout.links["channel"].request.check
+    if check is not None and data.draw(st.booleans()):
+        at = len(frame) - check.size
+        frame[at:] = CHECKSUMS[check.algorithm](bytes(frame[:at])).to_bytes(check.size, "little")
+    expected = outcome(lambda: link.decode(bytes(frame), "request"))
+    actual = outcome(lambda: module.channel.decode_request(bytes(frame)))
+    assert actual[0] == expected[0]
+    assert not actual[0] or actual == expected
+
+
+READ = {"reference": 7, "element_count": 1, "number": 0x2317, "subindex": 3}
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_a_part_that_is_always_the_same_is_no_argument_and_is_looked_at(name: str) -> None:
+    layout, module, reference = made_of(name)
+    link = reference.links["channel"]
+    frame = bytearray(link.encode("request", "read_parameter", READ))
+    request = module.channel.decode_request(bytes(frame))
+    assert request.__match_args__ == ("station", "message", "reference")
+    frame[2] ^= 1
+    check = layout.links["channel"].request.check
+    if check is not None:
+        frame[-check.size :] = CHECKSUMS[check.algorithm](bytes(frame[: -check.size])).to_bytes(check.size, "little")
+    with pytest.raises(CodecError) as caught:
+        module.channel.decode_request(bytes(frame))
+    assert (caught.value.reason, caught.value.offset) == ("wrong_const", 2)
+
+
+def test_a_refusal_has_all_parts_of_the_head() -> None:
+    frame = bytes.fromhex("07 81 00 44 00 01")
+    reply = GLIDER.channel.decode_response(frame, GLIDER.ReadParameterRequest)
+    assert isinstance(reply, package().ErrorReply)
+    assert (reply.reference, reply.code, reply.station) == (7, 1, 0)
+    assert reply.exception.error_number is GLIDER.ErrorNumber.NOT_WRITABLE
+    assert GLIDER.channel.encode_error(1, reply.exception, reference=7) == frame
+    assert repr(reply).startswith("ChannelErrorReply(station=0, code=1, ")
+    for wrong in (0, 256, "7"):
+        with pytest.raises(CodecError) as caught:
+            GLIDER.channel.encode_error(1, reply.exception, reference=wrong)
+        assert caught.value.detail.startswith("reference is ")
+
+
+def test_requests_differ_where_a_part_of_the_head_does() -> None:
+    def request(reference: int) -> Any:
+        return GLIDER.channel.decode_request(bytes([reference]) + bytes.fromhex("01 00 01 23 17 00 00"))
+
+    assert request(7) == request(7)
+    assert request(7) != request(8)
