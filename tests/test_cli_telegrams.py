@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import MADE_UP, CommandLine
 from fieldspec.cli import main
 from fieldspec.model.example import Example
 from laid_out import newest
@@ -213,6 +213,12 @@ def test_a_value_is_read_as_the_element_of_the_parameter(
     assert found.code == 0
 
 
+def test_a_value_that_its_format_does_not_have_stays_wrong(run: CommandLine) -> None:
+    found = run("decode", "glider-x", "07 01 00 01 01 02", "--request", READ)
+    assert found.code == 1
+    assert "wrong: values[0] at byte 5: should be 0 or 1" in found.lines
+
+
 def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: CommandLine) -> None:
     found = run("decode", "glider-x", "07 01 00 03 01 00 00", "--link", "channel", "--direction", "response")
     assert found.code == 1
@@ -325,68 +331,3 @@ def test_shells_offer_the_verbs_where_there_are_no_specs(
     monkeypatch.setenv("FIELDSPEC_SPECS", str(tmp_path / "missing"))
     assert main(["completion", "bash"]) == 0
     assert "decode" in capsys.readouterr().out
-
-
-@pytest.fixture
-def real(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, SPECS)
-
-
-def test_process_data_of_a_real_drive_explain_themselves(real: CommandLine) -> None:
-    frame = "04 BF 91 00 00 00 00 00 40 00 FF FF D8 F0 00 00 03 E8 40 00 20 00 00 00"
-    found = real("decode", "hiwin-e", "--telegram", "111", "--direction", "received", frame)
-    assert (found.code, found.err) == (0, "")
-    for said in ("bit 10 control_by_plc", "bits 9..10 path=shortest", "-10000 control unit", "STW1", "3.2 L551"):
-        assert said in found.out
-
-
-@pytest.mark.parametrize(
-    ("request_frame", "answer", "said"),
-    [
-        ("01 01 00 01 10 00 31 20 00 00", "01 01 00 01 07 01 00 00 80 C0", "bit 15 range_locked"),
-        ("01 01 00 01 10 00 24 2A 00 00", "01 01 00 01 07 01 00 00 03 E8", "1.000 Nm"),
-        ("01 01 00 01 10 07 03 C4 00 00", "01 01 00 01 06 02 0A AA 00 05", "drive_identification.drive_unit_type"),
-        ("01 01 00 01 10 00 21 00 00 00", "01 01 00 01 06 01 00 05", "parameter Pt100"),
-        ("01 01 00 01 10 00 FF FF 00 00", "01 81 00 01 44 01 00 00", "parameter_number_not_allowed"),
-    ],
-)
-def test_values_of_a_real_drive_are_those_of_the_parameter_that_was_asked_for(
-    real: CommandLine, request_frame: str, answer: str, said: str
-) -> None:
-    found = real("decode", "hiwin-e", answer, "--request", request_frame)
-    assert (found.code, found.err) == (0, "")
-    assert said in found.out
-
-
-def test_a_telegram_of_a_real_drive_is_written_from_names_and_units(real: CommandLine) -> None:
-    values = ["STW1=on,no_off2,no_off3,enable_operation,control_by_plc", "speed_setpoint_b=50 %", "STW2=sign_of_life=1"]
-    found = real("encode", "hiwin-e", "--telegram", "3", "--direction", "received", *values, "G1_STW=0")
-    assert (found.code, found.err, found.lines) == (0, "", ["04 0F 20 00 00 00 10 00 00 00"])
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("111", "telegram_111"),
-        ("Pt317", "0x2317 (8983) on the wire"),
-        ("0x2317", "Pt317"),
-        ("Pt0FF", "0x20FF (8447) on the wire"),
-        ("STW1", "control_by_plc"),
-        ("NSOLL_B", "100/2^30 %"),
-        ("commanded_speed", "reference * raw / 0x40000000"),
-    ],
-)
-def test_items_of_a_real_drive_are_found_by_what_they_are_called(real: CommandLine, text: str, said: str) -> None:
-    found = real("show", "hiwin-e", text)
-    assert (found.code, found.err) == (0, "")
-    assert said in found.out
-
-
-def test_words_of_a_real_point_table_are_explained_with_their_request(real: CommandLine) -> None:
-    request = real("encode", "ck10", "read_registers", "station=1", "address=0x2730", "word_count=6").lines[0]
-    answer = ["--direction", "response", "station=1", "values=0xFFFF 0xFFFE 0 1 7 0xA120"]
-    frame = real("encode", "ck10", "read_registers", *answer).lines[0]
-    found = [" ".join(line.split()) for line in real("decode", "ck10", frame, "--request", request).lines]
-    assert "reads 0x2730..0x2735" in found
-    assert any("FF FF FF FE points[1].position 位置 rw -2 -2 pulse" in line for line in found)
-    assert any("points[1].high_speed 高速 rw 500000 500000 pps" in line for line in found)

@@ -125,7 +125,7 @@ def _read_as(device: Device, row: Row, field: FieldLayout, element: _Element) ->
     fact = element.fact
     if fact is None or element.parameter is None:
         return replace(row, meanings=(element.meaning, *row.meanings))
-    again = _again(fact.value, field, row)
+    again = None if row.reason else _again(fact.value, field, row)
     if again is None:
         return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
     read = worded(device, fact.value, *again, reserved=fact.reserved)
