@@ -70,3 +70,11 @@ def test_words_of_a_real_point_table_are_explained_with_their_request(run: Comma
     assert "reads 0x2730..0x2735" in found
     assert any("FF FF FF FE points[1].position 位置 rw -2 -2 pulse" in line for line in found)
     assert any("points[1].high_speed 高速 rw 500000 500000 pps" in line for line in found)
+
+
+def test_a_part_of_a_value_that_must_be_accessed_in_one_request_is_pointed_out(run: CommandLine) -> None:
+    frame = run("encode", "ck10", "read_registers", "station=1", "address=resolution", "word_count=1").lines[0]
+    found = run("decode", "ck10", frame)
+    assert (
+        "note on resolution: The frame holds a part of its words, which must be accessed in one request." in found.lines
+    )

@@ -11,7 +11,7 @@ from fieldspec.diagnostics import has_errors
 from fieldspec.reading.project import DeviceSpec
 from fieldspec.render.blocks import Table
 
-_HEADINGS = ("device", "name", "vendor", "versions", "registers", "messages", "examples", "errata")
+_HEADINGS = ("device", "name", "vendor", "versions", "registers", "parameters", "messages", "examples", "errata")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -26,5 +26,12 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _row(name: str, spec: DeviceSpec) -> tuple[str, ...]:
     device, _ = spec.at(spec.versions()[-1])
-    counts = (sum(1 for _ in device.registers()), len(device.messages), len(device.examples), len(device.errata))
+    parameters = sum(len(words.parameters) for words in device.parameters.values())
+    counts = (
+        sum(1 for _ in device.registers()),
+        parameters,
+        len(device.messages),
+        len(device.examples),
+        len(device.errata),
+    )
     return (name, device.name, device.vendor, ", ".join(spec.versions()), *map(str, counts))

@@ -15,6 +15,11 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.message import RegisterAccess
 from fieldspec.model.value import Value
 
+_PART = {
+    False: "The frame holds a part of its words.",
+    True: "The frame holds a part of its words, which must be accessed in one request.",
+}
+
 
 @dataclass(frozen=True, slots=True)
 class Span:
@@ -52,6 +57,7 @@ class Holder:
     swapped: bool
     access: str
     reserved: bool
+    atomic: bool = False
 
 
 def accessed(
@@ -98,7 +104,17 @@ def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
         if number < len(register.element_sources):
             fact = replace(register, sources=(register.element_sources[number],))
         yield Holder(
-            address, laid.words, path, fact, register, register.value, laid.order, laid.swapped, register.access, False
+            address=address,
+            words=laid.words,
+            path=path,
+            fact=fact,
+            outer=register,
+            value=register.value,
+            order=laid.order,
+            swapped=laid.swapped,
+            access=register.access,
+            reserved=False,
+            atomic=register.atomic,
         )
 
 
@@ -147,8 +163,7 @@ def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot) -> Row:
         read = worded(layout.device, holder.value, raw, holder.order, holder.swapped, holder.reserved)
     else:
         inside = span.address <= holder.address and holder.address + holder.words <= span.end
-        part = () if inside else ("The frame holds a part of its words.",)
-        read = Worded(None, notes=part)
+        read = Worded(None, notes=() if inside else (_PART[holder.atomic],))
     row = fact_row(layout.device, "register", holder.path, holder.fact, spot, at, raw, read, holder.outer)
     if not found:
         row = replace(row, offset=0)
