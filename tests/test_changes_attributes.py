@@ -77,6 +77,7 @@ IGNORED = {
     "Message/Record.sources": "they are those of the message",
     "Message/Record.notes": "data of messages have no text of their own",
     "Message/Record.inferred": "it is that of the message",
+    "Message/Record.unverified": "it is that of the message",
     "Message/Record.restated": "data of messages have no text of their own",
     "Message/Record.since": "it is that of the message",
     "Message/Record.until": "it is that of the message",

@@ -62,7 +62,7 @@ def _sentinels(fact: Any) -> dict[int, object]:
 
 
 _FACT: Texts = {
-    **_named("printed_name", "label", "doc", "sources", "notes", "inferred", "since", "until", "only"),
+    **_named("printed_name", "label", "doc", "sources", "notes", "inferred", "unverified", "since", "until", "only"),
     "restated": _restated,
 }
 _OF_VALUE: Texts = {**_FACT, "scale": _scale, "sentinels": _sentinels}

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from difflib import get_close_matches
 from typing import TypeAlias
 
-from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.place import Place
 from fieldspec.model.ranges import Ranges
@@ -18,9 +18,11 @@ _SHOWN = 6
 _SEARCHED = 2000
 
 
-def finding(code: str, place: Place, key: str, message: str, help: str, *labels: Label) -> Diagnostic:
+def finding(
+    code: str, place: Place, key: str, message: str, help: str, *labels: Label, severity: Severity = Severity.ERROR
+) -> Diagnostic:
     """A finding of the rule `code` at the value of a fact's key."""
-    return Diagnostic(code, message, place[key], labels, help)
+    return Diagnostic(code, message, place[key], labels, help, severity)
 
 
 def label(place: Place, key: str, text: str) -> Label:

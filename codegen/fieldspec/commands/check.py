@@ -6,14 +6,15 @@ import argparse
 
 from fieldspec.commands import specs
 from fieldspec.commands.output import print_findings
+from fieldspec.diagnostics import has_errors
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints all findings of all files. Exit code 1 where there are any."""
+    """Prints all findings of all files. Exit code 1 where one of them is an error."""
     from fieldspec import pipeline
 
     project = specs.project(arguments.specs, frozenset(arguments.devices))
     found = pipeline.checked(project)
     checked = ", ".join(sorted(project.devices)) or "nothing"
     print_findings(found, arguments.format, f"no findings in {checked}")
-    return 1 if found else 0
+    return 1 if has_errors(found) else 0

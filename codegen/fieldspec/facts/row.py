@@ -40,6 +40,7 @@ COLUMNS = (
     "position",
     "direction",
     "restart",
+    "unverified",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -84,6 +85,7 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row
 def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[Row]:
     """The row of a fact, then one for each place of the manual that states it again."""
     known: Row = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
+    known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
     yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **cells})
     for claim in fact.restated:

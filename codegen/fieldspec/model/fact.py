@@ -42,7 +42,8 @@ class Claim:
 class Fact:
     """The name, the print, the sources and the caveats of a fact.
 
-    `since` and `until` have one version for each line that they are about.
+    `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one version for each
+    line that they are about.
     """
 
     name: str
@@ -53,6 +54,7 @@ class Fact:
     sources: tuple[Citation, ...] = ()
     notes: tuple[str, ...] = ()
     inferred: Mapping[str, str]
+    unverified: bool = False
     allowed: Mapping[str, str]
     restated: tuple[Claim, ...] = ()
     since: tuple[str, ...] = ()

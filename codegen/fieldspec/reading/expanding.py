@@ -17,7 +17,7 @@ _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
 _VALUE = frozenset(schema()["$defs"]["value"]["properties"])
 # What a field takes from its signal, and a register from the one of which it is a copy.
 _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
-_NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "doc"}) | {
+_NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
     "at",
     "decimal",
     "number",

@@ -27,6 +27,8 @@ def fact_details(device: Device, fact: Fact) -> Details:
         yield "note", note
     for key, reason in fact.inferred.items():
         yield "inferred", f"{key}: {reason}"
+    if fact.unverified:
+        yield "unverified", "nobody has compared it with the manual yet"
     for key, reason in fact.allowed.items():
         yield "allowed", f"{key}: {reason}"
     for general in device.notes:

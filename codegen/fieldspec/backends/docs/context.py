@@ -51,6 +51,8 @@ class Context:
         """What is said of a fact beside its numbers: what it is, for which versions, notes, errata."""
         if fact.doc:
             yield (plain(fact.doc),)
+        if fact.unverified:
+            yield (styled("unverified", "badge"), plain(" Nobody has compared it with the manual yet."))
         if fact.since:
             yield (styled(f"since {', '.join(fact.since)}", "badge"),)
         if fact.until:

@@ -111,4 +111,6 @@ def described(head: str, fact: Fact, *more: str) -> list[str]:
     first = f"{head} {printed(fact)}".strip()
     notes = [f"Note: {sentence(note)}" for note in fact.notes]
     inferred = [f"Inferred ({key}): {sentence(reason)}" for key, reason in fact.inferred.items()]
-    return [sentence(first), sentence(fact.doc), *more, availability(fact), *notes, *inferred, cited(fact.sources)]
+    doubt = "Nobody has compared it with the manual yet." if fact.unverified else ""
+    caveats = (availability(fact), doubt, *notes, *inferred)
+    return [sentence(first), sentence(fact.doc), *more, *caveats, cited(fact.sources)]

@@ -165,6 +165,7 @@ class Entry:
             "sources": self.sources,
             "notes": self.texts("notes"),
             "inferred": self.reasons("inferred"),
+            "unverified": self.flag("unverified"),
             "allowed": self.reasons("allow"),
             "restated": tuple(self._claims()),
             "since": self.texts("since"),

@@ -106,6 +106,7 @@ def _data(entry: Entry, direction: str) -> Record:
         "notes": (),
         "restated": (),
         "inferred": {},
+        "unverified": False,
     }
     fields = tuple(_field(inner) for inner in entry.entries(direction))
     return Record(**arguments, size=None, words=None, fields=fields)

@@ -1,0 +1,30 @@
+"""Somebody has compared every fact with the manual. A fact that is `unverified` is a warning, and stops nothing.
+
+Why: what is taken from a list that someone else has made may be wrong in every number, and nothing shows it.
+
+Example: a register that `fieldspec import` has written, with `unverified: true`.
+
+Cure: Compare the fact with the manual, give the manual's section and line as its source, and take the key away.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, shown
+from fieldspec.checks.walking import facts
+from fieldspec.diagnostics import Diagnostic, Severity
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+
+def facts_verified(device: Device) -> Iterator[Diagnostic]:
+    sections: dict[str, list[Fact]] = {}
+    for fact in facts(device):
+        if fact.unverified:
+            sections.setdefault(fact.place.path.partition("/")[0], []).append(fact)
+    for section, held in sections.items():
+        names = shown([fact.name for fact in held])
+        text = f"nobody has compared {names} of `{section}` with the manual"
+        help = "compare, cite the manual, and take `unverified` away"
+        yield finding("facts_verified", held[0].place, "unverified", text, help, severity=Severity.WARNING)
