@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from operator import is_
-
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
 
 LONE_VERSION = "1"
 
-BOUNDS = frozenset(("since", "until", "only"))
 _FREE = ("inferred", "printed", "allow", "values")
 
 
@@ -85,32 +82,16 @@ def named(bound: Node | None) -> list[Scalar]:
     return [item for item in items if isinstance(item, Scalar)]
 
 
-class Selection:
-    """Picks trees of versions. A part without bounds is the same in all of them, and is looked through once."""
-
-    def __init__(self, lines: Lines) -> None:
-        self.lines = lines
-        self._unbounded: dict[int, Node] = {}
-
-    def of(self, node: Node, versions: tuple[str, ...]) -> Node:
-        """The tree without the facts that do not hold for a version, or for several of different lines."""
-        if isinstance(node, Scalar) or id(node) in self._unbounded:
-            return node
-        below = tuple(node.values.values()) if isinstance(node, Mapping) else node.items
-        kept = below
-        if isinstance(node, Sequence):
-            holds = self.lines.holds
-            kept = tuple(item for item in below if not isinstance(item, Mapping) or holds(item, versions))
-        made = tuple([self.of(item, versions) for item in kept])
-        if self._free(node, below):
-            self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
-        if len(made) == len(below) and all(map(is_, made, below)):
-            return node
-        if isinstance(node, Sequence):
-            return Sequence(node.file, node.start, node.end, made)
-        return Mapping(node.file, node.start, node.end, node.keys, dict(zip(node.values, made, strict=True)))
-
-    def _free(self, node: Mapping | Sequence, below: tuple[Node, ...]) -> bool:
-        if isinstance(node, Mapping) and not BOUNDS.isdisjoint(node.values):
-            return False
-        return all(isinstance(item, Scalar) or id(item) in self._unbounded for item in below)
+def selected(node: Node, versions: tuple[str, ...], lines: Lines) -> Node:
+    """The tree without the facts that do not hold for a version, or for several of different lines."""
+    if isinstance(node, Sequence):
+        items = tuple(
+            selected(item, versions, lines)
+            for item in node.items
+            if not isinstance(item, Mapping) or lines.holds(item, versions)
+        )
+        return Sequence(node.file, node.start, node.end, items)
+    if isinstance(node, Mapping):
+        values = {key: selected(value, versions, lines) for key, value in node.values.items()}
+        return Mapping(node.file, node.start, node.end, node.keys, values)
+    return node
