@@ -195,3 +195,45 @@ def test_a_version_of_another_line_says_behind_which_one_it_stands() -> None:
 def test_what_belongs_into_the_file_of_a_version_is_found_elsewhere(section: str) -> None:
     held = '{id: "2.1", line: firmware, based_on: "2.0"}' if section == "overlay" else "[]"
     assert codes(project(BASE + f"{section}: {held}\n").found) == ["unknown_key"]
+
+
+TWICE = BASE.replace(
+    'range: 1..100, since: "1.0"}',
+    'range: 1..50, until: "1.0"}\n      - {at: 0, name: speed, type: u16, range: 1..100, since: "2.0"}',
+)
+
+
+def test_an_entry_is_about_the_fact_that_its_base_has_where_there_are_several_of_a_name() -> None:
+    found = at("2.1", TWICE, v2_1=FULL).register("speed")
+    assert found is not None
+    assert str(found.value.ranges and found.value.ranges.text()) == "1..120"
+    before = at("1.0", TWICE, v2_1=FULL).register("speed")
+    assert before is not None
+    assert str(before.value.ranges and before.value.ranges.text()) == "1..50"
+
+
+def test_a_thing_that_only_another_version_has_cannot_be_changed() -> None:
+    text = overlay("removes: [{fact: registers/late, reason: Gone.}]", "1.1", "1.0")
+    assert codes(project(v1_1=text).found) == ["overlay_fact_missing"]
+
+
+def test_a_version_of_another_line_keeps_what_all_versions_have() -> None:
+    text = 'overlay: {id: V3, line: hardware, based_on: "1.0", after: V2}\n' + (
+        "changes: [{fact: registers/speed, set: {unit: {was: ~, is: rpm}}, reason: Known now.}]"
+    )
+    made = project(vV3=text)
+    assert codes(made.found) == []
+    device, _ = made.devices["gadget"].at("2.0+V3")
+    assert device.register("late") is not None
+
+
+def test_versions_share_what_does_not_differ() -> None:
+    spec = project(v2_1=FULL).devices["gadget"]
+    old, new = spec.at("2.0")[0], spec.at("2.1")[0]
+    assert old.register("late") is spec.at("3.0")[0].register("late")
+    assert old.register("speed") is not new.register("speed")
+
+
+def test_a_finding_of_a_row_is_found_at_every_version() -> None:
+    spec = project(BASE.replace("range: 1..100", "range: 9..1")).devices["gadget"]
+    assert [codes(spec.at(version)[1]) for version in ("1.0", "2.0", "3.0")] == [["wrong_form"]] * 3

@@ -25,14 +25,36 @@ _REFERENCES = {
     "parameters": ("set",),
 }
 _PATHS = ("fact", "about", "references")
+_REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key in keys)))
 
 
-def applied(tree: Mapping, overlay: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+class Silent:
+    """Knows the parts of trees that refer to nothing, so that they are not searched again for every new name."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, Node] = {}
+
+    def __call__(self, node: Mapping | Sequence) -> bool:
+        """Whether a part refers to nothing."""
+        if id(node) in self._known:
+            return True
+        if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):
+            return False
+        silent = True
+        for item in node.values.values() if isinstance(node, Mapping) else node.items:
+            if not isinstance(item, Scalar) and not self(item):
+                silent = False  # the others are looked at all the same: they are then known
+        if silent:
+            self._known[id(node)] = node  # keeping the node keeps its id from being given to another one
+        return silent
+
+
+def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, list[Diagnostic]]:
     """The tree of the version that an overlay makes of another one's, and what does not fit.
 
     All paths are those of the other version: names change last.
     """
-    work = _Application(tree)
+    work = _Application(tree, silent)
     for part, apply in (
         ("changes", work.change),
         ("removes", work.remove),
@@ -59,8 +81,9 @@ def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
 class _Application:
     """A tree while the entries of an overlay are applied to it, one after the other."""
 
-    def __init__(self, tree: Mapping) -> None:
+    def __init__(self, tree: Mapping, silent: Silent) -> None:
         self.tree = tree
+        self.silent = silent
         self.found: list[Diagnostic] = []
 
     def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
@@ -178,7 +201,8 @@ class _Application:
             return
         old = path.text.rpartition("/")[2]
         self._put(at, fact.with_value("name", to))
-        tree = _referring(self.tree, _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(at) == 2))
+        renaming = _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(at) == 2)
+        tree = _referring(self.tree, renaming, self.silent)
         assert isinstance(tree, Mapping)
         self.tree = tree
 
@@ -260,14 +284,16 @@ class _Renaming:
         return text
 
 
-def _referring(node: Node, renaming: _Renaming, key: str = "") -> Node:
+def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -> Node:
     """The tree with every reference to a fact under its new name."""
+    if key not in _REFERRING and not isinstance(node, Scalar) and silent(node):
+        return node
     if isinstance(node, Sequence):
-        items = tuple(_referring(item, renaming, key) for item in node.items)
+        items = tuple([_referring(item, renaming, silent, key) for item in node.items])
         same = all(new is old for new, old in zip(items, node.items, strict=True))
         return node if same else Sequence(node.file, node.start, node.end, items)
     if isinstance(node, Mapping):
-        values = {name: _referring(value, renaming, name) for name, value in node.values.items()}
+        values = {name: _referring(value, renaming, silent, name) for name, value in node.values.items()}
         same = all(values[name] is node.values[name] for name in values)
         return node if same else Mapping(node.file, node.start, node.end, node.keys, values)
     text = node.text

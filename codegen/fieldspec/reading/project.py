@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping as Table
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.names import Name
-from fieldspec.reading.applying import applied
+from fieldspec.reading.applying import Silent, applied
 from fieldspec.reading.building.device import built
+from fieldspec.reading.building.keeping import Kept
 from fieldspec.reading.expanding import expanded
 from fieldspec.reading.findings import bounded, near, quoted
 from fieldspec.reading.joining import joined, laid_over
@@ -46,6 +47,7 @@ class DeviceSpec:
     lines: Lines
     trees: Table[str, Mapping]
     bases: Table[str, str]
+    kept: Kept = field(default_factory=dict, repr=False, compare=False)
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
@@ -53,7 +55,7 @@ class DeviceSpec:
 
     def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
         """The model at one version."""
-        device, found = built(self.tree_at(version), version)
+        device, found = built(self.tree_at(version), version, self.kept)
         return device, bounded(found)
 
     def tree_at(self, version: str) -> Mapping:
@@ -156,8 +158,12 @@ class _Reader:
         lines = Lines(whole)
         self.found += bounded(lines.found) + bounded(lines.unknown(whole))
         layers: dict[str, Mapping] = {}
+        silent = Silent()
         for version, overlay in versions.trees.items():
-            layers[version], found = applied(layers.get(versions.bases[version], whole), overlay)
+            base = versions.bases[version]
+            tree = lines.reached(layers.get(base, whole), base, version)
+            assert isinstance(tree, Mapping)
+            layers[version], found = applied(tree, overlay, silent)
             self.found += bounded(found + lines.unknown(overlay))
         whole, found = expanded(whole)
         self.found += bounded(found)

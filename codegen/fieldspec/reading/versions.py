@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from operator import is_
+
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
 
 LONE_VERSION = "1"
 
+BOUNDS = frozenset(("since", "until", "only"))
 _FREE = ("inferred", "printed", "allow", "values")
 
 
@@ -18,6 +22,7 @@ class Lines:
         self.place: dict[str, tuple[int, int]] = {}
         self.built: list[str] = []
         self.found: list[Diagnostic] = []
+        self._unbounded: dict[int, Node] = {}
         lines = tree.values.get("versions")
         for number, line in enumerate(lines.items if isinstance(lines, Sequence) else ()):
             if isinstance(line, Mapping):
@@ -60,6 +65,39 @@ class Lines:
         same = [other for other in listed if self.place.get(other, (None, 0))[0] == line]
         return not same or version in same
 
+    def selected(self, node: Node, versions: tuple[str, ...]) -> Node:
+        """The tree without the facts that do not hold for a version, or for several of different lines."""
+        return self._picked(node, lambda fact: self.holds(fact, versions))
+
+    def reached(self, tree: Node, base: str, version: str) -> Node:
+        """The tree of a version that another one on its line is made of: without what holds for neither of them."""
+        lines = {self.place.get(one, (None,))[0] for one in (base, version)}
+        if len(lines) > 1:
+            return tree
+        return self._picked(tree, lambda fact: self._holds(fact, base) or self._holds(fact, version))
+
+    def _picked(self, node: Node, holds: Callable[[Mapping], bool]) -> Node:
+        """The tree without some facts. A part without bounds is the same for all versions; it is seen through once."""
+        if isinstance(node, Scalar) or id(node) in self._unbounded:
+            return node
+        below = tuple(node.values.values()) if isinstance(node, Mapping) else node.items
+        kept = below
+        if isinstance(node, Sequence):
+            kept = tuple([item for item in below if not isinstance(item, Mapping) or holds(item)])
+        made = tuple([self._picked(item, holds) for item in kept])
+        if self._free(node, below):
+            self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
+        if len(made) == len(below) and all(map(is_, made, below)):
+            return node
+        if isinstance(node, Sequence):
+            return Sequence(node.file, node.start, node.end, made)
+        return Mapping(node.file, node.start, node.end, node.keys, dict(zip(node.values, made, strict=True)))
+
+    def _free(self, node: Mapping | Sequence, below: tuple[Node, ...]) -> bool:
+        if isinstance(node, Mapping) and not BOUNDS.isdisjoint(node.values):
+            return False
+        return all(isinstance(item, Scalar) or id(item) in self._unbounded for item in below)
+
     def unknown(self, node: Node) -> list[Diagnostic]:
         """A finding for every `since`, `until` or `only` that names no declared version."""
         found = []
@@ -84,14 +122,4 @@ def named(bound: Node | None) -> list[Scalar]:
 
 def selected(node: Node, versions: tuple[str, ...], lines: Lines) -> Node:
     """The tree without the facts that do not hold for a version, or for several of different lines."""
-    if isinstance(node, Sequence):
-        items = tuple(
-            selected(item, versions, lines)
-            for item in node.items
-            if not isinstance(item, Mapping) or lines.holds(item, versions)
-        )
-        return Sequence(node.file, node.start, node.end, items)
-    if isinstance(node, Mapping):
-        values = {key: selected(value, versions, lines) for key, value in node.values.items()}
-        return Mapping(node.file, node.start, node.end, node.keys, values)
-    return node
+    return lines.selected(node, versions)

@@ -9,13 +9,18 @@ from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
 from fieldspec.reading.building import links, records, registers, signals, texts, words
 from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.keeping import Kept
 from fieldspec.reading.nodes import Mapping
 
 Noun = TypeVar("Noun")
 
 
-def built(tree: Mapping, version: str) -> tuple[Device, list[Diagnostic]]:
-    """The model of a device's tree at one version, and what keeps it from being complete."""
+def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device, list[Diagnostic]]:
+    """The model of a device's tree at one version, and what keeps it from being complete.
+
+    `kept` has what was built of other versions of the device, and gets what is built here.
+    """
+    kept = {} if kept is None else kept
     found: list[Diagnostic] = []
     root = Entry(tree, "", found)
     head = root.entry("device")
@@ -39,9 +44,9 @@ def built(tree: Mapping, version: str) -> tuple[Device, list[Diagnostic]]:
             records=_by_name(root, "records", records.record),
             enums=_by_name(root, "enums", words.enum),
             flags=_by_name(root, "flags", words.flags),
-            groups=tuple(registers.group(entry) for entry in root.named("registers", "registers", name="group")),
+            groups=tuple(registers.group(entry, kept) for entry in root.named("registers", "registers", name="group")),
             tables=_by_name(root, "tables", registers.table),
-            parameters=_by_name(root, "parameters", registers.parameter_set),
+            parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept)),
             signals=placed,
             conversions=_by_name(root, "conversions", lambda entry: signals.conversion(entry, types)),
             lookups=tuple(_by_name(root, "lookups", texts.lookup).values()),

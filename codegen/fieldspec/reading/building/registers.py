@@ -8,11 +8,12 @@ from fieldspec.model.ranges import Ranges
 from fieldspec.model.register import Gap, Register, RegisterGroup
 from fieldspec.model.table import PrintedElement, Table
 from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.keeping import Kept, rows
 from fieldspec.reading.building.values import value
 from fieldspec.reading.nodes import Mapping
 
 
-def group(entry: Entry) -> RegisterGroup:
+def group(entry: Entry, kept: Kept) -> RegisterGroup:
     """A group of registers."""
     held = entry.node.values.get("defaults")
     defaults = held if isinstance(held, Mapping) else None
@@ -23,7 +24,7 @@ def group(entry: Entry) -> RegisterGroup:
         section=entry.section,
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
-        registers=tuple(_register(inner) for inner in _rows(entry, defaults)),
+        registers=rows(entry, "registers", defaults, kept, _register),
     )
 
 
@@ -31,16 +32,9 @@ def _gap(entry: Entry) -> Gap:
     return Gap(entry.place(), entry.whole_ranges("at") or Ranges(()), entry.text("reason"), entry.sources)
 
 
-def _rows(entry: Entry, defaults: Mapping | None) -> list[Entry]:
-    """Rows take their sources from themselves: a group's source is where its table stands."""
-    rows = list(entry.named("rows", "registers", defaults))
-    for row in rows:
-        if not row.node.values.get("source"):
-            row.sources = ()
-    return rows
-
-
 def _register(entry: Entry) -> Register:
+    if not entry.node.values.get("source"):
+        entry.sources = ()  # a group's source is where its table stands
     words = entry.integer("words")
     content = value(entry, words=words)
     width = (content.size + 1) // 2
@@ -126,11 +120,11 @@ def _subindex(entry: Entry, type_name: str) -> Subindex:
     )
 
 
-def parameter_set(entry: Entry) -> ParameterSet:
+def parameter_set(entry: Entry, kept: Kept) -> ParameterSet:
     """A set of numbered parameters."""
     held = entry.node.values.get("defaults")
     defaults = held if isinstance(held, Mapping) else None
-    rows = entry.named("rows", entry.path, defaults)
+    type_name = entry.text("type")
     return ParameterSet(
         **entry.fact(),
         title=entry.text("title"),
@@ -138,7 +132,7 @@ def parameter_set(entry: Entry) -> ParameterSet:
         base=entry.integer("base") or 0,
         numbers=entry.whole_ranges("numbers"),
         printed_as=entry.text("printed_as"),
-        parameters=tuple(_parameter(inner, entry.text("type")) for inner in rows),
+        parameters=rows(entry, entry.path, defaults, kept, lambda inner: _parameter(inner, type_name), type_name),
     )
 
 
