@@ -1,7 +1,7 @@
 """How long versions take: `python benchmarks/versions.py [REGISTERS...]`. The time per register must not grow.
 
 First, two versions of each real device are resolved and compared. Then a made-up device is read whose registers lie in
-several spaces, as parameters do, with twenty versions that are files; each is resolved and compared with the one before.
+several spaces, as parameters do, with twenty versions that are files; each is compared with the one before.
 """
 
 from __future__ import annotations
