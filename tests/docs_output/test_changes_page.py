@@ -145,3 +145,17 @@ def test_a_change_that_is_accepted_says_why() -> None:
 
 def test_a_device_of_one_version_has_no_page_of_changes() -> None:
     assert not [path for path in files(layouts(MADE_UP)["gadget"]) if "changes" in path]
+
+
+def test_examples_notes_and_errata_say_which_versions_have_them() -> None:
+    known = elements("esc11/1.17.html")
+    assert "Versions1.17" in text_of(known["examples/reset-alarm-request"])
+    assert "Versionsall" in text_of(known["examples/read-points-request"])
+    assert "only 1.17" in text_of(known["errata/reset-alarm-missing"])
+    assert "only" not in text_of(known["errata/excite-request-checksum"])
+
+
+def test_an_example_of_a_device_with_one_version_says_nothing_of_versions() -> None:
+    known = elements("ck10/1.html")
+    assert [anchor for anchor in known if anchor.startswith("examples/")]
+    assert [anchor for anchor, node in known.items() if "Versionsall" in text_of(node)] == []

@@ -9,6 +9,7 @@ from fieldspec.backends.docs import markdown
 from fieldspec.backends.docs.anchors import every, headings
 from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps
 from fieldspec.backends.docs.document import Document, plain
+from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.page import page
 from fieldspec.backends.docs.versions import versions
 from fieldspec.backends.templates import fill
@@ -22,7 +23,8 @@ def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:
     """
     folder = layouts[-1].device.id
     held = steps(layouts)
-    pages = {layout.device.version: page(layout) for layout in layouts}
+    holding = Holding(layouts)
+    pages = {layout.device.version: page(layout, holding) for layout in layouts}
     texts = {
         f"{folder}/index.html": _html(versions(layouts, held, ".html")),
         f"{folder}/README.md": _markdown(versions(layouts, held, ".md")),

@@ -19,6 +19,7 @@ from fieldspec.backends.docs.document import (
     styled,
 )
 from fieldspec.backends.docs.holders import Holder, holders
+from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.inferences import reasons
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
@@ -30,8 +31,9 @@ from fieldspec.model.value import Value
 class Context:
     """A device at one version, with errata and notes by the fact that they are about, and users of enums and flags."""
 
-    def __init__(self, layout: DeviceLayout) -> None:
+    def __init__(self, layout: DeviceLayout, holding: Holding | None = None) -> None:
         self.layout = layout
+        self.holding = holding or Holding([layout])
         self.device: Device = layout.device
         self.holders: dict[str, Holder] = holders(layout.device)
         self._errata: dict[str, list[str]] = defaultdict(list)

@@ -70,7 +70,11 @@ def _row(context: Context, erratum: Erratum) -> Row:
     style = "open" if erratum.confidence == "open" else ""
     return Row(
         (
-            cell((code(erratum.id),), (context.link_to(erratum.fact),)),
+            cell(
+                (code(erratum.id),),
+                (context.link_to(erratum.fact),),
+                *context.holding.badges(erratum.place.path),
+            ),
             _sides([(key, _printed(key, erratum.printed[key])) for key in keys], (label(erratum.literal),)),
             _sides([(key, _used(holder, key)) for key in keys], ()),
             cell(erratum.reason),

@@ -149,6 +149,8 @@ def _facts(context: Context, example: Example) -> Iterator[tuple[str, tuple[Line
     if example.elided:
         names = joined((code(name),) for name in example.elided)
         yield "Printed as dots", ((*names, plain("; the values here are ours")),)
+    if versions := context.holding.lines(example.place.path):
+        yield "Versions", versions
     if example.sources:
         yield "Source", (cited(example.sources),)
 

@@ -141,6 +141,7 @@ def _note(context: Context, note: Note) -> Section:
     if note.sources:
         facts.append(("Source", (cited(note.sources),)))
     blocks: list[Block] = [Paragraph((plain(note.text),))]
+    blocks += [Paragraph(line) for line in context.holding.badges(note.place.path)]
     if facts:
         blocks.append(Facts(tuple(facts)))
     title: Line = (plain(note.title),) if note.title else (code(note.name),)

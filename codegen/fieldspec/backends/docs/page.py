@@ -10,6 +10,7 @@ from fieldspec.backends.docs.document import Document, Line, clean, code, plain
 from fieldspec.backends.docs.enums import codes, enums
 from fieldspec.backends.docs.errata import errata
 from fieldspec.backends.docs.examples import examples
+from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.identity import identity, version_title
 from fieldspec.backends.docs.links import links
 from fieldspec.backends.docs.lists import limits, lookups, notes
@@ -46,9 +47,9 @@ SECTIONS = (
 )
 
 
-def page(layout: DeviceLayout) -> Document:
+def page(layout: DeviceLayout, holding: Holding) -> Document:
     """The page of a device at one version. Sections in which nothing would stand are left out."""
-    context = Context(layout)
+    context = Context(layout, holding)
     device = layout.device
     made = [section(context) for section in SECTIONS]
     sections = tuple(section for section in made if section.blocks or section.sections)
