@@ -33,6 +33,7 @@ HOMES = {
     "jsonschema_rs": ("reading/",),
     "jinja2": ("backends/templates.py",),
     "construct": ("reference/",),
+    "openpyxl": ("lists/workbook.py",),
     "argparse": ("cli.py", "commands/"),
     "rich": ("commands/",),
     "shtab": ("commands/",),

@@ -144,6 +144,40 @@ def parser() -> argparse.ArgumentParser:
     sent(encode, f"{way}; left out: request", "the message by name or number, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
+    forms = ("csv", "xlsx", "json")
+    export = verb("export", "write the registers and parameters of a device as a list")
+    export.add_argument("device", metavar="DEVICE[@VERSION]")
+    export.add_argument("--to", choices=forms, default="csv")
+    export.add_argument("--out", metavar="FILE", help="the file to write; left out: the output")
+
+    def listed(inner: argparse.ArgumentParser) -> None:
+        """The options that say how a list is read."""
+        inner.add_argument("--encoding", metavar="NAME", help="how the text is encoded, such as gbk, big5 or utf-16")
+        inner.add_argument("--sheet", metavar="NAME", help="the sheet of a workbook; left out: the first with cells")
+        where = "a heading, a letter or a number; left out: guessed from the headings"
+        inner.add_argument("--address", metavar="COLUMN", help=f"the column of the addresses: {where}")
+        for role in ("name", "words", "type", "access", "space"):
+            inner.add_argument(f"--{role}", metavar="COLUMN", help="likewise")
+        bases = "how addresses are written; 4xxxx: 40001 is address 0"
+        inner.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help=bases)
+        higher = "what the list's addresses are higher by than on the wire: 1 where they count from 1"
+        inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
+
+    compare = verb("compare", "compare a device with a register list that someone else has made")
+    compare.add_argument("device", metavar="DEVICE[@VERSION]")
+    kinds = "CSV, XLSX, JSON, or a table with tabs or bars; -: standard input"
+    compare.add_argument("file", metavar="FILE", help=kinds)
+    listed(compare)
+    compare.add_argument("--ignore", metavar="WHAT,...", help="what is not compared, such as name or unit")
+    compare.add_argument("--format", choices=("text", "json", "csv"), default="text")
+
+    into = verb("import", "write the first file of a device from a register list, with nothing verified")
+    into.add_argument("file", metavar="FILE", help=kinds)
+    written = "the file to write, DEVICE/device.yaml; -: the output"
+    into.add_argument("--to", metavar="YAML", required=True, help=written)
+    listed(into)
+    into.set_defaults(verb="importing")
+
     versions = verb("versions", "list the versions of a device, and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")
 

@@ -1,0 +1,35 @@
+"""`fieldspec export`: the registers and parameters of a device as a list for other programs and people."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from fieldspec.commands import specs
+from fieldspec.commands.lists import write
+from fieldspec.commands.usage import UsageError
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Writes the list to a file, or to the output."""
+    from fieldspec.lists.exported import as_csv, as_json, as_xlsx
+    from fieldspec.lists.item import items
+
+    layout = specs.layout(arguments.specs, arguments.device)
+    held = items(layout)
+    if not held:
+        raise UsageError(f"{layout.device.id} has no registers and no parameters")
+    if arguments.to == "xlsx":
+        data = as_xlsx(held, layout.device.id)
+    else:
+        data = (as_csv(held) if arguments.to == "csv" else as_json(held)).encode("utf-8")
+    if arguments.out is not None:
+        write(Path(arguments.out), data)
+    elif arguments.to != "xlsx":
+        print(data.decode("utf-8"), end="")
+    elif sys.stdout.isatty():
+        raise UsageError("a workbook is no text; name its file with --out")
+    else:
+        sys.stdout.buffer.write(data)
+    return 0

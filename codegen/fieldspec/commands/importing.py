@@ -1,0 +1,75 @@
+"""`fieldspec import`: the first file of a device, written from a register list that someone else has made."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import re
+from pathlib import Path
+
+from fieldspec.commands import lists, specs
+from fieldspec.commands.compare import COLUMNS
+from fieldspec.commands.usage import UsageError
+from fieldspec.diagnostics import has_errors
+from fieldspec.reading.project import MAIN
+from fieldspec.schema import schema
+
+_FOLDER = re.compile(r"[^a-z0-9]+")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Writes the file, or prints it for `-`; it refuses to write over another one, and what the check refuses."""
+    from fieldspec.lists.addresses import REFERENCE
+    from fieldspec.lists.listed import listing, moved
+    from fieldspec.lists.sheet import ListError
+    from fieldspec.lists.skeleton import Origin, skeleton
+
+    path = Path(arguments.to)
+    device = _device(path)
+    if arguments.to != "-" and path.exists():
+        raise UsageError(f"there is a file {path} already")
+    data = lists.content(arguments.file)
+    file = Path(arguments.file).name if arguments.file != "-" else "list.txt"
+    given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
+    try:
+        sheet = lists.sheet(data, arguments.encoding or "", arguments.sheet or "")
+        found = listing(sheet, given, arguments.base or "")
+        base = REFERENCE if REFERENCE in found.bases else found.bases[0]
+        rows = list(moved(found.rows(base), arguments.offset or 0))
+        low = next((row for row in rows if row.address < 0), None)
+        if low is not None:
+            raise ListError(f"has an address below 0 in row {low.row}, with the offset {arguments.offset}")
+        origin = Origin(file, hashlib.sha256(data).hexdigest(), max(sheet.lines, 1))
+        text = skeleton(device, origin, rows)
+    except ListError as error:
+        raise UsageError(f"{arguments.file} {error}") from None
+    _passes(device, text, arguments.file)
+    if arguments.to == "-":
+        print(text, end="")
+        return 0
+    lists.write(path, text.encode("utf-8"))
+    skipped = f", {len(found.skipped)} rows without an address" if found.skipped else ""
+    print(f"{specs.shown(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
+    return 0
+
+
+def _device(path: Path) -> str:
+    """The identity of the device: the name of the folder, or of the file."""
+    name = path.resolve().parent.name if path.name == MAIN else path.stem
+    made = _FOLDER.sub("-", name.lower()).strip("-") or "device"
+    form = schema()["$defs"]["device_id"]
+    if path.name == MAIN and made != name:
+        raise UsageError(f"the folder {name} is no name of a device: {form['description']}")
+    if not re.fullmatch(form["pattern"], made) or len(made) > form["maxLength"]:
+        raise UsageError(f"{made} is no name of a device: {form['description']}")
+    return str(made)
+
+
+def _passes(device: str, text: str, name: str) -> None:
+    """Refuses what would not pass the check: the list contradicts itself in a way that no skeleton can show."""
+    from fieldspec import pipeline
+
+    found = pipeline.checked(pipeline.load({f"{device}/{MAIN}": text.encode("utf-8")}))
+    if has_errors(found):
+        said = "; ".join(dict.fromkeys(one.message for one in found if one.severity.value == "error"))
+        raise UsageError(f"{name} contradicts itself: {said[:400]}")

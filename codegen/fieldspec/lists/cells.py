@@ -1,0 +1,109 @@
+"""What people write in the cells of a list, as data: types, accesses, numbers, ranges."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from decimal import Decimal
+
+from fieldspec.model.primitive import PRIMITIVES, Kind
+
+_TYPES: dict[str, str] = {
+    **{name: name for name in PRIMITIVES},
+    **dict.fromkeys(("uint16", "ushort", "unsignedshort", "word", "uint", "unsigned16", "uint16t"), "u16"),
+    **dict.fromkeys(("int16", "short", "sint16", "s16", "signed16", "int16t"), "i16"),
+    **dict.fromkeys(("uint32", "dword", "udint", "ulong", "unsignedlong", "unsigned32", "uint32t"), "u32"),
+    **dict.fromkeys(("int32", "dint", "long", "sint32", "s32", "signed32", "int32t"), "i32"),
+    **dict.fromkeys(("uint64", "ulint", "qword", "lword", "uint64t"), "u64"),
+    **dict.fromkeys(("int64", "lint", "s64", "int64t"), "i64"),
+    **dict.fromkeys(("uint8", "byte", "usint", "uchar", "uint8t"), "u8"),
+    **dict.fromkeys(("int8", "sint", "s8", "sbyte", "int8t"), "i8"),
+    **dict.fromkeys(("float", "float32", "real", "single", "浮点", "浮點"), "f32"),
+    **dict.fromkeys(("string", "str", "ascii", "char", "字符串", "字串"), "text"),
+}
+_LOOSE: dict[str, tuple[Kind, bool | None]] = {
+    **dict.fromkeys(("int", "integer", "signed", "有符号", "有符號", "带符号", "帶符號"), (Kind.INTEGER, True)),
+    **dict.fromkeys(("unsigned", "无符号", "無符號"), (Kind.INTEGER, False)),
+    **dict.fromkeys(("bool", "boolean", "bit", "coil", "布尔", "布爾"), (Kind.BOOLEAN, None)),
+}
+_ACCESSES: dict[str, str] = {
+    **dict.fromkeys(("ro", "r", "read", "readonly", "只读", "唯讀", "唯读", "读", "讀", "只讀"), "ro"),
+    **dict.fromkeys(
+        ("rw", "wr", "readwrite", "readandwrite", "读写", "讀寫", "可读写", "可讀寫", "可读可写", "可讀可寫"), "rw"
+    ),
+    **dict.fromkeys(("wo", "w", "write", "writeonly", "只写", "唯寫", "只寫", "唯写", "写", "寫"), "wo"),
+}
+_NUMBER = re.compile(r"([-+]?)(?:0x([0-9a-f]{1,16})|([0-9a-f]{1,16})h|([0-9]{1,20}(?:\.[0-9]{1,20})?))", re.IGNORECASE)
+_RANGE = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|至|\bto\b|(?<=[0-9hH]) ?- ?(?=[-+0-9]))\s*", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """What a list says of a type: the name of one, or its kind and perhaps whether it has a sign."""
+
+    name: str = ""
+    kind: Kind | None = None
+    signed: bool | None = None
+
+    def fits(self, name: str) -> bool:
+        """Whether a type is as it says."""
+        held = PRIMITIVES.get(name)
+        if held is None or name == self.name:
+            return name == self.name
+        if self.name:
+            return False
+        return held.kind is self.kind and self.signed in (None, held.signed)
+
+    def of_words(self, words: int | None) -> str:
+        """The name of the type, of as many words where it does not say it."""
+        if self.name:
+            return self.name
+        if self.kind is Kind.BOOLEAN:
+            return "bool16"
+        letter = "i" if self.signed else "u"
+        return {1: f"{letter}16", 2: f"{letter}32", 4: f"{letter}64"}.get(words or 1, "bytes")
+
+
+def _folded(text: str) -> str:
+    wide = unicodedata.normalize("NFKC", text).casefold()
+    return "".join(sign for sign in wide if sign.isalnum())
+
+
+def typed(text: str) -> Typed | None:
+    """A type, or None where the text is none that is known."""
+    word = re.sub(r"[\[(].*", "", text)
+    name = _TYPES.get(_folded(word))
+    if name:
+        return Typed(name)
+    loose = _LOOSE.get(_folded(word))
+    return Typed("", *loose) if loose else None
+
+
+def access(text: str) -> str:
+    """`ro`, `rw`, `wo`, or nothing where the text is no access."""
+    return _ACCESSES.get(_folded(text), "")
+
+
+def number(text: str) -> Decimal | None:
+    """An exact number, decimal or hexadecimal with a mark."""
+    found = _NUMBER.fullmatch(unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip())
+    if found is None:
+        return None
+    sign, marked, ended, plain = found.groups()
+    held = Decimal(plain) if plain else Decimal(int(marked or ended, 16))
+    return -held if sign == "-" else held
+
+
+def whole(text: str) -> int | None:
+    """A whole number, or None."""
+    held = number(text)
+    return int(held) if held is not None and held == held.to_integral_value() else None
+
+
+def bounds(text: str) -> tuple[Decimal, Decimal] | None:
+    """The ends of a range: `0~100`, `0-100`, `-5 to 5`, `0..0FFh`."""
+    ends = [number(part) for part in _RANGE.split(unicodedata.normalize("NFKC", text).strip())]
+    if len(ends) != 2 or ends[0] is None or ends[1] is None or ends[0] > ends[1]:
+        return None
+    return ends[0], ends[1]

@@ -1,0 +1,254 @@
+"""A device beside someone else's list: what agrees, what differs, and what only one of them has."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+from fieldspec.lists.addresses import BASES
+from fieldspec.lists.columns import folded
+from fieldspec.lists.item import REGISTERS, Item
+from fieldspec.lists.listed import Listed, Listing, moved
+
+ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "count", "stride")
+"""What is compared, where both sides say it."""
+
+_OFFSETS = (0, 1, -1)
+_ENOUGH = 0.25
+
+Place = tuple[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """One thing that the two sides say otherwise, as both write it."""
+
+    aspect: str
+    ours: str
+    theirs: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """An item and the row about it, and what they say otherwise; nothing where they agree."""
+
+    item: Item
+    row: Listed
+    differences: tuple[Difference, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """What the list has not: of an item with several elements, the numbers of those from `first` to `last`."""
+
+    item: Item
+    first: int
+    last: int
+
+    @property
+    def address(self) -> int:
+        """The first address that is missing."""
+        return self.item.address + (self.first - self.item.first) * self.item.stride
+
+
+@dataclass(frozen=True, slots=True)
+class Extra:
+    """A row about which the device has nothing, and what is there instead, where something is."""
+
+    row: Listed
+    remark: str
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """The result. `offset` is what the list's addresses are higher by; `guessed` where nobody had said it."""
+
+    base: str
+    offset: int
+    guessed: bool
+    pairs: tuple[Pair, ...]
+    extras: tuple[Extra, ...]
+    missing: tuple[Missing, ...]
+
+    @property
+    def agreeing(self) -> list[Pair]:
+        """The pairs that say the same."""
+        return [pair for pair in self.pairs if not pair.differences]
+
+    @property
+    def differing(self) -> list[Pair]:
+        """The pairs that do not."""
+        return [pair for pair in self.pairs if pair.differences]
+
+    @property
+    def shifted(self) -> bool:
+        """Whether the whole list counts its addresses otherwise, and nobody had said so."""
+        return self.guessed and self.offset != 0
+
+    @property
+    def same(self) -> bool:
+        """Whether there is no difference at all."""
+        return not (self.shifted or self.differing or self.extras or self.missing)
+
+
+@dataclass(slots=True)
+class _Known:
+    """The items by the address of each element, and by every word that they hold."""
+
+    items: Sequence[Item]
+    spaces: Mapping[str, str]
+    starts: dict[Place, list[Item]] = field(default_factory=lambda: defaultdict(list))
+    inside: dict[Place, Item] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for item in self.items:
+            for address in item.addresses():
+                self.starts[item.space, address].append(item)
+                for word in range(1, item.words or 1):
+                    self.inside[item.space, address + word] = item
+
+    def space(self, row: Listed) -> str:
+        """The space that a row is about: the one that it names, the registers, or the only one."""
+        named = folded(row.texts.get("space", ""))
+        if named in self.spaces:
+            return self.spaces[named]
+        return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
+
+    def at(self, row: Listed) -> Sequence[Item]:
+        """The items that begin where a row does."""
+        return self.starts.get((self.space(row), row.address), ())
+
+
+def compared(
+    items: Sequence[Item], listing: Listing, offset: int | None = None, ignored: Collection[str] = ()
+) -> Compared:
+    """Compares a device with a list. Without an offset, one of 1 for the whole list is found out."""
+    known = _Known(items, {folded(item.space): item.space for item in items})
+    aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
+    ways = [
+        (base, one, list(moved(listing.rows(base), one)))
+        for one in ((offset,) if offset is not None else _OFFSETS)
+        for base in sorted(listing.bases, key=lambda base: listing.bases.index(base))
+    ]
+    base, best, rows = _likeliest(known, ways, aspects)
+    assert base in BASES
+    pairs, extras, covered = _paired(known, rows, aspects)
+    missing = tuple(gap for item in items for gap in _gaps(item, covered[id(item)]))
+    return Compared(base, best, offset is None, tuple(pairs), tuple(extras), missing)
+
+
+def _likeliest(
+    known: _Known, ways: Sequence[tuple[str, int, list[Listed]]], aspects: Collection[str]
+) -> tuple[str, int, list[Listed]]:
+    """The way of reading addresses by which the most fits. Another offset than 0 must explain clearly more."""
+    best, most = ways[0], -1.0
+    for way in ways:
+        rows = way[2]
+        fits = [max((_fit(item, row, aspects) for item in known.at(row)), default=0.0) for row in rows]
+        total = sum(fits)
+        if way[1] == best[1] or most < 0:
+            better = total > most
+        else:
+            better = total > most and (all(fits) or total - most >= _ENOUGH * len(rows))
+        if better:
+            best, most = way, total
+    return best
+
+
+def _fit(item: Item, row: Listed, aspects: Collection[str]) -> float:
+    """How well a row fits an item: 1 for the address, more for what is the same beside it, above all the name."""
+    names = "name" in aspects and _names(item) & {folded(name) for name in row.names}
+    wrong = sum(difference.aspect in ("type", "access", "words") for difference in _differences(item, row, aspects))
+    return max(1 + (3 if names else 0) - 0.2 * wrong, 0.1)
+
+
+def _paired(
+    known: _Known, rows: Sequence[Listed], aspects: Collection[str]
+) -> tuple[list[Pair], list[Extra], dict[int, set[int]]]:
+    pairs: list[Pair] = []
+    extras: list[Extra] = []
+    covered: dict[int, set[int]] = defaultdict(set)
+    seen: dict[tuple[int, int], int] = {}
+    for row in rows:
+        found = known.at(row)
+        if not found:
+            holder = known.inside.get((known.space(row), row.address))
+            extras.append(Extra(row, f"inside {holder.name}" if holder else ""))
+            continue
+        fresh = [item for item in found if (id(item), row.address) not in seen]
+        item = max(fresh or found, key=lambda item: _fit(item, row, aspects))
+        if not fresh:
+            extras.append(Extra(row, f"listed before in row {seen[id(item), row.address]}"))
+            continue
+        seen[id(item), row.address] = row.row
+        first = (row.address - item.address) // item.stride if item.stride else 0
+        covered[id(item)].update(range(first, min(first + row.count, item.count) if item.stride else item.count))
+        pairs.append(Pair(item, row, tuple(_differences(item, row, aspects))))
+    return pairs, extras, covered
+
+
+def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:
+    """The elements of an item that no row is about, as runs."""
+    start: int | None = None
+    for number in range(item.count + 1):
+        absent = number < item.count and number not in covered
+        if absent and start is None:
+            start = number
+        elif not absent and start is not None:
+            yield Missing(item, item.first + start, item.first + number - 1)
+            start = None
+
+
+def _names(item: Item) -> set[str]:
+    names = (item.name, item.name.rpartition(".")[2], item.printed_name, item.label)
+    return {folded(name) for name in names} - {""}
+
+
+def _differences(item: Item, row: Listed, aspects: Collection[str]) -> Iterator[Difference]:
+    texts, value = row.texts, item.value
+    if "name" in aspects and row.names and _names(item).isdisjoint(map(folded, row.names)):
+        yield Difference("name", item.name, row.names[0])
+    if "type" in aspects and "type" in texts and not (row.type and row.type.fits(item.type)):
+        yield Difference("type", item.type, texts["type"])
+    if "access" in aspects and "access" in texts and item.access and row.access != item.access:
+        yield Difference("access", item.access, texts["access"])
+    if "words" in aspects and row.words is not None and item.words is not None and row.words != item.words:
+        yield Difference("words", str(item.words), str(row.words))
+    if "count" in aspects and "count" in texts and row.count != item.count:
+        yield Difference("count", str(item.count), texts["count"])
+    if "stride" in aspects and row.stride and item.stride and row.stride != item.stride:
+        yield Difference("stride", str(item.stride), texts["stride"])
+    if value is None:
+        return
+    if "unit" in aspects and "unit" in texts and value.unit and not _same_unit(value.unit, texts["unit"]):
+        yield Difference("unit", value.unit, texts["unit"])
+    if "scale" in aspects and (scale := _scale(texts.get("scale", ""))) is not None and scale != value.scale:
+        yield Difference("scale", f"{value.scale:f}", texts["scale"])
+    default = value.default if value.const is None else value.const
+    held = (
+        ("min", value.ranges.low if value.ranges else None, row.low),
+        ("max", value.ranges.high if value.ranges else None, row.high),
+        ("default", default if isinstance(default, int) else None, row.default),
+    )
+    for aspect, ours, theirs in held:
+        if aspect in aspects and ours is not None and theirs is not None and not _same(item, ours, theirs):
+            yield Difference(aspect, str(ours), f"{theirs:f}")
+
+
+def _same(item: Item, ours: int, theirs: Decimal) -> bool:
+    """Whether a list's number is a count, or the same in the unit."""
+    return theirs == ours or (item.value is not None and item.value.in_unit(ours) == theirs)
+
+
+def _same_unit(ours: str, theirs: str) -> bool:
+    return ours.replace(" ", "").casefold() == theirs.replace(" ", "").casefold()
+
+
+def _scale(text: str) -> Decimal | None:
+    try:
+        held = Decimal(text)
+    except ArithmeticError:
+        return None
+    return held if held.is_finite() else None

@@ -1,0 +1,150 @@
+"""What a device has at its addresses, one item for each register, field of a table, or parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.enum import Enum
+from fieldspec.model.fact import Citation
+from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.register import Register
+from fieldspec.model.value import Value
+
+REGISTERS = "registers"
+"""The space of registers; each space of parameters bears its own name."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Item:
+    """A value at `address`, which has `words` of 16 bits; of a parameter, `words` is None.
+
+    Of a table's field, and of a parameter with several elements, it stands for `count` of them, the first numbered
+    `first`, `stride` addresses apart; a stride of 0 means that all are at one address. `low`, `high` and `default` are
+    counts. `access` is empty where the manual does not say it.
+    """
+
+    space: str
+    address: int
+    name: str
+    words: int | None
+    type: str
+    access: str
+    value: Value | None
+    count: int = 1
+    stride: int = 0
+    first: int = 0
+    printed_name: str = ""
+    label: str = ""
+    members: tuple[tuple[int, str], ...] = ()
+    source: Citation | None = None
+    unverified: bool = False
+
+    def addresses(self) -> range:
+        """The first addresses of all that it stands for."""
+        step = self.stride or 1
+        return range(self.address, self.address + (self.count if self.stride else 1) * step, step)
+
+
+def items(layout: DeviceLayout) -> list[Item]:
+    """All items of a device: registers, tables and parameters, each by address."""
+    enums = layout.device.enums
+    found = [item for register in layout.device.registers() for item in _register(register, enums)]
+    found += [item for table in layout.tables.values() for item in _table(table, enums)]
+    found.sort(key=lambda item: item.address)
+    for held in layout.device.parameters.values():
+        found += [item for parameter in held.parameters for item in _parameter(held, parameter, enums)]
+    return found
+
+
+def _register(register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
+    for number in range(register.count):
+        index = register.index_from + number
+        many = register.count > 1
+        sources = register.element_sources[number : number + 1] or register.sources
+        printed = register.element_name.format(n=index) if register.element_name and many else register.printed_name
+        yield Item(
+            space=REGISTERS,
+            address=register.address + number * register.stride,
+            name=f"{register.name}_{index}" if many else register.name,
+            words=register.width,
+            type=register.value.type.name,
+            access=register.access,
+            value=register.value,
+            printed_name=printed,
+            label=register.label,
+            members=_members(register.value, enums),
+            source=_first(sources),
+            unverified=register.unverified,
+        )
+
+
+def _table(laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
+    table = laid.table
+    for name, field, byte in _flat(laid.record):
+        yield Item(
+            space=REGISTERS,
+            address=table.base + byte // 2,
+            name=f"{table.name}.{name}",
+            words=(byte % 2 + field.size + 1) // 2,
+            type=field.value.type.name if field.value else "bytes",
+            access=field.field.access or table.access,
+            value=field.value,
+            count=table.count,
+            stride=table.stride,
+            first=table.index_from,
+            members=_members(field.value, enums),
+            printed_name=field.field.printed_name,
+            label=field.field.label,
+            source=_first(field.field.sources),
+            unverified=field.field.unverified,
+        )
+
+
+def _flat(record: RecordLayout, before: str = "", at: int = 0) -> Iterator[tuple[str, FieldLayout, int]]:
+    """The values in a record with their names and their bytes; those of records in it too, and each of several."""
+    for field in record.fields:
+        count = field.count or 1
+        for number in range(count):
+            name = f"{before}{field.name}" + (f"_{number}" if count > 1 else "")
+            byte = at + field.offset + number * field.size
+            if field.record is None:
+                yield name, field, byte
+            else:
+                yield from _flat(field.record, f"{name}.", byte)
+
+
+def _parameter(held: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
+    for number in range(parameter.number, parameter.number + parameter.count):
+        yield Item(
+            space=held.space,
+            address=held.base + number,
+            name=f"{parameter.name}_{number}" if parameter.count > 1 else parameter.name,
+            words=None,
+            type=parameter.value.type.name,
+            access=parameter.access,
+            value=parameter.value,
+            count=parameter.elements or 1,
+            members=_members(parameter.value, enums),
+            printed_name=parameter.printed_name,
+            label=parameter.label,
+            source=_first(parameter.sources),
+            unverified=parameter.unverified,
+        )
+
+
+def _first(sources: tuple[Citation, ...]) -> Citation | None:
+    return sources[0] if sources else None
+
+
+def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[int, str], ...]:
+    enum = enums.get(value.enum) if value is not None and value.enum else None
+    return tuple((member.value, member.name) for member in enum.members) if enum is not None else ()
+
+
+def plain(number: Decimal) -> int | Decimal:
+    """An exact number, as a whole one where it is."""
+    return int(number) if number == number.to_integral_value() else number

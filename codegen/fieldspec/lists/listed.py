@@ -1,0 +1,157 @@
+"""A list of registers, read: what each of its rows says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+
+from fieldspec.lists import cells
+from fieldspec.lists.addresses import (
+    DECIMAL,
+    HEXADECIMAL,
+    HIGHEST,
+    REFERENCE,
+    Spelled,
+    Written,
+    said_by_heading,
+    written,
+)
+from fieldspec.lists.columns import Columns, columns
+from fieldspec.lists.sheet import ListError, Sheet, SheetRow
+
+_SHOWN = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """What a row says. `address` counts as the list does, `row` is its number in the file.
+
+    Cells that say nothing, or nothing that is understood, are None or empty. `texts` are the cells by role.
+    """
+
+    row: int
+    address: int
+    words: int | None
+    names: tuple[str, ...]
+    type: cells.Typed | None
+    access: str
+    low: Decimal | None
+    high: Decimal | None
+    default: Decimal | None
+    count: int
+    stride: int
+    texts: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """A list: how its addresses are read, its rows, and the rows that have no address.
+
+    `bases` are the ways in which the addresses can be read, the likeliest first.
+    """
+
+    columns: Columns
+    written: tuple[tuple[SheetRow, Written], ...]
+    skipped: tuple[int, ...]
+    bases: tuple[str, ...]
+
+    def rows(self, base: str) -> list[Listed]:
+        """What the rows say, with addresses read in a way of `bases`."""
+        return [_listed(self.columns, row, held, base) for row, held in self.written]
+
+    def heading(self, role: str) -> str:
+        """The heading of a role's column."""
+        return self.columns.heading(role)
+
+
+def listing(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Listing:
+    """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written."""
+    found = columns(sheet, given)
+    rows: list[tuple[SheetRow, Written]] = []
+    skipped: list[int] = []
+    wrong: list[SheetRow] = []
+    for row in found.rows:
+        text = found.cell(row, "address")
+        held = written(text, row.number) if text else None
+        if held is not None:
+            rows.append((row, held))
+        elif text and sum(map(bool, row.cells)) > 1 and row.cells != found.headings:
+            wrong.append(row)
+        else:
+            skipped.append(row.number)
+    heading = found.heading("address")
+    if wrong:
+        shown = "; ".join(f"`{found.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_SHOWN])
+        more = f"; and {len(wrong) - _SHOWN} more" if len(wrong) > _SHOWN else ""
+        raise ListError(f"has no address under {heading}: {shown}{more}; name the column with --address")
+    if not rows:
+        raise ListError(f"has no address under {heading}")
+    made = Listing(found, tuple(rows), tuple(skipped), _bases([held for _, held in rows], base, heading))
+    for one in made.bases:
+        _within(made.rows(one), heading)
+    return made
+
+
+def _bases(held: Sequence[Written], base: str, heading: str) -> tuple[str, ...]:
+    """How digits without a mark may be read. Where the user or the heading says it, there is one way."""
+    ends = [end for one in held for end in (one.first, one.last) if end is not None]
+    said = base or said_by_heading(heading)
+    if not said and any(end.lettered for end in ends):
+        said = HEXADECIMAL
+    if said:
+        wrong = [end.digits for end in ends if end.number(said) is None]
+        if wrong:
+            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {said}")
+        return (said,)
+    bare = [end for end in ends if not end.mark]
+    if not bare:
+        return (HEXADECIMAL,)
+    ways = [DECIMAL, HEXADECIMAL]
+    if all(_is_reference(end) for end in bare):
+        ways.append(REFERENCE)
+    return tuple(ways)
+
+
+def _is_reference(end: Spelled) -> bool:
+    return end.reference() is not None
+
+
+def _within(rows: Sequence[Listed], heading: str) -> None:
+    for row in rows:
+        if row.address > HIGHEST:
+            raise ListError(f"has the address {row.address} under {heading} in row {row.row}, which is too great")
+
+
+def _listed(held: Columns, row: SheetRow, address: Written, base: str) -> Listed:
+    texts = {role: text for role in held.places if (text := held.cell(row, role))}
+    first = address.first.number(base) or 0
+    last = address.last.number(base) if address.last is not None else None
+    words = cells.whole(texts.get("words", ""))
+    if words is None and last is not None and last >= first:
+        words = last - first + 1
+    low, high = cells.number(texts.get("min", "")), cells.number(texts.get("max", ""))
+    both = cells.bounds(texts.get("range", ""))
+    if low is None and high is None and both is not None:
+        low, high = both
+    count = cells.whole(texts.get("count", "")) or 1
+    return Listed(
+        row=row.number,
+        address=first,
+        words=words if words is not None and words > 0 else None,
+        names=tuple(texts[role] for role in ("name", "printed_name", "label") if role in texts),
+        type=cells.typed(texts.get("type", "")),
+        access=cells.access(texts.get("access", "")),
+        low=low,
+        high=high,
+        default=cells.number(texts.get("default", "")),
+        count=count if 1 <= count <= HIGHEST else 1,
+        stride=max(cells.whole(texts.get("stride", "")) or 0, 0),
+        texts=texts,
+    )
+
+
+def moved(rows: Sequence[Listed], offset: int) -> Iterator[Listed]:
+    """The rows with addresses that count as the wire does, where those of the list are higher by an offset."""
+    for row in rows:
+        yield replace(row, address=row.address - offset)

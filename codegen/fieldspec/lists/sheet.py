@@ -1,0 +1,86 @@
+"""A list as it lies in a file: rows of cells, before anything is known of its columns."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+MOST_BYTES = 32 << 20
+MOST_ROWS = 100_000
+MOST_COLUMNS = 1_000
+
+_BLANK = re.compile(r"\s+")
+
+
+class ListError(Exception):
+    """A list that cannot be used: one sentence that says what is wrong with the file, and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """Cells that are merged into one: rows and columns, counted from 1, both ends included."""
+
+    first_row: int
+    first_column: int
+    last_row: int
+    last_column: int
+
+    def text(self) -> str:
+        """`C5:C9`"""
+        first, last = f"{letters(self.first_column)}{self.first_row}", f"{letters(self.last_column)}{self.last_row}"
+        return f"{first}:{last}"
+
+
+@dataclass(frozen=True, slots=True)
+class SheetRow:
+    """The cells of a row as texts, and its number in the file, counted from 1."""
+
+    number: int
+    cells: tuple[str, ...]
+
+    def cell(self, column: int) -> str:
+        """The cell in a column, counted from 0; empty behind the last one."""
+        return self.cells[column] if column < len(self.cells) else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """The rows that are not empty. `formulas` are the cells, as row and column from 1, whose text is a formula.
+
+    `name` says which of several sheets it is, empty where there is one. `lines` is the number of rows of the file.
+    """
+
+    rows: tuple[SheetRow, ...]
+    lines: int
+    name: str = ""
+    formulas: frozenset[tuple[int, int]] = frozenset()
+    merged: tuple[Region, ...] = ()
+
+
+def clean(text: str) -> str:
+    """A cell's text in one line: no control characters, single blanks, no apostrophe before a sign of a formula."""
+    shown = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
+    shown = _BLANK.sub(" ", shown).strip()
+    return shown[1:] if shown[:1] == "'" and shown[1:2] in FORMULA_SIGNS else shown
+
+
+FORMULA_SIGNS = tuple("=+-@\t\r\n")
+"""What a text begins with that a spreadsheet takes for a formula."""
+
+_NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
+
+
+def guarded(text: str) -> str:
+    """A text that no spreadsheet takes for a formula: with an apostrophe before it, where it would be one."""
+    risky = text.startswith(FORMULA_SIGNS) and not _NUMBER.fullmatch(text)
+    return f"'{text}" if risky else text
+
+
+def letters(column: int) -> str:
+    """The letters of a column, counted from 1: `A`, `Z`, `AA`."""
+    text = ""
+    while column:
+        column, left = divmod(column - 1, 26)
+        text = chr(ord("A") + left) + text
+    return text

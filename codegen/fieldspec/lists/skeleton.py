@@ -1,0 +1,220 @@
+"""The first file of a device, written from a list: every register is there, and none is verified."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+
+from fieldspec.lists.columns import folded
+from fieldspec.lists.item import REGISTERS
+from fieldspec.lists.listed import Listed
+from fieldspec.lists.naming import named
+from fieldspec.lists.sheet import ListError
+from fieldspec.model.primitive import PRIMITIVES, Kind
+from fieldspec.schema import schema
+
+_MOST_WORDS = 1 << 20
+_BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
+_UNITS = {folded(unit) or unit: unit for unit in schema()["$defs"]["unit"]["enum"]}
+_PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_./-]*")
+
+_HEAD = """\
+# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.schema.json
+# Written from a list, and not verified. Compare each row with the manual, cite its section and line as the source, and
+# take `unverified` away. Then put the manual's own title, file and hash below, and add how frames look: `fieldspec new
+# device` shows it.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The list: its file, hash and number of lines."""
+
+    file: str
+    sha256: str
+    lines: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Shape:
+    type: str
+    words: int
+    doubts: tuple[str, ...]
+    inferred: bool
+
+
+def skeleton(device: str, origin: Origin, rows: Sequence[Listed]) -> str:
+    """The text of a spec file. Two rows about the same word are refused."""
+    other = next((row for row in rows if folded(row.texts.get("space", "")) not in ("", REGISTERS)), None)
+    if other is not None:
+        space = other.texts["space"]
+        raise ListError(f"has the space {space} in row {other.row}; only a list of registers can be imported")
+    shapes = [_shape(row) for row in rows]
+    _refuse_overlaps(rows, shapes)
+    lines = [_HEAD + "device:"]
+    lines += [f"  id: {device}", f"  name: {device}", "  vendor: unknown"]
+    title = f"The list {origin.file}"
+    lines += ["  manual:", f"    title: {_quoted(title)}", f"    file: {_quoted(origin.file)}"]
+    lines += [f'    sha256: "{origin.sha256}"', f"    lines: {origin.lines}", ""]
+    lines += ["registers:", "  - group: listed", '    section: "1"', "    unverified: true"]
+    addresses = [row.address for row in rows]
+    if addresses == sorted(set(addresses)):
+        lines += _gaps(rows, shapes)
+    else:
+        lines.append("    order: as_listed")
+    lines.append("    rows:")
+    names: set[str] = set()
+    labels: set[str] = set()
+    lines += [_row(row, shape, names, labels) for row, shape in zip(rows, shapes, strict=True)]
+    return "\n".join(lines) + "\n"
+
+
+def _shape(row: Listed) -> _Shape:
+    """The type and the words of a register; where the list contradicts itself, its words count."""
+    known = row.type.of_words(row.words) if row.type else ""
+    if not known:
+        known = _BY_WORDS.get(row.words or 1, "bytes")
+        if row.low is not None and row.low < 0 and known != "bytes":
+            known = known.replace("u", "i")
+    size = PRIMITIVES[known].size
+    if not size:
+        return _Shape(known, row.words or 1, (), row.type is None)
+    if row.words is None or row.words == (size + 1) // 2:
+        return _Shape(known, (size + 1) // 2, (), row.type is None)
+    doubt = f"The list says {row.texts.get('type', known)}, and {row.words} words."
+    return _Shape(_BY_WORDS.get(row.words, "bytes"), row.words, (doubt,), False)
+
+
+def _refuse_overlaps(rows: Sequence[Listed], shapes: Sequence[_Shape]) -> None:
+    held: dict[int, int] = {}
+    twice: list[tuple[int, int, int]] = []
+    for row, shape in zip(rows, shapes, strict=True):
+        stride = row.stride or shape.words
+        if len(held) + row.count * shape.words > _MOST_WORDS:
+            raise ListError(f"has more words than a device, up to row {row.row}")
+        for address in (row.address + n * stride + word for n in range(row.count) for word in range(shape.words)):
+            first = held.setdefault(address, row.row)
+            if first != row.row and (not twice or twice[-1][1] != row.row):
+                twice.append((first, row.row, address))
+    if twice:
+        shown = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
+        more = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
+        raise ListError(f"has two rows about the same word: {shown}{more}; put their addresses or words right")
+
+
+def _gaps(rows: Sequence[Listed], shapes: Sequence[_Shape]) -> Iterator[str]:
+    """The declared gaps between the first register and the last; the rows ascend."""
+    gaps = []
+    end = rows[0].address
+    for row, shape in zip(rows, shapes, strict=True):
+        if row.address > end:
+            gaps.append((end, row.address - 1))
+        end = max(end, row.address + (row.count - 1) * (row.stride or shape.words) + shape.words)
+    if gaps:
+        yield "    gaps:"
+    for low, high in gaps:
+        at = f"0x{low:04X}" if low == high else f"0x{low:04X}..0x{high:04X}"
+        yield f"      - {{at: {at}, reason: The list leaves them out.}}"
+
+
+def _row(row: Listed, shape: _Shape, names: set[str], labels: set[str]) -> str:
+    texts = row.texts
+    doubts = list(shape.doubts)
+    kind = PRIMITIVES[shape.type]
+    name = _fresh(named(row.names, row.address), row.address, names)
+    parts = [f"at: 0x{row.address:04X}", f"name: {name}", f"type: {shape.type}", f"words: {shape.words}"]
+    if row.count > 1:
+        parts += [f"count: {row.count}", f"stride: {row.stride or shape.words}"]
+    if row.access:
+        parts.append(f"access: {row.access}")
+    elif "access" in texts:
+        doubts.append(f"Access in the list: {texts['access']}.")
+    unit = texts.get("unit", "")
+    if unit:
+        known = _UNITS.get(folded(unit) or unit)
+        parts += [f"unit: {_quoted(known)}"] if known else []
+        doubts += [] if known else [f"Unit in the list: {unit}."]
+    parts += _numbers(row, kind.kind is Kind.INTEGER, kind.low, kind.high, doubts)
+    parts += _words(row, name, labels)
+    if "type" in texts and row.type is None:
+        doubts.append(f"Type in the list: {texts['type']}.")
+    if shape.inferred:
+        parts.append("inferred: {type: The list does not say it.}")
+    if doubts:
+        parts.append(f"notes: [{', '.join(map(_quoted, doubts))}]")
+    parts += [f"source: L{row.row}", "unverified: true"]
+    return f"      - {{{', '.join(parts)}}}"
+
+
+def _numbers(row: Listed, is_integer: bool, lowest: int, highest: int, doubts: list[str]) -> list[str]:
+    """Scale, range and default, as far as they are whole counts of the type; else they are told as doubts."""
+    texts, parts = row.texts, []
+    scale = _decimal(texts.get("scale", ""))
+    if scale is not None and scale > 0 and is_integer:
+        parts += [f"scale: {scale:f}"] if scale != 1 else []
+    elif "scale" in texts:
+        doubts.append(f"Scale in the list: {texts['scale']}.")
+    low, high, default = row.low, row.high, row.default
+    ranged = low is not None and high is not None and is_integer and _counts(low, high, lowest, highest)
+    if ranged:
+        parts.append(f"range: {low:f}..{high:f}")
+    else:
+        told = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
+        doubts += [f"{what} in the list: {text}." for what, text in told.items() if text]
+    if "default" in texts:
+        inside = (low, high) if ranged else (Decimal(lowest), Decimal(highest))
+        if default is not None and is_integer and _counts(default, default, lowest, highest) and (
+            inside[0] is not None and inside[1] is not None and inside[0] <= default <= inside[1]
+        ):
+            parts.append(f"default: {default:f}")
+        else:
+            doubts.append(f"Default in the list: {texts['default']}.")
+    return parts
+
+
+def _counts(low: Decimal, high: Decimal, lowest: int, highest: int) -> bool:
+    """Whether two numbers are whole, in order, and fit a type."""
+    whole = low == low.to_integral_value() and high == high.to_integral_value()
+    return whole and lowest <= low <= high <= highest
+
+
+def _words(row: Listed, name: str, labels: set[str]) -> Iterator[str]:
+    """What the list calls it; a text that two rows have is allowed to stand there twice."""
+    texts = row.texts
+    printed = texts.get("printed_name", "") or texts.get("name", "")
+    label = texts.get("label", "")
+    again = False
+    for key, text in (("printed_name", printed), ("label", label)):
+        if text and text != name:
+            again |= f"{key} {text}" in labels
+            labels.add(f"{key} {text}")
+            yield f"{key}: {_quoted(text)}"
+    if again:
+        yield "allow: {labels_unique: The list has it twice.}"
+
+
+def _fresh(name: str, address: int, names: set[str]) -> str:
+    """A name that no other register has."""
+    made, number = name, 1
+    while made in names:
+        made = f"{name}_{address:04x}" if number == 1 else f"{name}_{address:04x}_{number}"
+        number += 1
+    names.add(made)
+    return made
+
+
+def _decimal(text: str) -> Decimal | None:
+    if re.fullmatch(r"[0-9]{1,12}(\.[0-9]{1,12})?", text):
+        return Decimal(text)
+    return None
+
+
+def _quoted(text: str) -> str:
+    """A text as YAML has it within brackets, plain where it is a word."""
+    if _PLAIN.fullmatch(text) and text.casefold() not in ("true", "false", "yes", "no", "on", "off", "null", "y", "n"):
+        return text
+    escaped = (sign if sign.isprintable() or sign == " " else f"\\U{ord(sign):08X}" for sign in text)
+    return '"' + "".join(json.dumps(one)[1:-1] if one in '"\\' else one for one in escaped) + '"'

@@ -1,0 +1,131 @@
+"""Lists as text: CSV with any usual separator, tables with bars, and JSON."""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import io
+import json
+import re
+from collections import Counter
+
+from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow, clean
+
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+_KNOWN_BINARIES = (
+    (b"\xd0\xcf\x11\xe0", "an old workbook of Excel; save it as .xlsx"),
+    (b"%PDF", "a PDF; save its table as CSV"),
+    (b"\x1f\x8b", "compressed; unpack it first"),
+    (b"{\\rtf", "a document; save its table as CSV"),
+)
+_SEPARATORS = ("\t", ";", ",", "|")
+_LOOKED_AT = 60
+_RULE = re.compile(r"[|+:=\s-]+")
+
+
+def text_sheet(content: bytes, encoding: str = "") -> Sheet:
+    """The sheet in a text file. Without an encoding, a byte order mark says it, else it is UTF-8."""
+    text = decoded(content, encoding)
+    if not text.strip():
+        raise ListError("is empty")
+    if text.lstrip()[0] == "[":
+        return _of_json(text)
+    lines = text.splitlines(keepends=True)
+    separator = _separator(lines)
+    bars = separator == "|"
+    rows = []
+    reader = csv.reader(
+        io.StringIO(text, newline=""), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
+    )
+    number = 0
+    try:
+        for cells in reader:
+            number += 1
+            if number > MOST_ROWS:
+                raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
+            if len(cells) > MOST_COLUMNS:
+                raise ListError(f"has a row {number} with more than {MOST_COLUMNS} cells")
+            if bars and _RULE.fullmatch(separator.join(cells)):
+                continue
+            if bars and cells and not cells[0].strip():
+                cells = cells[1:]
+            row = tuple(clean(cell) for cell in cells)
+            if any(row):
+                rows.append(SheetRow(number, row))
+    except csv.Error as error:
+        raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
+    return Sheet(tuple(rows), number)
+
+
+def decoded(content: bytes, encoding: str = "") -> str:
+    """The text of a file."""
+    for mark, kind in _KNOWN_BINARIES:
+        if content.startswith(mark):
+            raise ListError(f"is {kind}")
+    marked = next((name for mark, name in _MARKS if content.startswith(mark)), "")
+    given = encoding or marked
+    try:
+        if given:
+            found = codecs.lookup(given)
+            if not getattr(found, "_is_text_encoding", True):
+                raise LookupError
+        text = content.decode(given or "utf-8")
+    except LookupError:
+        raise ListError(f"cannot be read: there is no encoding {given}; some are gbk, big5, utf-16, cp1252") from None
+    except UnicodeError:
+        if given:
+            raise ListError(f"is not in the encoding {given}; give another one with --encoding") from None
+        if b"\0" in content:
+            raise ListError("is binary: give a CSV or XLSX file, or say --encoding utf-16-le") from None
+        raise ListError("is not UTF-8; say which encoding it has, as in --encoding gbk or --encoding big5") from None
+    if "\0" in text:
+        hint = "give a CSV or XLSX file" if given else "give a CSV or XLSX file, or say --encoding utf-16-le"
+        raise ListError(f"is binary: {hint}")
+    return text.removeprefix("\ufeff")
+
+
+def _separator(lines: list[str]) -> str:
+    """The separator that gives the most rows of one length; a table with bars around it has bars."""
+    looked_at = [line for line in lines[:_LOOKED_AT] if line.strip()]
+    if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
+        return "|"
+    best, most = ",", (0, 0)
+    for separator in _SEPARATORS:
+        try:
+            widths = Counter(len(row) for row in csv.reader(looked_at, delimiter=separator) if len(row) > 1)
+        except csv.Error:
+            continue
+        width, count = max(widths.items(), key=lambda held: (held[1], held[0]), default=(0, 0))
+        if (count, width) > most:
+            best, most = separator, (count, width)
+    return best
+
+
+def _of_json(text: str) -> Sheet:
+    """The sheet of a list of objects; its columns are their keys."""
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ListError("begins like JSON and is none") from None
+    if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
+        raise ListError("is JSON, and no list of objects")
+    if len(data) > MOST_ROWS:
+        raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
+    heads = list(dict.fromkeys(key for item in data for key in item))
+    if len(heads) > MOST_COLUMNS:
+        raise ListError(f"has more than {MOST_COLUMNS} columns")
+    rows = [SheetRow(1, tuple(map(clean, heads)))]
+    rows += [SheetRow(n, tuple(_json_cell(item.get(head)) for head in heads)) for n, item in enumerate(data, 2)]
+    return Sheet(tuple(row for row in rows if any(row.cells)), len(data) + 1)
+
+
+def _json_cell(value: object) -> str:
+    if value is None:
+        return ""
+    return clean(value if isinstance(value, str) else json.dumps(value, ensure_ascii=False))
