@@ -1,9 +1,12 @@
 /*
  * ESC11-B (TAIYO), version before-1.17
  * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
- * Identity: 72e094ee72b63b19
+ * Identity: 3d76276a9d24516b
  *
  * C99 and C++11. Generated; do not edit.
+ *
+ * Before it is included there may be defined:
+ *   ESC11_WITH_TEXTS for the texts of codes, which take memory
  */
 #ifdef ESC11_INCLUDED
 #ifndef ESC11_VERSION_IS_BEFORE_1_17
@@ -22,7 +25,7 @@
 #include <string.h>
 
 #define ESC11_VERSION "before-1.17"
-#define ESC11_IDENTITY "72e094ee72b63b19"
+#define ESC11_IDENTITY "3d76276a9d24516b"
 
 /* ---- What functions return ---- */
 
@@ -178,20 +181,20 @@ static inline uint8_t esc11_sum8(const uint8_t *in, size_t size)
  * Source: 9.6.3 L1122-1129
  */
 typedef enum esc11_actuator_type {
-    ESC11_ACTUATOR_TYPE_SS_2010 = 110,
-    ESC11_ACTUATOR_TYPE_SS_2005_3N = 111,
-    ESC11_ACTUATOR_TYPE_SS_2005_5N = 112,
-    ESC11_ACTUATOR_TYPE_ST_2013 = 118,
-    ESC11_ACTUATOR_TYPE_ST_2004 = 119,
-    ESC11_ACTUATOR_TYPE_SS_2815 = 120,
-    ESC11_ACTUATOR_TYPE_ST_2820 = 129,
-    ESC11_ACTUATOR_TYPE_SS_4225 = 130,
-    ESC11_ACTUATOR_TYPE_ST_4230 = 139,
-    ESC11_ACTUATOR_TYPE_SD_2005 = 210,
-    ESC11_ACTUATOR_TYPE_SD_2810 = 220,
-    ESC11_ACTUATOR_TYPE_SD_4220 = 230,
-    ESC11_ACTUATOR_TYPE_FS_2020 = 310, /**< Also for FT-2020. */
-    ESC11_ACTUATOR_TYPE_FS_2840 = 320 /**< Also for FT-2840. */
+    ESC11_ACTUATOR_TYPE_SS_2010 = 110, /**< SS-2010 */
+    ESC11_ACTUATOR_TYPE_SS_2005_3N = 111, /**< SS-2005-3N */
+    ESC11_ACTUATOR_TYPE_SS_2005_5N = 112, /**< SS-2005-5N */
+    ESC11_ACTUATOR_TYPE_ST_2013 = 118, /**< ST-2013 */
+    ESC11_ACTUATOR_TYPE_ST_2004 = 119, /**< ST-2004 */
+    ESC11_ACTUATOR_TYPE_SS_2815 = 120, /**< SS-2815 */
+    ESC11_ACTUATOR_TYPE_ST_2820 = 129, /**< ST-2820 */
+    ESC11_ACTUATOR_TYPE_SS_4225 = 130, /**< SS-4225 */
+    ESC11_ACTUATOR_TYPE_ST_4230 = 139, /**< ST-4230 */
+    ESC11_ACTUATOR_TYPE_SD_2005 = 210, /**< SD-2005 */
+    ESC11_ACTUATOR_TYPE_SD_2810 = 220, /**< SD-2810 */
+    ESC11_ACTUATOR_TYPE_SD_4220 = 230, /**< SD-4220 */
+    ESC11_ACTUATOR_TYPE_FS_2020 = 310, /**< FS (FT) -2020 Also for FT-2020. */
+    ESC11_ACTUATOR_TYPE_FS_2840 = 320 /**< FS (FT) -2840 Also for FT-2840. */
 } esc11_actuator_type;
 
 /**
@@ -202,22 +205,22 @@ typedef enum esc11_actuator_type {
  * Source: 10.3 L1292-1308; 10.4 L1310-1326
  */
 typedef enum esc11_alarm_code {
-    ESC11_ALARM_CODE_OVERLOAD = 1, /**< 过负荷 */
-    ESC11_ALARM_CODE_OVERCURRENT = 2, /**< 过电流 */
-    ESC11_ALARM_CODE_MACHINE_REFERENCE_OVER = 3, /**< 超过基准值 */
-    ESC11_ALARM_CODE_SUPPLY_VOLTAGE_LOW = 4, /**< 电源电压下降 */
-    ESC11_ALARM_CODE_DATA_NOT_WRITTEN = 5, /**< 数据写入不良 */
-    ESC11_ALARM_CODE_POSITION_DEVIATION_OVER = 6, /**< 位置偏差过大 */
-    ESC11_ALARM_CODE_POINT_DATA_DESTROYED = 7, /**< 点数据不良 */
-    ESC11_ALARM_CODE_PARAMETER_DATA_DESTROYED = 8, /**< 参数不良 */
-    ESC11_ALARM_CODE_SYSTEM_FAULT_1 = 9, /**< 系统异常1 */
-    ESC11_ALARM_CODE_FEEDBACK_ERROR_1 = 10, /**< 反馈错误1 */
-    ESC11_ALARM_CODE_FEEDBACK_ERROR_2 = 11, /**< 反馈错误2 */
-    ESC11_ALARM_CODE_ABNORMAL_VOLTAGE = 12, /**< 电压异常 */
-    ESC11_ALARM_CODE_SYSTEM_FAULT_2 = 13, /**< 系统异常2 */
-    ESC11_ALARM_CODE_FEEDBACK_ERROR_3 = 14, /**< 反馈错误3 */
-    ESC11_ALARM_CODE_SOFT_LIMIT_EXCEEDED = 32, /**< 超过软限位 */
-    ESC11_ALARM_CODE_PULSE_OVERFLOW = 33, /**< 脉冲溢出 */
+    ESC11_ALARM_CODE_OVERLOAD = 1, /**< OVER LOAD 过负荷 */
+    ESC11_ALARM_CODE_OVERCURRENT = 2, /**< OVER CURRENT 过电流 */
+    ESC11_ALARM_CODE_MACHINE_REFERENCE_OVER = 3, /**< MACHINE REFERENCE OVER 超过基准值 */
+    ESC11_ALARM_CODE_SUPPLY_VOLTAGE_LOW = 4, /**< POWER SUPPLY VOLTAGE LOW 电源电压下降 */
+    ESC11_ALARM_CODE_DATA_NOT_WRITTEN = 5, /**< DATA NOT WRITE 数据写入不良 */
+    ESC11_ALARM_CODE_POSITION_DEVIATION_OVER = 6, /**< P.E. COUNTER OVER 位置偏差过大 */
+    ESC11_ALARM_CODE_POINT_DATA_DESTROYED = 7, /**< PNT DATA DESTROY 点数据不良 */
+    ESC11_ALARM_CODE_PARAMETER_DATA_DESTROYED = 8, /**< PRM DATA DESTROY 参数不良 */
+    ESC11_ALARM_CODE_SYSTEM_FAULT_1 = 9, /**< SYSTEM FAULT1 系统异常1 */
+    ESC11_ALARM_CODE_FEEDBACK_ERROR_1 = 10, /**< FEEDBACK ERROR1 反馈错误1 */
+    ESC11_ALARM_CODE_FEEDBACK_ERROR_2 = 11, /**< FEEDBACK ERROR2 反馈错误2 */
+    ESC11_ALARM_CODE_ABNORMAL_VOLTAGE = 12, /**< ABNORMAL VOLTAGE 电压异常 */
+    ESC11_ALARM_CODE_SYSTEM_FAULT_2 = 13, /**< SYSTEM FAULT2 系统异常2 */
+    ESC11_ALARM_CODE_FEEDBACK_ERROR_3 = 14, /**< FEEDBACK ERROR3 反馈错误3 */
+    ESC11_ALARM_CODE_SOFT_LIMIT_EXCEEDED = 32, /**< SOFT LIMIT OVER 超过软限位 */
+    ESC11_ALARM_CODE_PULSE_OVERFLOW = 33, /**< PULSE OVERFLOW 脉冲溢出 */
     ESC11_ALARM_CODE_IO_LOGIC_ERROR = 34, /**< I/O逻辑错误 */
     ESC11_ALARM_CODE_HOMING_INCOMPLETE = 35, /**< 原点未完成 */
     ESC11_ALARM_CODE_SERVO_OFF = 36, /**< 伺服OFF */
@@ -994,6 +997,7 @@ static inline esc11_codec_status esc11_temporary_point_decode(const uint8_t *in,
  * Gives the points from a number on, at most 15 of them. Deleted points are left out, so each one brings its
  * number along.
  * Printed as 连续读取点数据.
+ * Read consecutive points.
  * Source: 9.4.1 L889-898, 887
  */
 #define ESC11_READ_POINTS_CODE 80u
@@ -1102,6 +1106,7 @@ static inline esc11_codec_status esc11_read_points_response_decode(const uint8_t
 /**
  * Gives all 32 parameters in the order of their numbers.
  * Printed as 读取全部参数.
+ * Read all parameters.
  * Source: 9.4.2 L920-926, 918
  */
 #define ESC11_READ_PARAMETERS_CODE 81u
@@ -1177,6 +1182,7 @@ static inline esc11_codec_status esc11_read_parameters_response_decode(const uin
 /**
  * Gives the states of the inputs, of the outputs and of the lamps.
  * Printed as 读取I/O状态.
+ * Read the inputs and outputs.
  * Source: 9.4.3 L936-940, 934
  */
 #define ESC11_READ_IO_STATUS_CODE 82u
@@ -1262,6 +1268,7 @@ static inline esc11_codec_status esc11_read_io_status_response_decode(const uint
 /**
  * Gives the last alarms with the accumulated time at which each came up, the latest first, at most 16.
  * Printed as 读出警报记录.
+ * Read the alarm history.
  * Source: 9.4.4 L952-956, 950
  */
 #define ESC11_READ_ALARM_HISTORY_CODE 83u
@@ -1347,6 +1354,7 @@ static inline esc11_codec_status esc11_read_alarm_history_response_decode(const 
 /**
  * Stores up to 15 points under the numbers that they bring along.
  * Printed as 写入点数据.
+ * Write points.
  * Note: Another command of the same printed name, 63h, writes one point that is lost with the power.
  * Source: 9.5.1 L969-979, 967
  */
@@ -1439,6 +1447,7 @@ static inline esc11_codec_status esc11_write_points_response_decode(const uint8_
 /**
  * Stores all 32 parameters in the order of their numbers.
  * Printed as 写入全部参数.
+ * Write all parameters.
  * Source: 9.5.2 L1000-1006, 998
  */
 #define ESC11_WRITE_PARAMETERS_CODE 97u
@@ -1514,6 +1523,7 @@ static inline esc11_codec_status esc11_write_parameters_response_decode(const ui
 /**
  * Stores one parameter.
  * Printed as 写入一个参数.
+ * Write one parameter.
  * Source: 9.5.3 L1016-1022, 1014
  */
 #define ESC11_WRITE_PARAMETER_CODE 98u
@@ -1597,6 +1607,7 @@ static inline esc11_codec_status esc11_write_parameter_response_decode(const uin
  * Writes one point that is kept until the power is switched off. It is carried out by the input START while
  * the inputs IPOS0 to IPOS4 are off, so that several controllers can be started together with few wires.
  * Printed as 写入点数据.
+ * Write the temporary point.
  * Note: The point is not written to the EEPROM, so it may be written as often as one likes.
  * Note: After this command homing can no longer be started by the inputs.
  * Note: The point is lost when the power is switched off. After that, START with IPOS0 to IPOS4 off starts
@@ -1679,6 +1690,7 @@ static inline esc11_codec_status esc11_write_temporary_point_response_decode(con
 /**
  * Deletes a number of consecutive points.
  * Printed as 清除点数据.
+ * Delete points.
  * Source: 9.6.1 L1078-1084, 1076
  */
 #define ESC11_CLEAR_POINTS_CODE 112u
@@ -1764,6 +1776,7 @@ static inline esc11_codec_status esc11_clear_points_response_decode(const uint8_
 /**
  * Deletes all points.
  * Printed as 初始化全部点数据.
+ * Delete all points.
  * Source: 9.6.2 L1094-1100, 1092
  */
 #define ESC11_INITIALIZE_POINTS_CODE 113u
@@ -1821,6 +1834,7 @@ static inline esc11_codec_status esc11_initialize_points_response_decode(const u
 /**
  * Sets all parameters to the initial values of an actuator type.
  * Printed as 初始化全部参数.
+ * Set all parameters to those of an actuator type.
  * Note: A type that does not exist brings up error 33h.
  * Source: 9.6.3 L1108-1114, 1106
  */
@@ -1891,6 +1905,7 @@ static inline esc11_codec_status esc11_initialize_parameters_response_decode(con
 /**
  * Deletes all entries of the alarm history.
  * Printed as 清除警报记录.
+ * Delete the alarm history.
  * Source: 9.6.4 L1133-1136, 1131
  */
 #define ESC11_CLEAR_ALARM_HISTORY_CODE 115u
@@ -1948,6 +1963,7 @@ static inline esc11_codec_status esc11_clear_alarm_history_response_decode(const
 /**
  * Sets the accumulated time to zero.
  * Printed as 清除累计时间.
+ * Set the accumulated time to zero.
  * Source: 9.6.5 L1142-1145, 1140
  */
 #define ESC11_CLEAR_ACCUMULATED_TIME_CODE 116u
@@ -2005,6 +2021,7 @@ static inline esc11_codec_status esc11_clear_accumulated_time_response_decode(co
 /**
  * Stops a move that is going on.
  * Printed as 停止.
+ * Stop.
  * Source: 9.1.1 L305-308, 303
  */
 #define ESC11_STOP_CODE 16u
@@ -2062,6 +2079,7 @@ static inline esc11_codec_status esc11_stop_response_decode(const uint8_t *in, s
 /**
  * Starts the homing run.
  * Printed as 原点复位.
+ * Start homing.
  * Source: 9.1.2 L313-316, 311
  */
 #define ESC11_START_HOMING_CODE 17u
@@ -2119,6 +2137,7 @@ static inline esc11_codec_status esc11_start_homing_response_decode(const uint8_
 /**
  * Moves a short distance from the current position in the positive direction.
  * Printed as +指定量移动.
+ * Move a distance in the positive direction.
  * Source: 9.1.3 L321-324, 319
  */
 #define ESC11_MOVE_POSITIVE_DISTANCE_CODE 18u
@@ -2216,6 +2235,7 @@ static inline esc11_codec_status esc11_move_positive_distance_response_decode(co
 /**
  * Moves a short distance from the current position in the negative direction.
  * Printed as -指定量移动.
+ * Move a distance in the negative direction.
  * Source: 9.1.4 L349-355, 347
  */
 #define ESC11_MOVE_NEGATIVE_DISTANCE_CODE 19u
@@ -2313,6 +2333,7 @@ static inline esc11_codec_status esc11_move_negative_distance_response_decode(co
 /**
  * Moves in the opening direction at constant speed; the figure shows the run up to the end of the stroke.
  * Printed as 匀速移动 (开).
+ * Move in the opening direction at constant speed.
  * Source: 9.1.5 L383-393, 381
  */
 #define ESC11_MOVE_OPEN_CODE 20u
@@ -2386,6 +2407,7 @@ static inline esc11_codec_status esc11_move_open_response_decode(const uint8_t *
 /**
  * Moves in the closing direction at constant speed.
  * Printed as 匀速移动（关）.
+ * Move in the closing direction at constant speed.
  * Source: 9.1.6 L407-410, 405
  */
 #define ESC11_MOVE_CLOSE_CODE 21u
@@ -2459,6 +2481,7 @@ static inline esc11_codec_status esc11_move_close_response_decode(const uint8_t 
 /**
  * Moves by a signed distance from the current position.
  * Printed as 相对位置移动.
+ * Move to a relative position.
  * Source: 9.1.7 L421-427, 419
  */
 #define ESC11_MOVE_RELATIVE_CODE 22u
@@ -2544,6 +2567,7 @@ static inline esc11_codec_status esc11_move_relative_response_decode(const uint8
 /**
  * Moves to a position that is counted from the home position.
  * Printed as 绝对位置移动.
+ * Move to an absolute position.
  * Source: 9.1.8 L450-458, 448
  */
 #define ESC11_MOVE_ABSOLUTE_CODE 23u
@@ -2629,6 +2653,7 @@ static inline esc11_codec_status esc11_move_absolute_response_decode(const uint8
 /**
  * Carries out the move or the grip that is stored under a point number.
  * Printed as 点移动.
+ * Move as a point says.
  * Note: The general speed formula of table 10.1 (L1254), which it also refers to for this command, does not
  * mention the point's own speed; 9.1.9 L506 multiplies by it.
  * Source: 9.1.9 L484-490, 482
@@ -2717,6 +2742,7 @@ static inline esc11_codec_status esc11_move_to_point_response_decode(const uint8
 /**
  * Moves in the opening direction at constant speed and grips with the given force.
  * Printed as 匀速移动夹持（开）.
+ * Move in the opening direction at constant speed and grip.
  * Source: 9.1.10 L512-520, 510
  */
 #define ESC11_GRIP_OPEN_CODE 32u
@@ -2802,6 +2828,7 @@ static inline esc11_codec_status esc11_grip_open_response_decode(const uint8_t *
 /**
  * Moves in the closing direction at constant speed and grips with the given force.
  * Printed as 匀速移动夹持（关）.
+ * Move in the closing direction at constant speed and grip.
  * Source: 9.1.11 L540-546, 538
  */
 #define ESC11_GRIP_CLOSE_CODE 33u
@@ -2888,6 +2915,7 @@ static inline esc11_codec_status esc11_grip_close_response_decode(const uint8_t 
  * Moves by a signed distance from the current position, with acceleration and deceleration, and grips with the
  * given force.
  * Printed as 加减速相对位置移动及夹持.
+ * Move to a relative position and grip.
  * Source: 9.1.12 L566-574, 564
  */
 #define ESC11_GRIP_RELATIVE_CODE 34u
@@ -2986,6 +3014,7 @@ static inline esc11_codec_status esc11_grip_relative_response_decode(const uint8
  * Moves to a position that is counted from the home position, with acceleration and deceleration, and grips
  * with the given force.
  * Printed as 加减速绝对位置移动及夹持.
+ * Move to an absolute position and grip.
  * Source: 9.1.13 L602-610, 600
  */
 #define ESC11_GRIP_ABSOLUTE_CODE 35u
@@ -3084,6 +3113,7 @@ static inline esc11_codec_status esc11_grip_absolute_response_decode(const uint8
  * Moves in the opening direction at constant speed and grips. The ZON signal is on when it stops between the
  * two limits of the zone.
  * Printed as 带ZON匀速移动及夹持（开）.
+ * Move in the opening direction at constant speed and grip, with a zone.
  * Source: 9.1.14 L638-648, 636
  */
 #define ESC11_GRIP_OPEN_WITH_ZONE_CODE 36u
@@ -3194,6 +3224,7 @@ static inline esc11_codec_status esc11_grip_open_with_zone_response_decode(const
  * Moves in the closing direction at constant speed and grips. The ZON signal is on when it stops between the
  * two limits of the zone.
  * Printed as 带ZON匀速移动及夹持（关）.
+ * Move in the closing direction at constant speed and grip, with a zone.
  * Source: 9.1.15 L676-686, 674
  */
 #define ESC11_GRIP_CLOSE_WITH_ZONE_CODE 37u
@@ -3303,6 +3334,7 @@ static inline esc11_codec_status esc11_grip_close_with_zone_response_decode(cons
 /**
  * Does nothing, and is answered with the status.
  * Printed as NOP.
+ * No operation.
  * Source: 9.2.1 L716-719, 714
  */
 #define ESC11_NO_OPERATION_CODE 48u
@@ -3360,6 +3392,7 @@ static inline esc11_codec_status esc11_no_operation_response_decode(const uint8_
 /**
  * Excites the motor, or releases it.
  * Printed as 电机励磁.
+ * Switch the motor's excitation.
  * Note: The status of the response shows the result with the opposite sense, its bit servo_off is 1 while the
  * motor is not excited.
  * Source: 9.2.2 L724-727, 722
@@ -3435,6 +3468,7 @@ static inline esc11_codec_status esc11_set_motor_excitation_response_decode(cons
 /**
  * Gives the version of the controller.
  * Printed as 读取版本.
+ * Read the version.
  * Source: 9.3.1 L740-743, 738
  */
 #define ESC11_READ_VERSION_CODE 64u
@@ -3510,6 +3544,7 @@ static inline esc11_codec_status esc11_read_version_response_decode(const uint8_
 /**
  * Gives the position.
  * Printed as 读取当前位置.
+ * Read the current position.
  * Source: 9.3.2 L752-755, 750
  */
 #define ESC11_READ_CURRENT_POSITION_CODE 65u
@@ -3583,6 +3618,7 @@ static inline esc11_codec_status esc11_read_current_position_response_decode(con
 /**
  * Gives the number of the point that was carried out last.
  * Printed as 读取当前点编号.
+ * Read the current point's number.
  * Source: 9.3.3 L763-766, 761
  */
 #define ESC11_READ_CURRENT_POINT_NUMBER_CODE 66u
@@ -3656,6 +3692,7 @@ static inline esc11_codec_status esc11_read_current_point_number_response_decode
 /**
  * Gives the value of one parameter.
  * Printed as 读取指定参数.
+ * Read one parameter.
  * Source: 9.3.4 L773-776, 771
  */
 #define ESC11_READ_PARAMETER_CODE 67u
@@ -3741,6 +3778,7 @@ static inline esc11_codec_status esc11_read_parameter_response_decode(const uint
 /**
  * Gives the data of one point.
  * Printed as 读取指定点.
+ * Read one point.
  * Note: What is answered for a point without data is not printed. Error 26h is that of a move to one.
  * Source: 9.3.5 L784-790, 782
  */
@@ -3834,6 +3872,7 @@ static inline esc11_codec_status esc11_read_point_response_decode(const uint8_t 
 /**
  * Tells whether homing has been completed.
  * Printed as 查看原点复位状态.
+ * Read whether homing is complete.
  * Source: 9.3.6 L835-838, 833
  */
 #define ESC11_READ_HOMING_STATE_CODE 69u
@@ -3906,6 +3945,7 @@ static inline esc11_codec_status esc11_read_homing_state_response_decode(const u
 /**
  * Tells whether the motor is excited.
  * Printed as 查看电机励磁状态.
+ * Read whether the motor is excited.
  * Source: 9.3.7 L844-847, 842
  */
 #define ESC11_READ_MOTOR_EXCITATION_CODE 70u
@@ -3980,6 +4020,7 @@ static inline esc11_codec_status esc11_read_motor_excitation_response_decode(con
 /**
  * Gives the number of the alarm or error that stands.
  * Printed as 读取警报错误编号.
+ * Read the alarm or error.
  * Source: 9.3.8 L853-856, 851
  */
 #define ESC11_READ_ALARM_CODE_CODE 71u
@@ -4050,6 +4091,7 @@ static inline esc11_codec_status esc11_read_alarm_code_response_decode(const uin
 /**
  * Gives how long the controller has been powered, all times together.
  * Printed as 读取累计时间.
+ * Read the accumulated time.
  * Note: The minutes are lost when the power is switched off.
  * Note: After an alarm the count goes on from the hours and minutes at which the alarm came up (L869).
  * Source: 9.3.9 L862-865, 860, 867-869
@@ -4136,6 +4178,7 @@ static inline esc11_codec_status esc11_read_accumulated_time_response_decode(con
 /**
  * The gripper that is connected.
  * Printed as 执行器类型.
+ * Range: 0..65535. See actuator_type.
  * Source: 10.2 L1259
  */
 #define ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_NUMBER 0u
@@ -4158,6 +4201,7 @@ static inline esc11_codec_status esc11_par_parameters_actuator_type_encode(uint1
 
 /**
  * Printed as (+) 软限位.
+ * One count is 0.1 mm. Range: 0..9999.
  * Note: 9.3.4 L779 shows the value 64h as 10.00 mm, with one decimal more than the parameter has.
  * Source: 10.2 L1260
  */
@@ -4186,6 +4230,7 @@ static inline esc11_codec_status esc11_par_parameters_positive_soft_limit_encode
 
 /**
  * Printed as (-) 软限位.
+ * One count is 0.1 mm. Range: -9999..0.
  * Source: 10.2 L1261
  */
 #define ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_NUMBER 2u
@@ -4213,6 +4258,7 @@ static inline esc11_codec_status esc11_par_parameters_negative_soft_limit_encode
 
 /**
  * Printed as 行程.
+ * One count is 0.1 mm. Range: 0..9999.
  * Source: 10.2 L1262
  */
 #define ESC11_PAR_PARAMETERS_STROKE_NUMBER 3u
@@ -4239,7 +4285,16 @@ static inline esc11_codec_status esc11_par_parameters_stroke_encode(uint16_t val
 }
 
 /**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1263
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_4_NUMBER 4u
+
+/**
  * Printed as 原点复位方向.
+ * See homing_direction.
  * Source: 10.2 L1264
  */
 #define ESC11_PAR_PARAMETERS_HOMING_DIRECTION_NUMBER 5u
@@ -4266,6 +4321,7 @@ static inline esc11_codec_status esc11_par_parameters_homing_direction_encode(ui
 
 /**
  * Printed as 原点复位速度.
+ * One count is 1 %. Range: 1..50.
  * Source: 10.2 L1265
  */
 #define ESC11_PAR_PARAMETERS_HOMING_SPEED_NUMBER 6u
@@ -4291,6 +4347,7 @@ static inline esc11_codec_status esc11_par_parameters_homing_speed_encode(uint16
 
 /**
  * Printed as 原点偏置.
+ * One count is 0.1 mm. Range: -9999..9999.
  * Source: 10.2 L1266
  */
 #define ESC11_PAR_PARAMETERS_HOME_OFFSET_NUMBER 7u
@@ -4318,6 +4375,7 @@ static inline esc11_codec_status esc11_par_parameters_home_offset_encode(int16_t
 
 /**
  * Printed as 加速度.
+ * One count is 1 %. Range: 1..100.
  * Source: 10.2 L1267
  */
 #define ESC11_PAR_PARAMETERS_ACCELERATION_NUMBER 8u
@@ -4343,6 +4401,7 @@ static inline esc11_codec_status esc11_par_parameters_acceleration_encode(uint16
 
 /**
  * Printed as 程序最高速度.
+ * One count is 1 %. Range: 1..100.
  * Source: 10.2 L1268
  */
 #define ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_NUMBER 9u
@@ -4368,6 +4427,7 @@ static inline esc11_codec_status esc11_par_parameters_maximum_program_speed_enco
 
 /**
  * Printed as 夹持速度.
+ * One count is 1 %. Range: 1..100.
  * Source: 10.2 L1269
  */
 #define ESC11_PAR_PARAMETERS_GRIPPING_SPEED_NUMBER 10u
@@ -4393,6 +4453,7 @@ static inline esc11_codec_status esc11_par_parameters_gripping_speed_encode(uint
 
 /**
  * Printed as 匀速移动距离.
+ * One count is 0.01 mm. Range: 1..9999.
  * Source: 10.2 L1270
  */
 #define ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_NUMBER 11u
@@ -4420,6 +4481,7 @@ static inline esc11_codec_status esc11_par_parameters_constant_speed_distance_en
 
 /**
  * Printed as 限位宽度.
+ * One count is 0.01 mm. Range: 1..9999.
  * Source: 10.2 L1271
  */
 #define ESC11_PAR_PARAMETERS_LIMIT_WIDTH_NUMBER 12u
@@ -4447,6 +4509,7 @@ static inline esc11_codec_status esc11_par_parameters_limit_width_encode(uint16_
 
 /**
  * Printed as 定位完成脉冲.
+ * One count is 1 pulse. Range: 1..4000.
  * Source: 10.2 L1272
  */
 #define ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_NUMBER 13u
@@ -4471,7 +4534,24 @@ static inline esc11_codec_status esc11_par_parameters_positioning_complete_pulse
 }
 
 /**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1273
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_14_NUMBER 14u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1274
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_15_NUMBER 15u
+
+/**
  * Printed as 原点复位方式.
+ * See homing_method.
  * Source: 10.2 L1275
  */
 #define ESC11_PAR_PARAMETERS_HOMING_METHOD_NUMBER 16u
@@ -4495,6 +4575,127 @@ static inline esc11_codec_status esc11_par_parameters_homing_method_encode(uint1
     esc11_store_u16_le(out, value);
     return ESC11_OK;
 }
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1276
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_17_NUMBER 17u
+
+/**
+ * Not registered.
+ * Printed as 未登录.
+ * Reserved.
+ * Source: 10.2 L1277
+ */
+#define ESC11_PAR_PARAMETERS_UNREGISTERED_18_NUMBER 18u
+
+/**
+ * Not registered.
+ * Printed as 未登录.
+ * Reserved.
+ * Source: 10.2 L1278
+ */
+#define ESC11_PAR_PARAMETERS_UNREGISTERED_19_NUMBER 19u
+
+/**
+ * Not registered.
+ * Printed as 未登录.
+ * Reserved.
+ * Source: 10.2 L1279
+ */
+#define ESC11_PAR_PARAMETERS_UNREGISTERED_20_NUMBER 20u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1280
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_21_NUMBER 21u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1281
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_22_NUMBER 22u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1282
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_23_NUMBER 23u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1283
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_24_NUMBER 24u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1284
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_25_NUMBER 25u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1285
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_26_NUMBER 26u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1286
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_27_NUMBER 27u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1287
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_28_NUMBER 28u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1288
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_29_NUMBER 29u
+
+/**
+ * Preset. The actuator's highest speed, as the speed formula of 10.1 calls it.
+ * Printed as 已设定.
+ * Reserved.
+ * One count is 1 pps.
+ * Source: 10.2 L1289
+ */
+#define ESC11_PAR_PARAMETERS_ACTUATOR_MAXIMUM_SPEED_NUMBER 30u
+
+/**
+ * Preset; no meaning is printed.
+ * Printed as 已设定.
+ * Reserved.
+ * Source: 10.2 L1290
+ */
+#define ESC11_PAR_PARAMETERS_PRESET_31_NUMBER 31u
 
 /* ---- Frames ---- */
 
@@ -5804,9 +6005,12 @@ static inline esc11_codec_status esc11_serial_encode_read_accumulated_time_respo
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef ESC11_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends. */
+/** The texts of a code. Several causes, or remedies, are parted by line ends.
+ * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
 typedef struct esc11_code_text {
     int64_t code;
+    int64_t number;
+    const char *printed;
     const char *name;
     const char *label;
     const char *problem;
@@ -5818,34 +6022,34 @@ typedef struct esc11_code_text {
 static inline const esc11_code_text *esc11_alarm_code_text(int64_t code)
 {
     static const esc11_code_text texts[] = {
-        {INT64_C(1), "overload", "\350\277\207\350\264\237\350\215\267", "The motor is overloaded.", "Something is wrong with how the gripper is used\nThe motor is faulty\nWrong parameters\nThe power supply or its cable is too weak\nToo much friction in the mechanism", "Lower the load of the mechanism.\nLower the acceleration parameter.\nSet the parameter of the carried weight to a fitting value.\nIf its winding resistance is too low, or it is unusually heavy to turn by hand, replace the motor unit.\nInitialize the parameters, for the right type of the mechanism.\nCheck the capacity of the power supply and increase it where it is too low.\nCheck whether the moving parts are heavy and adjust them."},
-        {INT64_C(2), "overcurrent", "\350\277\207\347\224\265\346\265\201", "The motor takes too much current.", "The motor cable has a short circuit\nThe motor is faulty\nThe controller is faulty\nWrong parameters", "Check the motor cable's conductors; if something is wrong, replace the motor unit.\nReplace the motor if it is shorted inside.\nMeasure the resistance between the motor terminals of phase A, and of phase B. If it is below the limit, an output transistor is broken: replace the controller.\nInitialize the parameters, for the right type of the mechanism."},
-        {INT64_C(3), "machine_reference_over", "\350\266\205\350\277\207\345\237\272\345\207\206\345\200\274", "The position of the encoder's Z phase differs from the initial one.", "The gripper body was replaced\nThe home position is on the closing side and the fingers were replaced\nThe encoder's Z phase is broken or faulty", "Initialize the parameters.\nInitialize the parameters.\nSet the home position to the opening side.\nReplace the gripper body."},
-        {INT64_C(4), "supply_voltage_low", "\347\224\265\346\272\220\347\224\265\345\216\213\344\270\213\351\231\215", "The supply voltage has fallen to 80 % of the rated one.", "The power supply or its cable is too weak", "Check the capacity of the power supply and increase it where it is too low. Homing, starting, accelerating and braking take the most power."},
-        {INT64_C(5), "data_not_written", "\346\225\260\346\215\256\345\206\231\345\205\245\344\270\215\350\211\257", "Data cannot be written to the ROM.", "The ROM is worn out or faulty", "Replace the controller."},
-        {INT64_C(6), "position_deviation_over", "\344\275\215\347\275\256\345\201\217\345\267\256\350\277\207\345\244\247", "The position deviates too far from the commanded one.", "The mechanism is blocked\nThe motor cable is broken or wrongly wired\nWrong parameters", "Check whether the moving parts are blocked.\nCheck the wiring of the motor and of the encoder signals.\nInitialize the parameters, for the right type of the mechanism."},
-        {INT64_C(7), "point_data_destroyed", "\347\202\271\346\225\260\346\215\256\344\270\215\350\211\257", "The points are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and check the points.\nIf some are wrong, correct them.\nIf all are wrong, delete all points and load them again.\nIf none is wrong, write any one of them again."},
-        {INT64_C(8), "parameter_data_destroyed", "\345\217\202\346\225\260\344\270\215\350\211\257", "The parameters are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and initialize the parameters."},
-        {INT64_C(9), "system_fault_1", "\347\263\273\347\273\237\345\274\202\345\270\2701", "The program of the M16C processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
-        {INT64_C(10), "feedback_error_1", "\345\217\215\351\246\210\351\224\231\350\257\2571", "The motor runs away or has too much force.", "The start-up at power on went wrong, so that excitation and encoder do not match\nA force from outside pushed the fingers beyond a soft limit\nNoise or the like made the encoder count wrongly", "Check the surroundings for sources of noise.\nSwitch the power on again, check that no force acts on the fingers, and home."},
-        {INT64_C(11), "feedback_error_2", "\345\217\215\351\246\210\351\224\231\350\257\2572", "The encoder's signal line is broken.", "The encoder's signal line is broken", "Check the connection of the encoder's signal line."},
-        {INT64_C(12), "abnormal_voltage", "\347\224\265\345\216\213\345\274\202\345\270\270", "The voltage is too high.", "Regeneration raises the supply voltage\nThe power supply is set wrongly", "Lower the load of the mechanism.\nCheck the supply voltage."},
-        {INT64_C(13), "system_fault_2", "\347\263\273\347\273\237\345\274\202\345\270\2702", "The program of the H8S processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
-        {INT64_C(14), "feedback_error_3", "\345\217\215\351\246\210\351\224\231\350\257\2573", "The motor cable is broken or wrongly connected, or the motor is overloaded.", "The motor cable is broken or wrongly connected", "Check the connection of the motor cable."},
-        {INT64_C(32), "soft_limit_exceeded", "\350\266\205\350\277\207\350\275\257\351\231\220\344\275\215", "A soft limit is exceeded.", "A position beyond the soft limits was given when jogging, teaching directly or playing back", "Set the soft limits anew."},
-        {INT64_C(33), "pulse_overflow", "\350\204\211\345\206\262\346\272\242\345\207\272", "Too many pulses have piled up.", "It moved otherwise than the set mode of operation allows", "Set acceleration and deceleration anew.\nSet the highest speed anew.\nSet the load anew.\nSet the load of the regeneration anew."},
-        {INT64_C(34), "io_logic_error", "I/O\351\200\273\350\276\221\351\224\231\350\257\257", "The parallel inputs got a wrong combination.", "An input other than the interlock came on during operation", "Check the input signals."},
-        {INT64_C(35), "homing_incomplete", "\345\216\237\347\202\271\346\234\252\345\256\214\346\210\220", "A move was commanded before homing was complete.", "Homing has not been carried out", "Home."},
-        {INT64_C(36), "servo_off", "\344\274\272\346\234\215OFF", "A move was commanded while the servo was off.", "The servo had not been switched on", "Switch the servo on."},
-        {INT64_C(37), "interlock", "\350\201\224\351\224\201", "A move was commanded while the interlock held.", "The interlock was not released", "Release the interlock: its input on releases it."},
-        {INT64_C(38), "no_point", "\346\227\240\347\202\271", "The point that was named has no data, so nothing could be carried out.", "A point without data was named", "Check which point is named."},
-        {INT64_C(39), "operating", "\350\277\220\350\241\214\344\270\255", "A command to start came during operation.", "A command to start was given during operation", "Check the input signals."},
-        {INT64_C(40), "processing", "\345\244\204\347\220\206\344\270\255", "A command came while data were being written.", "A command was given while data were being written", "Send the command when the signal BUSY is off."},
-        {INT64_C(41), "home_not_found", "\346\227\240\345\216\237\347\202\271", "The Z phase cannot be found.", "The actuator type is wrong\nThe signal line of the Z phase is broken", "Initialize the parameters.\nCheck the conductors of the signal line."},
-        {INT64_C(48), "network_communication_error", "\347\275\221\347\273\234\351\200\232\344\277\241\351\224\231\350\257\257", "Wrong checksum, wrong parity, timeout or overflow.", "The checksum is computed wrongly or the parity is set wrongly\nNoise or a cable that is too long\nMore data than the rules allow were sent\nCommands were sent one upon the other", "Correct the program.\nCheck the parity setting.\nCheck the surroundings for noise and choose the length of the cable anew.\nCheck the command.\nCheck that the controller has responded."},
-        {INT64_C(49), "communication_command_error", "\351\200\232\344\277\241\346\214\207\344\273\244\351\224\231\350\257\257", "A command outside the rules was received, or the length of its data is wrong.", "A command outside the rules was received\nThe length of the data is wrong", "Check the command.\nCheck the length of the data."},
-        {INT64_C(50), "data_error", "\346\225\260\346\215\256\351\224\231\350\257\257", "Data are beyond the range of their input.", "Wrong data", "Check the data."},
-        {INT64_C(51), "unknown_actuator_type", "\346\227\240\346\211\247\350\241\214\345\231\250\344\273\243\347\240\201", "The actuator type that was given for the initialization is wrong.", "A type that does not exist was given", "Check the actuator type."},
+        {INT64_C(1), (-INT64_C(1)), "OVER LOAD", "overload", "\350\277\207\350\264\237\350\215\267", "The motor is overloaded.", "Something is wrong with how the gripper is used\nThe motor is faulty\nWrong parameters\nThe power supply or its cable is too weak\nToo much friction in the mechanism", "Lower the load of the mechanism.\nLower the acceleration parameter.\nSet the parameter of the carried weight to a fitting value.\nIf its winding resistance is too low, or it is unusually heavy to turn by hand, replace the motor unit.\nInitialize the parameters, for the right type of the mechanism.\nCheck the capacity of the power supply and increase it where it is too low.\nCheck whether the moving parts are heavy and adjust them."},
+        {INT64_C(2), (-INT64_C(1)), "OVER CURRENT", "overcurrent", "\350\277\207\347\224\265\346\265\201", "The motor takes too much current.", "The motor cable has a short circuit\nThe motor is faulty\nThe controller is faulty\nWrong parameters", "Check the motor cable's conductors; if something is wrong, replace the motor unit.\nReplace the motor if it is shorted inside.\nMeasure the resistance between the motor terminals of phase A, and of phase B. If it is below the limit, an output transistor is broken: replace the controller.\nInitialize the parameters, for the right type of the mechanism."},
+        {INT64_C(3), (-INT64_C(1)), "MACHINE REFERENCE OVER", "machine_reference_over", "\350\266\205\350\277\207\345\237\272\345\207\206\345\200\274", "The position of the encoder's Z phase differs from the initial one.", "The gripper body was replaced\nThe home position is on the closing side and the fingers were replaced\nThe encoder's Z phase is broken or faulty", "Initialize the parameters.\nInitialize the parameters.\nSet the home position to the opening side.\nReplace the gripper body."},
+        {INT64_C(4), (-INT64_C(1)), "POWER SUPPLY VOLTAGE LOW", "supply_voltage_low", "\347\224\265\346\272\220\347\224\265\345\216\213\344\270\213\351\231\215", "The supply voltage has fallen to 80 % of the rated one.", "The power supply or its cable is too weak", "Check the capacity of the power supply and increase it where it is too low. Homing, starting, accelerating and braking take the most power."},
+        {INT64_C(5), (-INT64_C(1)), "DATA NOT WRITE", "data_not_written", "\346\225\260\346\215\256\345\206\231\345\205\245\344\270\215\350\211\257", "Data cannot be written to the ROM.", "The ROM is worn out or faulty", "Replace the controller."},
+        {INT64_C(6), (-INT64_C(1)), "P.E. COUNTER OVER", "position_deviation_over", "\344\275\215\347\275\256\345\201\217\345\267\256\350\277\207\345\244\247", "The position deviates too far from the commanded one.", "The mechanism is blocked\nThe motor cable is broken or wrongly wired\nWrong parameters", "Check whether the moving parts are blocked.\nCheck the wiring of the motor and of the encoder signals.\nInitialize the parameters, for the right type of the mechanism."},
+        {INT64_C(7), (-INT64_C(1)), "PNT DATA DESTROY", "point_data_destroyed", "\347\202\271\346\225\260\346\215\256\344\270\215\350\211\257", "The points are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and check the points.\nIf some are wrong, correct them.\nIf all are wrong, delete all points and load them again.\nIf none is wrong, write any one of them again."},
+        {INT64_C(8), (-INT64_C(1)), "PRM DATA DESTROY", "parameter_data_destroyed", "\345\217\202\346\225\260\344\270\215\350\211\257", "The parameters are damaged.", "The feedback circuit is faulty\nThe power was switched off while data were written\nNoise damaged the data", "Check the surroundings for sources of noise.\nSwitch the power on and initialize the parameters."},
+        {INT64_C(9), (-INT64_C(1)), "SYSTEM FAULT1", "system_fault_1", "\347\263\273\347\273\237\345\274\202\345\270\2701", "The program of the M16C processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
+        {INT64_C(10), (-INT64_C(1)), "FEEDBACK ERROR1", "feedback_error_1", "\345\217\215\351\246\210\351\224\231\350\257\2571", "The motor runs away or has too much force.", "The start-up at power on went wrong, so that excitation and encoder do not match\nA force from outside pushed the fingers beyond a soft limit\nNoise or the like made the encoder count wrongly", "Check the surroundings for sources of noise.\nSwitch the power on again, check that no force acts on the fingers, and home."},
+        {INT64_C(11), (-INT64_C(1)), "FEEDBACK ERROR2", "feedback_error_2", "\345\217\215\351\246\210\351\224\231\350\257\2572", "The encoder's signal line is broken.", "The encoder's signal line is broken", "Check the connection of the encoder's signal line."},
+        {INT64_C(12), (-INT64_C(1)), "ABNORMAL VOLTAGE", "abnormal_voltage", "\347\224\265\345\216\213\345\274\202\345\270\270", "The voltage is too high.", "Regeneration raises the supply voltage\nThe power supply is set wrongly", "Lower the load of the mechanism.\nCheck the supply voltage."},
+        {INT64_C(13), (-INT64_C(1)), "SYSTEM FAULT2", "system_fault_2", "\347\263\273\347\273\237\345\274\202\345\270\2702", "The program of the H8S processor ran away.", "Noise or the like", "Check the surroundings for sources of noise."},
+        {INT64_C(14), (-INT64_C(1)), "FEEDBACK ERROR3", "feedback_error_3", "\345\217\215\351\246\210\351\224\231\350\257\2573", "The motor cable is broken or wrongly connected, or the motor is overloaded.", "The motor cable is broken or wrongly connected", "Check the connection of the motor cable."},
+        {INT64_C(32), (-INT64_C(1)), "SOFT LIMIT OVER", "soft_limit_exceeded", "\350\266\205\350\277\207\350\275\257\351\231\220\344\275\215", "A soft limit is exceeded.", "A position beyond the soft limits was given when jogging, teaching directly or playing back", "Set the soft limits anew."},
+        {INT64_C(33), (-INT64_C(1)), "PULSE OVERFLOW", "pulse_overflow", "\350\204\211\345\206\262\346\272\242\345\207\272", "Too many pulses have piled up.", "It moved otherwise than the set mode of operation allows", "Set acceleration and deceleration anew.\nSet the highest speed anew.\nSet the load anew.\nSet the load of the regeneration anew."},
+        {INT64_C(34), (-INT64_C(1)), "", "io_logic_error", "I/O\351\200\273\350\276\221\351\224\231\350\257\257", "The parallel inputs got a wrong combination.", "An input other than the interlock came on during operation", "Check the input signals."},
+        {INT64_C(35), (-INT64_C(1)), "", "homing_incomplete", "\345\216\237\347\202\271\346\234\252\345\256\214\346\210\220", "A move was commanded before homing was complete.", "Homing has not been carried out", "Home."},
+        {INT64_C(36), (-INT64_C(1)), "", "servo_off", "\344\274\272\346\234\215OFF", "A move was commanded while the servo was off.", "The servo had not been switched on", "Switch the servo on."},
+        {INT64_C(37), (-INT64_C(1)), "", "interlock", "\350\201\224\351\224\201", "A move was commanded while the interlock held.", "The interlock was not released", "Release the interlock: its input on releases it."},
+        {INT64_C(38), (-INT64_C(1)), "", "no_point", "\346\227\240\347\202\271", "The point that was named has no data, so nothing could be carried out.", "A point without data was named", "Check which point is named."},
+        {INT64_C(39), (-INT64_C(1)), "", "operating", "\350\277\220\350\241\214\344\270\255", "A command to start came during operation.", "A command to start was given during operation", "Check the input signals."},
+        {INT64_C(40), (-INT64_C(1)), "", "processing", "\345\244\204\347\220\206\344\270\255", "A command came while data were being written.", "A command was given while data were being written", "Send the command when the signal BUSY is off."},
+        {INT64_C(41), (-INT64_C(1)), "", "home_not_found", "\346\227\240\345\216\237\347\202\271", "The Z phase cannot be found.", "The actuator type is wrong\nThe signal line of the Z phase is broken", "Initialize the parameters.\nCheck the conductors of the signal line."},
+        {INT64_C(48), (-INT64_C(1)), "", "network_communication_error", "\347\275\221\347\273\234\351\200\232\344\277\241\351\224\231\350\257\257", "Wrong checksum, wrong parity, timeout or overflow.", "The checksum is computed wrongly or the parity is set wrongly\nNoise or a cable that is too long\nMore data than the rules allow were sent\nCommands were sent one upon the other", "Correct the program.\nCheck the parity setting.\nCheck the surroundings for noise and choose the length of the cable anew.\nCheck the command.\nCheck that the controller has responded."},
+        {INT64_C(49), (-INT64_C(1)), "", "communication_command_error", "\351\200\232\344\277\241\346\214\207\344\273\244\351\224\231\350\257\257", "A command outside the rules was received, or the length of its data is wrong.", "A command outside the rules was received\nThe length of the data is wrong", "Check the command.\nCheck the length of the data."},
+        {INT64_C(50), (-INT64_C(1)), "", "data_error", "\346\225\260\346\215\256\351\224\231\350\257\257", "Data are beyond the range of their input.", "Wrong data", "Check the data."},
+        {INT64_C(51), (-INT64_C(1)), "", "unknown_actuator_type", "\346\227\240\346\211\247\350\241\214\345\231\250\344\273\243\347\240\201", "The actuator type that was given for the initialization is wrong.", "A type that does not exist was given", "Check the actuator type."},
     };
     size_t at;
     for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {

@@ -1,6 +1,6 @@
 /*
  * Tests esc11_before_1_17.h: ESC11-B, version before-1.17
- * Identity: 72e094ee72b63b19
+ * Identity: 3d76276a9d24516b
  *
  * Generated; do not edit. Compile and run: it exits with 0 where all is well.
  */
@@ -24,70 +24,228 @@ static void expect(bool holds, const char *what)
 static void test_0(void)
 {
     expect(ESC11_COMMUNICATION_STATUS_EXECUTING_MASK == 0x01u, "ESC11_COMMUNICATION_STATUS_EXECUTING_MASK");
-    expect(esc11_communication_status_executing(0x01u) == 1u, "esc11_communication_status_executing");
+    expect(esc11_communication_status_executing(0x01u) == true, "esc11_communication_status_executing");
+    expect(esc11_communication_status_executing((uint8_t)~0x01u) == false, "esc11_communication_status_executing");
     expect(ESC11_COMMUNICATION_STATUS_OUT_OF_POSITION_MASK == 0x02u, "ESC11_COMMUNICATION_STATUS_OUT_OF_POSITION_MASK");
-    expect(esc11_communication_status_out_of_position(0x02u) == 1u, "esc11_communication_status_out_of_position");
+    expect(esc11_communication_status_out_of_position(0x02u) == true, "esc11_communication_status_out_of_position");
+    expect(esc11_communication_status_out_of_position((uint8_t)~0x02u) == false, "esc11_communication_status_out_of_position");
     expect(ESC11_COMMUNICATION_STATUS_SERVO_OFF_MASK == 0x04u, "ESC11_COMMUNICATION_STATUS_SERVO_OFF_MASK");
-    expect(esc11_communication_status_servo_off(0x04u) == 1u, "esc11_communication_status_servo_off");
+    expect(esc11_communication_status_servo_off(0x04u) == true, "esc11_communication_status_servo_off");
+    expect(esc11_communication_status_servo_off((uint8_t)~0x04u) == false, "esc11_communication_status_servo_off");
     expect(ESC11_COMMUNICATION_STATUS_DATA_READ_REQUEST_MASK == 0x08u, "ESC11_COMMUNICATION_STATUS_DATA_READ_REQUEST_MASK");
-    expect(esc11_communication_status_data_read_request(0x08u) == 1u, "esc11_communication_status_data_read_request");
+    expect(esc11_communication_status_data_read_request(0x08u) == true, "esc11_communication_status_data_read_request");
+    expect(esc11_communication_status_data_read_request((uint8_t)~0x08u) == false, "esc11_communication_status_data_read_request");
     expect(ESC11_COMMUNICATION_STATUS_COMMAND_RESEND_REQUEST_MASK == 0x10u, "ESC11_COMMUNICATION_STATUS_COMMAND_RESEND_REQUEST_MASK");
-    expect(esc11_communication_status_command_resend_request(0x10u) == 1u, "esc11_communication_status_command_resend_request");
+    expect(esc11_communication_status_command_resend_request(0x10u) == true, "esc11_communication_status_command_resend_request");
+    expect(esc11_communication_status_command_resend_request((uint8_t)~0x10u) == false, "esc11_communication_status_command_resend_request");
     expect(ESC11_COMMUNICATION_STATUS_COMMAND_ERROR_MASK == 0x20u, "ESC11_COMMUNICATION_STATUS_COMMAND_ERROR_MASK");
-    expect(esc11_communication_status_command_error(0x20u) == 1u, "esc11_communication_status_command_error");
+    expect(esc11_communication_status_command_error(0x20u) == true, "esc11_communication_status_command_error");
+    expect(esc11_communication_status_command_error((uint8_t)~0x20u) == false, "esc11_communication_status_command_error");
     expect(ESC11_COMMUNICATION_STATUS_ALARM_MASK == 0x40u, "ESC11_COMMUNICATION_STATUS_ALARM_MASK");
-    expect(esc11_communication_status_alarm(0x40u) == 1u, "esc11_communication_status_alarm");
+    expect(esc11_communication_status_alarm(0x40u) == true, "esc11_communication_status_alarm");
+    expect(esc11_communication_status_alarm((uint8_t)~0x40u) == false, "esc11_communication_status_alarm");
     expect(ESC11_COMMUNICATION_STATUS_COMMUNICATION_ERROR_MASK == 0x80u, "ESC11_COMMUNICATION_STATUS_COMMUNICATION_ERROR_MASK");
-    expect(esc11_communication_status_communication_error(0x80u) == 1u, "esc11_communication_status_communication_error");
+    expect(esc11_communication_status_communication_error(0x80u) == true, "esc11_communication_status_communication_error");
+    expect(esc11_communication_status_communication_error((uint8_t)~0x80u) == false, "esc11_communication_status_communication_error");
     expect(ESC11_IO_INPUTS_POINT_INPUT_0_MASK == 0x01u, "ESC11_IO_INPUTS_POINT_INPUT_0_MASK");
-    expect(esc11_io_inputs_point_input_0(0x01u) == 1u, "esc11_io_inputs_point_input_0");
+    expect(esc11_io_inputs_point_input_0(0x01u) == true, "esc11_io_inputs_point_input_0");
+    expect(esc11_io_inputs_point_input_0((uint8_t)~0x01u) == false, "esc11_io_inputs_point_input_0");
     expect(ESC11_IO_INPUTS_POINT_INPUT_1_MASK == 0x02u, "ESC11_IO_INPUTS_POINT_INPUT_1_MASK");
-    expect(esc11_io_inputs_point_input_1(0x02u) == 1u, "esc11_io_inputs_point_input_1");
+    expect(esc11_io_inputs_point_input_1(0x02u) == true, "esc11_io_inputs_point_input_1");
+    expect(esc11_io_inputs_point_input_1((uint8_t)~0x02u) == false, "esc11_io_inputs_point_input_1");
     expect(ESC11_IO_INPUTS_POINT_INPUT_2_MASK == 0x04u, "ESC11_IO_INPUTS_POINT_INPUT_2_MASK");
-    expect(esc11_io_inputs_point_input_2(0x04u) == 1u, "esc11_io_inputs_point_input_2");
+    expect(esc11_io_inputs_point_input_2(0x04u) == true, "esc11_io_inputs_point_input_2");
+    expect(esc11_io_inputs_point_input_2((uint8_t)~0x04u) == false, "esc11_io_inputs_point_input_2");
     expect(ESC11_IO_INPUTS_POINT_INPUT_3_MASK == 0x08u, "ESC11_IO_INPUTS_POINT_INPUT_3_MASK");
-    expect(esc11_io_inputs_point_input_3(0x08u) == 1u, "esc11_io_inputs_point_input_3");
+    expect(esc11_io_inputs_point_input_3(0x08u) == true, "esc11_io_inputs_point_input_3");
+    expect(esc11_io_inputs_point_input_3((uint8_t)~0x08u) == false, "esc11_io_inputs_point_input_3");
     expect(ESC11_IO_INPUTS_POINT_INPUT_4_MASK == 0x10u, "ESC11_IO_INPUTS_POINT_INPUT_4_MASK");
-    expect(esc11_io_inputs_point_input_4(0x10u) == 1u, "esc11_io_inputs_point_input_4");
+    expect(esc11_io_inputs_point_input_4(0x10u) == true, "esc11_io_inputs_point_input_4");
+    expect(esc11_io_inputs_point_input_4((uint8_t)~0x10u) == false, "esc11_io_inputs_point_input_4");
     expect(ESC11_IO_INPUTS_START_MASK == 0x20u, "ESC11_IO_INPUTS_START_MASK");
-    expect(esc11_io_inputs_start(0x20u) == 1u, "esc11_io_inputs_start");
+    expect(esc11_io_inputs_start(0x20u) == true, "esc11_io_inputs_start");
+    expect(esc11_io_inputs_start((uint8_t)~0x20u) == false, "esc11_io_inputs_start");
     expect(ESC11_IO_INPUTS_SELECTION_MASK == 0x40u, "ESC11_IO_INPUTS_SELECTION_MASK");
-    expect(esc11_io_inputs_selection(0x40u) == 1u, "esc11_io_inputs_selection");
+    expect(esc11_io_inputs_selection(0x40u) == true, "esc11_io_inputs_selection");
+    expect(esc11_io_inputs_selection((uint8_t)~0x40u) == false, "esc11_io_inputs_selection");
     expect(ESC11_IO_INPUTS_INTERLOCK_RELEASED_MASK == 0x80u, "ESC11_IO_INPUTS_INTERLOCK_RELEASED_MASK");
-    expect(esc11_io_inputs_interlock_released(0x80u) == 1u, "esc11_io_inputs_interlock_released");
+    expect(esc11_io_inputs_interlock_released(0x80u) == true, "esc11_io_inputs_interlock_released");
+    expect(esc11_io_inputs_interlock_released((uint8_t)~0x80u) == false, "esc11_io_inputs_interlock_released");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_0_MASK == 0x01u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_0_MASK");
-    expect(esc11_io_outputs_point_output_0(0x01u) == 1u, "esc11_io_outputs_point_output_0");
+    expect(esc11_io_outputs_point_output_0(0x01u) == true, "esc11_io_outputs_point_output_0");
+    expect(esc11_io_outputs_point_output_0((uint8_t)~0x01u) == false, "esc11_io_outputs_point_output_0");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_1_MASK == 0x02u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_1_MASK");
-    expect(esc11_io_outputs_point_output_1(0x02u) == 1u, "esc11_io_outputs_point_output_1");
+    expect(esc11_io_outputs_point_output_1(0x02u) == true, "esc11_io_outputs_point_output_1");
+    expect(esc11_io_outputs_point_output_1((uint8_t)~0x02u) == false, "esc11_io_outputs_point_output_1");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_2_MASK == 0x04u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_2_MASK");
-    expect(esc11_io_outputs_point_output_2(0x04u) == 1u, "esc11_io_outputs_point_output_2");
+    expect(esc11_io_outputs_point_output_2(0x04u) == true, "esc11_io_outputs_point_output_2");
+    expect(esc11_io_outputs_point_output_2((uint8_t)~0x04u) == false, "esc11_io_outputs_point_output_2");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_3_MASK == 0x08u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_3_MASK");
-    expect(esc11_io_outputs_point_output_3(0x08u) == 1u, "esc11_io_outputs_point_output_3");
+    expect(esc11_io_outputs_point_output_3(0x08u) == true, "esc11_io_outputs_point_output_3");
+    expect(esc11_io_outputs_point_output_3((uint8_t)~0x08u) == false, "esc11_io_outputs_point_output_3");
     expect(ESC11_IO_OUTPUTS_POINT_OUTPUT_4_MASK == 0x10u, "ESC11_IO_OUTPUTS_POINT_OUTPUT_4_MASK");
-    expect(esc11_io_outputs_point_output_4(0x10u) == 1u, "esc11_io_outputs_point_output_4");
+    expect(esc11_io_outputs_point_output_4(0x10u) == true, "esc11_io_outputs_point_output_4");
+    expect(esc11_io_outputs_point_output_4((uint8_t)~0x10u) == false, "esc11_io_outputs_point_output_4");
     expect(ESC11_IO_OUTPUTS_HOMING_COMPLETE_MASK == 0x20u, "ESC11_IO_OUTPUTS_HOMING_COMPLETE_MASK");
-    expect(esc11_io_outputs_homing_complete(0x20u) == 1u, "esc11_io_outputs_homing_complete");
+    expect(esc11_io_outputs_homing_complete(0x20u) == true, "esc11_io_outputs_homing_complete");
+    expect(esc11_io_outputs_homing_complete((uint8_t)~0x20u) == false, "esc11_io_outputs_homing_complete");
     expect(ESC11_IO_OUTPUTS_IN_ZONE_MASK == 0x40u, "ESC11_IO_OUTPUTS_IN_ZONE_MASK");
-    expect(esc11_io_outputs_in_zone(0x40u) == 1u, "esc11_io_outputs_in_zone");
+    expect(esc11_io_outputs_in_zone(0x40u) == true, "esc11_io_outputs_in_zone");
+    expect(esc11_io_outputs_in_zone((uint8_t)~0x40u) == false, "esc11_io_outputs_in_zone");
     expect(ESC11_IO_STATE_OUTPUTS_READY_MASK == 0x01u, "ESC11_IO_STATE_OUTPUTS_READY_MASK");
-    expect(esc11_io_state_outputs_ready(0x01u) == 1u, "esc11_io_state_outputs_ready");
+    expect(esc11_io_state_outputs_ready(0x01u) == true, "esc11_io_state_outputs_ready");
+    expect(esc11_io_state_outputs_ready((uint8_t)~0x01u) == false, "esc11_io_state_outputs_ready");
     expect(ESC11_IO_STATE_OUTPUTS_BUSY_MASK == 0x02u, "ESC11_IO_STATE_OUTPUTS_BUSY_MASK");
-    expect(esc11_io_state_outputs_busy(0x02u) == 1u, "esc11_io_state_outputs_busy");
+    expect(esc11_io_state_outputs_busy(0x02u) == true, "esc11_io_state_outputs_busy");
+    expect(esc11_io_state_outputs_busy((uint8_t)~0x02u) == false, "esc11_io_state_outputs_busy");
     expect(ESC11_IO_STATE_OUTPUTS_ALARM_MASK == 0x04u, "ESC11_IO_STATE_OUTPUTS_ALARM_MASK");
-    expect(esc11_io_state_outputs_alarm(0x04u) == 1u, "esc11_io_state_outputs_alarm");
+    expect(esc11_io_state_outputs_alarm(0x04u) == true, "esc11_io_state_outputs_alarm");
+    expect(esc11_io_state_outputs_alarm((uint8_t)~0x04u) == false, "esc11_io_state_outputs_alarm");
     expect(ESC11_IO_STATE_OUTPUTS_IN_POSITION_MASK == 0x08u, "ESC11_IO_STATE_OUTPUTS_IN_POSITION_MASK");
-    expect(esc11_io_state_outputs_in_position(0x08u) == 1u, "esc11_io_state_outputs_in_position");
+    expect(esc11_io_state_outputs_in_position(0x08u) == true, "esc11_io_state_outputs_in_position");
+    expect(esc11_io_state_outputs_in_position((uint8_t)~0x08u) == false, "esc11_io_state_outputs_in_position");
     expect(ESC11_IO_STATE_OUTPUTS_HOLD_MASK == 0x10u, "ESC11_IO_STATE_OUTPUTS_HOLD_MASK");
-    expect(esc11_io_state_outputs_hold(0x10u) == 1u, "esc11_io_state_outputs_hold");
+    expect(esc11_io_state_outputs_hold(0x10u) == true, "esc11_io_state_outputs_hold");
+    expect(esc11_io_state_outputs_hold((uint8_t)~0x10u) == false, "esc11_io_state_outputs_hold");
     expect(ESC11_IO_STATE_OUTPUTS_RUN_LAMP_MASK == 0x20u, "ESC11_IO_STATE_OUTPUTS_RUN_LAMP_MASK");
-    expect(esc11_io_state_outputs_run_lamp(0x20u) == 1u, "esc11_io_state_outputs_run_lamp");
+    expect(esc11_io_state_outputs_run_lamp(0x20u) == true, "esc11_io_state_outputs_run_lamp");
+    expect(esc11_io_state_outputs_run_lamp((uint8_t)~0x20u) == false, "esc11_io_state_outputs_run_lamp");
     expect(ESC11_IO_STATE_OUTPUTS_READY_LAMP_MASK == 0x40u, "ESC11_IO_STATE_OUTPUTS_READY_LAMP_MASK");
-    expect(esc11_io_state_outputs_ready_lamp(0x40u) == 1u, "esc11_io_state_outputs_ready_lamp");
+    expect(esc11_io_state_outputs_ready_lamp(0x40u) == true, "esc11_io_state_outputs_ready_lamp");
+    expect(esc11_io_state_outputs_ready_lamp((uint8_t)~0x40u) == false, "esc11_io_state_outputs_ready_lamp");
     expect(ESC11_IO_STATE_OUTPUTS_ALARM_LAMP_MASK == 0x80u, "ESC11_IO_STATE_OUTPUTS_ALARM_LAMP_MASK");
-    expect(esc11_io_state_outputs_alarm_lamp(0x80u) == 1u, "esc11_io_state_outputs_alarm_lamp");
+    expect(esc11_io_state_outputs_alarm_lamp(0x80u) == true, "esc11_io_state_outputs_alarm_lamp");
+    expect(esc11_io_state_outputs_alarm_lamp((uint8_t)~0x80u) == false, "esc11_io_state_outputs_alarm_lamp");
 }
 
 static void test_1(void)
+{
+    expect(esc11_alarm_code_text(INT64_C(1)) != NULL && esc11_alarm_code_text(INT64_C(1))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(1))->name, "overload") == 0 && strcmp(esc11_alarm_code_text(INT64_C(1))->printed, "OVER LOAD") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(2)) != NULL && esc11_alarm_code_text(INT64_C(2))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(2))->name, "overcurrent") == 0 && strcmp(esc11_alarm_code_text(INT64_C(2))->printed, "OVER CURRENT") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(3)) != NULL && esc11_alarm_code_text(INT64_C(3))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(3))->name, "machine_reference_over") == 0 && strcmp(esc11_alarm_code_text(INT64_C(3))->printed, "MACHINE REFERENCE OVER") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(4)) != NULL && esc11_alarm_code_text(INT64_C(4))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(4))->name, "supply_voltage_low") == 0 && strcmp(esc11_alarm_code_text(INT64_C(4))->printed, "POWER SUPPLY VOLTAGE LOW") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(5)) != NULL && esc11_alarm_code_text(INT64_C(5))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(5))->name, "data_not_written") == 0 && strcmp(esc11_alarm_code_text(INT64_C(5))->printed, "DATA NOT WRITE") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(6)) != NULL && esc11_alarm_code_text(INT64_C(6))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(6))->name, "position_deviation_over") == 0 && strcmp(esc11_alarm_code_text(INT64_C(6))->printed, "P.E. COUNTER OVER") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(7)) != NULL && esc11_alarm_code_text(INT64_C(7))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(7))->name, "point_data_destroyed") == 0 && strcmp(esc11_alarm_code_text(INT64_C(7))->printed, "PNT DATA DESTROY") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(8)) != NULL && esc11_alarm_code_text(INT64_C(8))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(8))->name, "parameter_data_destroyed") == 0 && strcmp(esc11_alarm_code_text(INT64_C(8))->printed, "PRM DATA DESTROY") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(9)) != NULL && esc11_alarm_code_text(INT64_C(9))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(9))->name, "system_fault_1") == 0 && strcmp(esc11_alarm_code_text(INT64_C(9))->printed, "SYSTEM FAULT1") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(10)) != NULL && esc11_alarm_code_text(INT64_C(10))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(10))->name, "feedback_error_1") == 0 && strcmp(esc11_alarm_code_text(INT64_C(10))->printed, "FEEDBACK ERROR1") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(11)) != NULL && esc11_alarm_code_text(INT64_C(11))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(11))->name, "feedback_error_2") == 0 && strcmp(esc11_alarm_code_text(INT64_C(11))->printed, "FEEDBACK ERROR2") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(12)) != NULL && esc11_alarm_code_text(INT64_C(12))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(12))->name, "abnormal_voltage") == 0 && strcmp(esc11_alarm_code_text(INT64_C(12))->printed, "ABNORMAL VOLTAGE") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(13)) != NULL && esc11_alarm_code_text(INT64_C(13))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(13))->name, "system_fault_2") == 0 && strcmp(esc11_alarm_code_text(INT64_C(13))->printed, "SYSTEM FAULT2") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(14)) != NULL && esc11_alarm_code_text(INT64_C(14))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(14))->name, "feedback_error_3") == 0 && strcmp(esc11_alarm_code_text(INT64_C(14))->printed, "FEEDBACK ERROR3") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(32)) != NULL && esc11_alarm_code_text(INT64_C(32))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(32))->name, "soft_limit_exceeded") == 0 && strcmp(esc11_alarm_code_text(INT64_C(32))->printed, "SOFT LIMIT OVER") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(33)) != NULL && esc11_alarm_code_text(INT64_C(33))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(33))->name, "pulse_overflow") == 0 && strcmp(esc11_alarm_code_text(INT64_C(33))->printed, "PULSE OVERFLOW") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(34)) != NULL && esc11_alarm_code_text(INT64_C(34))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(34))->name, "io_logic_error") == 0 && strcmp(esc11_alarm_code_text(INT64_C(34))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(35)) != NULL && esc11_alarm_code_text(INT64_C(35))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(35))->name, "homing_incomplete") == 0 && strcmp(esc11_alarm_code_text(INT64_C(35))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(36)) != NULL && esc11_alarm_code_text(INT64_C(36))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(36))->name, "servo_off") == 0 && strcmp(esc11_alarm_code_text(INT64_C(36))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(37)) != NULL && esc11_alarm_code_text(INT64_C(37))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(37))->name, "interlock") == 0 && strcmp(esc11_alarm_code_text(INT64_C(37))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(38)) != NULL && esc11_alarm_code_text(INT64_C(38))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(38))->name, "no_point") == 0 && strcmp(esc11_alarm_code_text(INT64_C(38))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(39)) != NULL && esc11_alarm_code_text(INT64_C(39))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(39))->name, "operating") == 0 && strcmp(esc11_alarm_code_text(INT64_C(39))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(40)) != NULL && esc11_alarm_code_text(INT64_C(40))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(40))->name, "processing") == 0 && strcmp(esc11_alarm_code_text(INT64_C(40))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(41)) != NULL && esc11_alarm_code_text(INT64_C(41))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(41))->name, "home_not_found") == 0 && strcmp(esc11_alarm_code_text(INT64_C(41))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(48)) != NULL && esc11_alarm_code_text(INT64_C(48))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(48))->name, "network_communication_error") == 0 && strcmp(esc11_alarm_code_text(INT64_C(48))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(49)) != NULL && esc11_alarm_code_text(INT64_C(49))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(49))->name, "communication_command_error") == 0 && strcmp(esc11_alarm_code_text(INT64_C(49))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(50)) != NULL && esc11_alarm_code_text(INT64_C(50))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(50))->name, "data_error") == 0 && strcmp(esc11_alarm_code_text(INT64_C(50))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(51)) != NULL && esc11_alarm_code_text(INT64_C(51))->number == (-INT64_C(1)) && strcmp(esc11_alarm_code_text(INT64_C(51))->name, "unknown_actuator_type") == 0 && strcmp(esc11_alarm_code_text(INT64_C(51))->printed, "") == 0, "esc11_alarm_code_text");
+    expect(esc11_alarm_code_text(INT64_C(0)) == NULL, "esc11_alarm_code_text");
+    expect(esc11_homing_direction_known(INT64_C(0)) == true, "esc11_homing_direction_known");
+    expect(esc11_homing_direction_known(INT64_C(1)) == true, "esc11_homing_direction_known");
+    expect(esc11_homing_direction_known(INT64_C(2)) == false, "esc11_homing_direction_known");
+    expect(esc11_homing_method_known(INT64_C(0)) == true, "esc11_homing_method_known");
+    expect(esc11_homing_method_known(INT64_C(1)) == true, "esc11_homing_method_known");
+    expect(esc11_homing_method_known(INT64_C(2)) == false, "esc11_homing_method_known");
+    expect(esc11_point_mode_known(INT64_C(65)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(67)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(71)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(72)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(73)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(74)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(75)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(79)) == true, "esc11_point_mode_known");
+    expect(esc11_point_mode_known(INT64_C(80)) == false, "esc11_point_mode_known");
+}
+
+static void test_2(void)
+{
+    expect(ESC11_READ_POINTS_CODE == 80u, "ESC11_READ_POINTS_CODE");
+    expect(ESC11_READ_PARAMETERS_CODE == 81u, "ESC11_READ_PARAMETERS_CODE");
+    expect(ESC11_READ_IO_STATUS_CODE == 82u, "ESC11_READ_IO_STATUS_CODE");
+    expect(ESC11_READ_ALARM_HISTORY_CODE == 83u, "ESC11_READ_ALARM_HISTORY_CODE");
+    expect(ESC11_WRITE_POINTS_CODE == 96u, "ESC11_WRITE_POINTS_CODE");
+    expect(ESC11_WRITE_PARAMETERS_CODE == 97u, "ESC11_WRITE_PARAMETERS_CODE");
+    expect(ESC11_WRITE_PARAMETER_CODE == 98u, "ESC11_WRITE_PARAMETER_CODE");
+    expect(ESC11_WRITE_TEMPORARY_POINT_CODE == 99u, "ESC11_WRITE_TEMPORARY_POINT_CODE");
+    expect(ESC11_CLEAR_POINTS_CODE == 112u, "ESC11_CLEAR_POINTS_CODE");
+    expect(ESC11_INITIALIZE_POINTS_CODE == 113u, "ESC11_INITIALIZE_POINTS_CODE");
+    expect(ESC11_INITIALIZE_PARAMETERS_CODE == 114u, "ESC11_INITIALIZE_PARAMETERS_CODE");
+    expect(ESC11_CLEAR_ALARM_HISTORY_CODE == 115u, "ESC11_CLEAR_ALARM_HISTORY_CODE");
+    expect(ESC11_CLEAR_ACCUMULATED_TIME_CODE == 116u, "ESC11_CLEAR_ACCUMULATED_TIME_CODE");
+    expect(ESC11_STOP_CODE == 16u, "ESC11_STOP_CODE");
+    expect(ESC11_START_HOMING_CODE == 17u, "ESC11_START_HOMING_CODE");
+    expect(ESC11_MOVE_POSITIVE_DISTANCE_CODE == 18u, "ESC11_MOVE_POSITIVE_DISTANCE_CODE");
+    expect(ESC11_MOVE_NEGATIVE_DISTANCE_CODE == 19u, "ESC11_MOVE_NEGATIVE_DISTANCE_CODE");
+    expect(ESC11_MOVE_OPEN_CODE == 20u, "ESC11_MOVE_OPEN_CODE");
+    expect(ESC11_MOVE_CLOSE_CODE == 21u, "ESC11_MOVE_CLOSE_CODE");
+    expect(ESC11_MOVE_RELATIVE_CODE == 22u, "ESC11_MOVE_RELATIVE_CODE");
+    expect(ESC11_MOVE_ABSOLUTE_CODE == 23u, "ESC11_MOVE_ABSOLUTE_CODE");
+    expect(ESC11_MOVE_TO_POINT_CODE == 26u, "ESC11_MOVE_TO_POINT_CODE");
+    expect(ESC11_GRIP_OPEN_CODE == 32u, "ESC11_GRIP_OPEN_CODE");
+    expect(ESC11_GRIP_CLOSE_CODE == 33u, "ESC11_GRIP_CLOSE_CODE");
+    expect(ESC11_GRIP_RELATIVE_CODE == 34u, "ESC11_GRIP_RELATIVE_CODE");
+    expect(ESC11_GRIP_ABSOLUTE_CODE == 35u, "ESC11_GRIP_ABSOLUTE_CODE");
+    expect(ESC11_GRIP_OPEN_WITH_ZONE_CODE == 36u, "ESC11_GRIP_OPEN_WITH_ZONE_CODE");
+    expect(ESC11_GRIP_CLOSE_WITH_ZONE_CODE == 37u, "ESC11_GRIP_CLOSE_WITH_ZONE_CODE");
+    expect(ESC11_NO_OPERATION_CODE == 48u, "ESC11_NO_OPERATION_CODE");
+    expect(ESC11_SET_MOTOR_EXCITATION_CODE == 49u, "ESC11_SET_MOTOR_EXCITATION_CODE");
+    expect(ESC11_READ_VERSION_CODE == 64u, "ESC11_READ_VERSION_CODE");
+    expect(ESC11_READ_CURRENT_POSITION_CODE == 65u, "ESC11_READ_CURRENT_POSITION_CODE");
+    expect(ESC11_READ_CURRENT_POINT_NUMBER_CODE == 66u, "ESC11_READ_CURRENT_POINT_NUMBER_CODE");
+    expect(ESC11_READ_PARAMETER_CODE == 67u, "ESC11_READ_PARAMETER_CODE");
+    expect(ESC11_READ_POINT_CODE == 68u, "ESC11_READ_POINT_CODE");
+    expect(ESC11_READ_HOMING_STATE_CODE == 69u, "ESC11_READ_HOMING_STATE_CODE");
+    expect(ESC11_READ_MOTOR_EXCITATION_CODE == 70u, "ESC11_READ_MOTOR_EXCITATION_CODE");
+    expect(ESC11_READ_ALARM_CODE_CODE == 71u, "ESC11_READ_ALARM_CODE_CODE");
+    expect(ESC11_READ_ACCUMULATED_TIME_CODE == 72u, "ESC11_READ_ACCUMULATED_TIME_CODE");
+}
+
+static void test_3(void)
+{
+    expect(ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_NUMBER == 0u, "ESC11_PAR_PARAMETERS_ACTUATOR_TYPE_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_NUMBER == 1u, "ESC11_PAR_PARAMETERS_POSITIVE_SOFT_LIMIT_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_NUMBER == 2u, "ESC11_PAR_PARAMETERS_NEGATIVE_SOFT_LIMIT_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_STROKE_NUMBER == 3u, "ESC11_PAR_PARAMETERS_STROKE_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_4_NUMBER == 4u, "ESC11_PAR_PARAMETERS_PRESET_4_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_HOMING_DIRECTION_NUMBER == 5u, "ESC11_PAR_PARAMETERS_HOMING_DIRECTION_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_HOMING_SPEED_NUMBER == 6u, "ESC11_PAR_PARAMETERS_HOMING_SPEED_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_HOME_OFFSET_NUMBER == 7u, "ESC11_PAR_PARAMETERS_HOME_OFFSET_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_ACCELERATION_NUMBER == 8u, "ESC11_PAR_PARAMETERS_ACCELERATION_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_NUMBER == 9u, "ESC11_PAR_PARAMETERS_MAXIMUM_PROGRAM_SPEED_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_GRIPPING_SPEED_NUMBER == 10u, "ESC11_PAR_PARAMETERS_GRIPPING_SPEED_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_NUMBER == 11u, "ESC11_PAR_PARAMETERS_CONSTANT_SPEED_DISTANCE_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_LIMIT_WIDTH_NUMBER == 12u, "ESC11_PAR_PARAMETERS_LIMIT_WIDTH_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_NUMBER == 13u, "ESC11_PAR_PARAMETERS_POSITIONING_COMPLETE_PULSES_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_14_NUMBER == 14u, "ESC11_PAR_PARAMETERS_PRESET_14_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_15_NUMBER == 15u, "ESC11_PAR_PARAMETERS_PRESET_15_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_HOMING_METHOD_NUMBER == 16u, "ESC11_PAR_PARAMETERS_HOMING_METHOD_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_17_NUMBER == 17u, "ESC11_PAR_PARAMETERS_PRESET_17_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_UNREGISTERED_18_NUMBER == 18u, "ESC11_PAR_PARAMETERS_UNREGISTERED_18_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_UNREGISTERED_19_NUMBER == 19u, "ESC11_PAR_PARAMETERS_UNREGISTERED_19_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_UNREGISTERED_20_NUMBER == 20u, "ESC11_PAR_PARAMETERS_UNREGISTERED_20_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_21_NUMBER == 21u, "ESC11_PAR_PARAMETERS_PRESET_21_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_22_NUMBER == 22u, "ESC11_PAR_PARAMETERS_PRESET_22_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_23_NUMBER == 23u, "ESC11_PAR_PARAMETERS_PRESET_23_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_24_NUMBER == 24u, "ESC11_PAR_PARAMETERS_PRESET_24_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_25_NUMBER == 25u, "ESC11_PAR_PARAMETERS_PRESET_25_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_26_NUMBER == 26u, "ESC11_PAR_PARAMETERS_PRESET_26_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_27_NUMBER == 27u, "ESC11_PAR_PARAMETERS_PRESET_27_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_28_NUMBER == 28u, "ESC11_PAR_PARAMETERS_PRESET_28_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_29_NUMBER == 29u, "ESC11_PAR_PARAMETERS_PRESET_29_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_ACTUATOR_MAXIMUM_SPEED_NUMBER == 30u, "ESC11_PAR_PARAMETERS_ACTUATOR_MAXIMUM_SPEED_NUMBER");
+    expect(ESC11_PAR_PARAMETERS_PRESET_31_NUMBER == 31u, "ESC11_PAR_PARAMETERS_PRESET_31_NUMBER");
+}
+
+static void test_4(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x00};
     uint8_t bytes[ESC11_ALARM_HISTORY_ENTRY_SIZE];
@@ -105,9 +263,10 @@ static void test_1(void)
     expect(out.minutes == 0u, "alarm_history_entry.hours: minutes");
     expect(out.alarm_code == 0u, "alarm_history_entry.hours: alarm_code");
     expect(esc11_alarm_history_entry_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "alarm_history_entry.hours short");
+    expect(esc11_alarm_history_entry_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "alarm_history_entry.hours cut");
 }
 
-static void test_2(void)
+static void test_5(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x3C, 0x00};
     uint8_t bytes[ESC11_ALARM_HISTORY_ENTRY_SIZE];
@@ -125,9 +284,10 @@ static void test_2(void)
     expect(out.minutes == 60u, "alarm_history_entry.minutes: minutes");
     expect(out.alarm_code == 0u, "alarm_history_entry.minutes: alarm_code");
     expect(esc11_alarm_history_entry_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "alarm_history_entry.minutes short");
+    expect(esc11_alarm_history_entry_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "alarm_history_entry.minutes cut");
 }
 
-static void test_3(void)
+static void test_6(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0xFF};
     uint8_t bytes[ESC11_ALARM_HISTORY_ENTRY_SIZE];
@@ -145,9 +305,10 @@ static void test_3(void)
     expect(out.minutes == 0u, "alarm_history_entry.alarm_code: minutes");
     expect(out.alarm_code == 255u, "alarm_history_entry.alarm_code: alarm_code");
     expect(esc11_alarm_history_entry_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "alarm_history_entry.alarm_code short");
+    expect(esc11_alarm_history_entry_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "alarm_history_entry.alarm_code cut");
 }
 
-static void test_4(void)
+static void test_7(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -173,9 +334,10 @@ static void test_4(void)
     expect(out.zone_limit_1 == (-134217727), "point.number: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "point.number: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.number short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.number cut");
 }
 
-static void test_5(void)
+static void test_8(void)
 {
     static const uint8_t wanted[] = {0x01, 0x4F, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -201,9 +363,10 @@ static void test_5(void)
     expect(out.zone_limit_1 == (-134217727), "point.mode: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "point.mode: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.mode short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.mode cut");
 }
 
-static void test_6(void)
+static void test_9(void)
 {
     static const uint8_t wanted[] = {0x01, 0x41, 0xFF, 0xFF, 0xFF, 0x07, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -229,9 +392,10 @@ static void test_6(void)
     expect(out.zone_limit_1 == (-134217727), "point.distance: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "point.distance: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.distance short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.distance cut");
 }
 
-static void test_7(void)
+static void test_10(void)
 {
     static const uint8_t wanted[] = {0x01, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x64, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -257,9 +421,10 @@ static void test_7(void)
     expect(out.zone_limit_1 == (-134217727), "point.speed: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "point.speed: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.speed short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.speed cut");
 }
 
-static void test_8(void)
+static void test_11(void)
 {
     static const uint8_t wanted[] = {0x01, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x64, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -285,9 +450,10 @@ static void test_8(void)
     expect(out.zone_limit_1 == (-134217727), "point.force: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "point.force: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.force short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.force cut");
 }
 
-static void test_9(void)
+static void test_12(void)
 {
     static const uint8_t wanted[] = {0x01, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0xFF, 0xFF, 0xFF, 0x07, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -313,9 +479,10 @@ static void test_9(void)
     expect(out.zone_limit_1 == 134217727, "point.zone_limit_1: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "point.zone_limit_1: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.zone_limit_1 short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.zone_limit_1 cut");
 }
 
-static void test_10(void)
+static void test_13(void)
 {
     static const uint8_t wanted[] = {0x01, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_POINT_SIZE];
@@ -341,9 +508,10 @@ static void test_10(void)
     expect(out.zone_limit_1 == (-134217727), "point.zone_limit_2: zone_limit_1");
     expect(out.zone_limit_2 == 134217727, "point.zone_limit_2: zone_limit_2");
     expect(esc11_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "point.zone_limit_2 short");
+    expect(esc11_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "point.zone_limit_2 cut");
 }
 
-static void test_11(void)
+static void test_14(void)
 {
     static const uint8_t wanted[] = {0x00, 0x4F, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_TEMPORARY_POINT_SIZE];
@@ -367,9 +535,10 @@ static void test_11(void)
     expect(out.zone_limit_1 == (-134217727), "temporary_point.mode: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "temporary_point.mode: zone_limit_2");
     expect(esc11_temporary_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "temporary_point.mode short");
+    expect(esc11_temporary_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "temporary_point.mode cut");
 }
 
-static void test_12(void)
+static void test_15(void)
 {
     static const uint8_t wanted[] = {0x00, 0x41, 0xFF, 0xFF, 0xFF, 0x07, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_TEMPORARY_POINT_SIZE];
@@ -393,9 +562,10 @@ static void test_12(void)
     expect(out.zone_limit_1 == (-134217727), "temporary_point.distance: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "temporary_point.distance: zone_limit_2");
     expect(esc11_temporary_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "temporary_point.distance short");
+    expect(esc11_temporary_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "temporary_point.distance cut");
 }
 
-static void test_13(void)
+static void test_16(void)
 {
     static const uint8_t wanted[] = {0x00, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x64, 0x00, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_TEMPORARY_POINT_SIZE];
@@ -419,9 +589,10 @@ static void test_13(void)
     expect(out.zone_limit_1 == (-134217727), "temporary_point.speed: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "temporary_point.speed: zone_limit_2");
     expect(esc11_temporary_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "temporary_point.speed short");
+    expect(esc11_temporary_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "temporary_point.speed cut");
 }
 
-static void test_14(void)
+static void test_17(void)
 {
     static const uint8_t wanted[] = {0x00, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x64, 0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_TEMPORARY_POINT_SIZE];
@@ -445,9 +616,10 @@ static void test_14(void)
     expect(out.zone_limit_1 == (-134217727), "temporary_point.force: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "temporary_point.force: zone_limit_2");
     expect(esc11_temporary_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "temporary_point.force short");
+    expect(esc11_temporary_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "temporary_point.force cut");
 }
 
-static void test_15(void)
+static void test_18(void)
 {
     static const uint8_t wanted[] = {0x00, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0xFF, 0xFF, 0xFF, 0x07, 0x01, 0x00, 0x00, 0xF8};
     uint8_t bytes[ESC11_TEMPORARY_POINT_SIZE];
@@ -471,9 +643,10 @@ static void test_15(void)
     expect(out.zone_limit_1 == 134217727, "temporary_point.zone_limit_1: zone_limit_1");
     expect(out.zone_limit_2 == (-134217727), "temporary_point.zone_limit_1: zone_limit_2");
     expect(esc11_temporary_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "temporary_point.zone_limit_1 short");
+    expect(esc11_temporary_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "temporary_point.zone_limit_1 cut");
 }
 
-static void test_16(void)
+static void test_19(void)
 {
     static const uint8_t wanted[] = {0x00, 0x41, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00, 0x01, 0x00, 0x00, 0xF8, 0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_TEMPORARY_POINT_SIZE];
@@ -497,9 +670,10 @@ static void test_16(void)
     expect(out.zone_limit_1 == (-134217727), "temporary_point.zone_limit_2: zone_limit_1");
     expect(out.zone_limit_2 == 134217727, "temporary_point.zone_limit_2: zone_limit_2");
     expect(esc11_temporary_point_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "temporary_point.zone_limit_2 short");
+    expect(esc11_temporary_point_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "temporary_point.zone_limit_2 cut");
 }
 
-static void test_17(void)
+static void test_20(void)
 {
     static const uint8_t wanted[] = {0x1F};
     uint8_t bytes[ESC11_READ_POINTS_REQUEST_SIZE];
@@ -513,9 +687,10 @@ static void test_17(void)
     expect(esc11_read_points_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_points_request.first_point decodes");
     expect(out.first_point == 31u, "read_points_request.first_point: first_point");
     expect(esc11_read_points_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_points_request.first_point short");
+    expect(esc11_read_points_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_points_request.first_point cut");
 }
 
-static void test_18(void)
+static void test_21(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x4F, 0xFF, 0xFF, 0xFF, 0x07, 0x64, 0x64, 0xFF, 0xFF, 0xFF, 0x07, 0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_READ_POINTS_RESPONSE_SIZE];
@@ -543,9 +718,10 @@ static void test_18(void)
     expect(out.points[0].zone_limit_1 == 134217727, "read_points_response.points: zone_limit_1");
     expect(out.points[0].zone_limit_2 == 134217727, "read_points_response.points: zone_limit_2");
     expect(esc11_read_points_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_points_response.points short");
+    expect(esc11_read_points_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_points_response.points cut");
 }
 
-static void test_19(void)
+static void test_22(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
     uint8_t bytes[ESC11_READ_PARAMETERS_RESPONSE_SIZE];
@@ -621,9 +797,10 @@ static void test_19(void)
     expect(out.parameters[30] == 65535u, "read_parameters_response.parameters: parameters");
     expect(out.parameters[31] == 65535u, "read_parameters_response.parameters: parameters");
     expect(esc11_read_parameters_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_parameters_response.parameters short");
+    expect(esc11_read_parameters_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_parameters_response.parameters cut");
 }
 
-static void test_20(void)
+static void test_23(void)
 {
     static const uint8_t wanted[] = {0xFF, 0x00, 0x00};
     uint8_t bytes[ESC11_READ_IO_STATUS_RESPONSE_SIZE];
@@ -641,9 +818,10 @@ static void test_20(void)
     expect(out.outputs == 0u, "read_io_status_response.inputs: outputs");
     expect(out.state_outputs == 0u, "read_io_status_response.inputs: state_outputs");
     expect(esc11_read_io_status_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_io_status_response.inputs short");
+    expect(esc11_read_io_status_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_io_status_response.inputs cut");
 }
 
-static void test_21(void)
+static void test_24(void)
 {
     static const uint8_t wanted[] = {0x00, 0xFF, 0x00};
     uint8_t bytes[ESC11_READ_IO_STATUS_RESPONSE_SIZE];
@@ -661,9 +839,10 @@ static void test_21(void)
     expect(out.outputs == 255u, "read_io_status_response.outputs: outputs");
     expect(out.state_outputs == 0u, "read_io_status_response.outputs: state_outputs");
     expect(esc11_read_io_status_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_io_status_response.outputs short");
+    expect(esc11_read_io_status_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_io_status_response.outputs cut");
 }
 
-static void test_22(void)
+static void test_25(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0xFF};
     uint8_t bytes[ESC11_READ_IO_STATUS_RESPONSE_SIZE];
@@ -681,9 +860,10 @@ static void test_22(void)
     expect(out.outputs == 0u, "read_io_status_response.state_outputs: outputs");
     expect(out.state_outputs == 255u, "read_io_status_response.state_outputs: state_outputs");
     expect(esc11_read_io_status_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_io_status_response.state_outputs short");
+    expect(esc11_read_io_status_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_io_status_response.state_outputs cut");
 }
 
-static void test_23(void)
+static void test_26(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x3C, 0xFF};
     uint8_t bytes[ESC11_READ_ALARM_HISTORY_RESPONSE_SIZE];
@@ -703,9 +883,10 @@ static void test_23(void)
     expect(out.entries[0].minutes == 60u, "read_alarm_history_response.entries: minutes");
     expect(out.entries[0].alarm_code == 255u, "read_alarm_history_response.entries: alarm_code");
     expect(esc11_read_alarm_history_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_alarm_history_response.entries short");
+    expect(esc11_read_alarm_history_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_alarm_history_response.entries cut");
 }
 
-static void test_24(void)
+static void test_27(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x4F, 0xFF, 0xFF, 0xFF, 0x07, 0x64, 0x64, 0xFF, 0xFF, 0xFF, 0x07, 0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_WRITE_POINTS_REQUEST_SIZE];
@@ -733,9 +914,10 @@ static void test_24(void)
     expect(out.points[0].zone_limit_1 == 134217727, "write_points_request.points: zone_limit_1");
     expect(out.points[0].zone_limit_2 == 134217727, "write_points_request.points: zone_limit_2");
     expect(esc11_write_points_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "write_points_request.points short");
+    expect(esc11_write_points_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "write_points_request.points cut");
 }
 
-static void test_25(void)
+static void test_28(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
     uint8_t bytes[ESC11_WRITE_PARAMETERS_REQUEST_SIZE];
@@ -811,9 +993,10 @@ static void test_25(void)
     expect(out.parameters[30] == 65535u, "write_parameters_request.parameters: parameters");
     expect(out.parameters[31] == 65535u, "write_parameters_request.parameters: parameters");
     expect(esc11_write_parameters_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "write_parameters_request.parameters short");
+    expect(esc11_write_parameters_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "write_parameters_request.parameters cut");
 }
 
-static void test_26(void)
+static void test_29(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x00, 0x00};
     uint8_t bytes[ESC11_WRITE_PARAMETER_REQUEST_SIZE];
@@ -829,9 +1012,10 @@ static void test_26(void)
     expect(out.parameter_number == 31u, "write_parameter_request.parameter_number: parameter_number");
     expect(out.value == 0u, "write_parameter_request.parameter_number: value");
     expect(esc11_write_parameter_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "write_parameter_request.parameter_number short");
+    expect(esc11_write_parameter_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "write_parameter_request.parameter_number cut");
 }
 
-static void test_27(void)
+static void test_30(void)
 {
     static const uint8_t wanted[] = {0x00, 0xFF, 0xFF};
     uint8_t bytes[ESC11_WRITE_PARAMETER_REQUEST_SIZE];
@@ -847,9 +1031,10 @@ static void test_27(void)
     expect(out.parameter_number == 0u, "write_parameter_request.value: parameter_number");
     expect(out.value == 65535u, "write_parameter_request.value: value");
     expect(esc11_write_parameter_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "write_parameter_request.value short");
+    expect(esc11_write_parameter_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "write_parameter_request.value cut");
 }
 
-static void test_28(void)
+static void test_31(void)
 {
     static const uint8_t wanted[] = {0x00, 0x4F, 0xFF, 0xFF, 0xFF, 0x07, 0x64, 0x64, 0xFF, 0xFF, 0xFF, 0x07, 0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_WRITE_TEMPORARY_POINT_REQUEST_SIZE];
@@ -873,9 +1058,10 @@ static void test_28(void)
     expect(out.point.zone_limit_1 == 134217727, "write_temporary_point_request.point: zone_limit_1");
     expect(out.point.zone_limit_2 == 134217727, "write_temporary_point_request.point: zone_limit_2");
     expect(esc11_write_temporary_point_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "write_temporary_point_request.point short");
+    expect(esc11_write_temporary_point_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "write_temporary_point_request.point cut");
 }
 
-static void test_29(void)
+static void test_32(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x01};
     uint8_t bytes[ESC11_CLEAR_POINTS_REQUEST_SIZE];
@@ -891,9 +1077,10 @@ static void test_29(void)
     expect(out.first_point == 31u, "clear_points_request.first_point: first_point");
     expect(out.point_count == 1u, "clear_points_request.first_point: point_count");
     expect(esc11_clear_points_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "clear_points_request.first_point short");
+    expect(esc11_clear_points_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "clear_points_request.first_point cut");
 }
 
-static void test_30(void)
+static void test_33(void)
 {
     static const uint8_t wanted[] = {0x01, 0x1F};
     uint8_t bytes[ESC11_CLEAR_POINTS_REQUEST_SIZE];
@@ -909,9 +1096,10 @@ static void test_30(void)
     expect(out.first_point == 1u, "clear_points_request.point_count: first_point");
     expect(out.point_count == 31u, "clear_points_request.point_count: point_count");
     expect(esc11_clear_points_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "clear_points_request.point_count short");
+    expect(esc11_clear_points_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "clear_points_request.point_count cut");
 }
 
-static void test_31(void)
+static void test_34(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF};
     uint8_t bytes[ESC11_INITIALIZE_PARAMETERS_REQUEST_SIZE];
@@ -925,9 +1113,10 @@ static void test_31(void)
     expect(esc11_initialize_parameters_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "initialize_parameters_request.actuator_type decodes");
     expect(out.actuator_type == 65535u, "initialize_parameters_request.actuator_type: actuator_type");
     expect(esc11_initialize_parameters_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "initialize_parameters_request.actuator_type short");
+    expect(esc11_initialize_parameters_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "initialize_parameters_request.actuator_type cut");
 }
 
-static void test_32(void)
+static void test_35(void)
 {
     static const uint8_t wanted[] = {0xFF, 0x01, 0x00};
     uint8_t bytes[ESC11_MOVE_POSITIVE_DISTANCE_REQUEST_SIZE];
@@ -945,9 +1134,10 @@ static void test_32(void)
     expect(out.speed == 1u, "move_positive_distance_request.distance: speed");
     expect(out.force == 0u, "move_positive_distance_request.distance: force");
     expect(esc11_move_positive_distance_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_positive_distance_request.distance short");
+    expect(esc11_move_positive_distance_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_positive_distance_request.distance cut");
 }
 
-static void test_33(void)
+static void test_36(void)
 {
     static const uint8_t wanted[] = {0x01, 0x64, 0x00};
     uint8_t bytes[ESC11_MOVE_POSITIVE_DISTANCE_REQUEST_SIZE];
@@ -965,9 +1155,10 @@ static void test_33(void)
     expect(out.speed == 100u, "move_positive_distance_request.speed: speed");
     expect(out.force == 0u, "move_positive_distance_request.speed: force");
     expect(esc11_move_positive_distance_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_positive_distance_request.speed short");
+    expect(esc11_move_positive_distance_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_positive_distance_request.speed cut");
 }
 
-static void test_34(void)
+static void test_37(void)
 {
     static const uint8_t wanted[] = {0x01, 0x01, 0x64};
     uint8_t bytes[ESC11_MOVE_POSITIVE_DISTANCE_REQUEST_SIZE];
@@ -985,9 +1176,10 @@ static void test_34(void)
     expect(out.speed == 1u, "move_positive_distance_request.force: speed");
     expect(out.force == 100u, "move_positive_distance_request.force: force");
     expect(esc11_move_positive_distance_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_positive_distance_request.force short");
+    expect(esc11_move_positive_distance_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_positive_distance_request.force cut");
 }
 
-static void test_35(void)
+static void test_38(void)
 {
     static const uint8_t wanted[] = {0xFF, 0x01, 0x00};
     uint8_t bytes[ESC11_MOVE_NEGATIVE_DISTANCE_REQUEST_SIZE];
@@ -1005,9 +1197,10 @@ static void test_35(void)
     expect(out.speed == 1u, "move_negative_distance_request.distance: speed");
     expect(out.force == 0u, "move_negative_distance_request.distance: force");
     expect(esc11_move_negative_distance_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_negative_distance_request.distance short");
+    expect(esc11_move_negative_distance_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_negative_distance_request.distance cut");
 }
 
-static void test_36(void)
+static void test_39(void)
 {
     static const uint8_t wanted[] = {0x01, 0x64, 0x00};
     uint8_t bytes[ESC11_MOVE_NEGATIVE_DISTANCE_REQUEST_SIZE];
@@ -1025,9 +1218,10 @@ static void test_36(void)
     expect(out.speed == 100u, "move_negative_distance_request.speed: speed");
     expect(out.force == 0u, "move_negative_distance_request.speed: force");
     expect(esc11_move_negative_distance_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_negative_distance_request.speed short");
+    expect(esc11_move_negative_distance_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_negative_distance_request.speed cut");
 }
 
-static void test_37(void)
+static void test_40(void)
 {
     static const uint8_t wanted[] = {0x01, 0x01, 0x64};
     uint8_t bytes[ESC11_MOVE_NEGATIVE_DISTANCE_REQUEST_SIZE];
@@ -1045,9 +1239,10 @@ static void test_37(void)
     expect(out.speed == 1u, "move_negative_distance_request.force: speed");
     expect(out.force == 100u, "move_negative_distance_request.force: force");
     expect(esc11_move_negative_distance_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_negative_distance_request.force short");
+    expect(esc11_move_negative_distance_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_negative_distance_request.force cut");
 }
 
-static void test_38(void)
+static void test_41(void)
 {
     static const uint8_t wanted[] = {0x64};
     uint8_t bytes[ESC11_MOVE_OPEN_REQUEST_SIZE];
@@ -1061,9 +1256,10 @@ static void test_38(void)
     expect(esc11_move_open_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "move_open_request.speed decodes");
     expect(out.speed == 100u, "move_open_request.speed: speed");
     expect(esc11_move_open_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_open_request.speed short");
+    expect(esc11_move_open_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_open_request.speed cut");
 }
 
-static void test_39(void)
+static void test_42(void)
 {
     static const uint8_t wanted[] = {0x64};
     uint8_t bytes[ESC11_MOVE_CLOSE_REQUEST_SIZE];
@@ -1077,9 +1273,10 @@ static void test_39(void)
     expect(esc11_move_close_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "move_close_request.speed decodes");
     expect(out.speed == 100u, "move_close_request.speed: speed");
     expect(esc11_move_close_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_close_request.speed short");
+    expect(esc11_move_close_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_close_request.speed cut");
 }
 
-static void test_40(void)
+static void test_43(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07, 0x00};
     uint8_t bytes[ESC11_MOVE_RELATIVE_REQUEST_SIZE];
@@ -1095,9 +1292,10 @@ static void test_40(void)
     expect(out.distance == 134217727, "move_relative_request.distance: distance");
     expect(out.speed == 0u, "move_relative_request.distance: speed");
     expect(esc11_move_relative_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_relative_request.distance short");
+    expect(esc11_move_relative_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_relative_request.distance cut");
 }
 
-static void test_41(void)
+static void test_44(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x64};
     uint8_t bytes[ESC11_MOVE_RELATIVE_REQUEST_SIZE];
@@ -1113,9 +1311,10 @@ static void test_41(void)
     expect(out.distance == (-134217727), "move_relative_request.speed: distance");
     expect(out.speed == 100u, "move_relative_request.speed: speed");
     expect(esc11_move_relative_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_relative_request.speed short");
+    expect(esc11_move_relative_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_relative_request.speed cut");
 }
 
-static void test_42(void)
+static void test_45(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07, 0x00};
     uint8_t bytes[ESC11_MOVE_ABSOLUTE_REQUEST_SIZE];
@@ -1131,9 +1330,10 @@ static void test_42(void)
     expect(out.position == 134217727, "move_absolute_request.position: position");
     expect(out.speed == 0u, "move_absolute_request.position: speed");
     expect(esc11_move_absolute_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_absolute_request.position short");
+    expect(esc11_move_absolute_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_absolute_request.position cut");
 }
 
-static void test_43(void)
+static void test_46(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x64};
     uint8_t bytes[ESC11_MOVE_ABSOLUTE_REQUEST_SIZE];
@@ -1149,9 +1349,10 @@ static void test_43(void)
     expect(out.position == (-134217727), "move_absolute_request.speed: position");
     expect(out.speed == 100u, "move_absolute_request.speed: speed");
     expect(esc11_move_absolute_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_absolute_request.speed short");
+    expect(esc11_move_absolute_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_absolute_request.speed cut");
 }
 
-static void test_44(void)
+static void test_47(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x00};
     uint8_t bytes[ESC11_MOVE_TO_POINT_REQUEST_SIZE];
@@ -1167,9 +1368,10 @@ static void test_44(void)
     expect(out.point_number == 31u, "move_to_point_request.point_number: point_number");
     expect(out.speed == 0u, "move_to_point_request.point_number: speed");
     expect(esc11_move_to_point_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_to_point_request.point_number short");
+    expect(esc11_move_to_point_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_to_point_request.point_number cut");
 }
 
-static void test_45(void)
+static void test_48(void)
 {
     static const uint8_t wanted[] = {0x01, 0x64};
     uint8_t bytes[ESC11_MOVE_TO_POINT_REQUEST_SIZE];
@@ -1185,9 +1387,10 @@ static void test_45(void)
     expect(out.point_number == 1u, "move_to_point_request.speed: point_number");
     expect(out.speed == 100u, "move_to_point_request.speed: speed");
     expect(esc11_move_to_point_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "move_to_point_request.speed short");
+    expect(esc11_move_to_point_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "move_to_point_request.speed cut");
 }
 
-static void test_46(void)
+static void test_49(void)
 {
     static const uint8_t wanted[] = {0x64, 0x00};
     uint8_t bytes[ESC11_GRIP_OPEN_REQUEST_SIZE];
@@ -1203,9 +1406,10 @@ static void test_46(void)
     expect(out.speed == 100u, "grip_open_request.speed: speed");
     expect(out.force == 0u, "grip_open_request.speed: force");
     expect(esc11_grip_open_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_open_request.speed short");
+    expect(esc11_grip_open_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_open_request.speed cut");
 }
 
-static void test_47(void)
+static void test_50(void)
 {
     static const uint8_t wanted[] = {0x00, 0x64};
     uint8_t bytes[ESC11_GRIP_OPEN_REQUEST_SIZE];
@@ -1221,9 +1425,10 @@ static void test_47(void)
     expect(out.speed == 0u, "grip_open_request.force: speed");
     expect(out.force == 100u, "grip_open_request.force: force");
     expect(esc11_grip_open_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_open_request.force short");
+    expect(esc11_grip_open_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_open_request.force cut");
 }
 
-static void test_48(void)
+static void test_51(void)
 {
     static const uint8_t wanted[] = {0x64, 0x00};
     uint8_t bytes[ESC11_GRIP_CLOSE_REQUEST_SIZE];
@@ -1239,9 +1444,10 @@ static void test_48(void)
     expect(out.speed == 100u, "grip_close_request.speed: speed");
     expect(out.force == 0u, "grip_close_request.speed: force");
     expect(esc11_grip_close_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_close_request.speed short");
+    expect(esc11_grip_close_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_close_request.speed cut");
 }
 
-static void test_49(void)
+static void test_52(void)
 {
     static const uint8_t wanted[] = {0x00, 0x64};
     uint8_t bytes[ESC11_GRIP_CLOSE_REQUEST_SIZE];
@@ -1257,9 +1463,10 @@ static void test_49(void)
     expect(out.speed == 0u, "grip_close_request.force: speed");
     expect(out.force == 100u, "grip_close_request.force: force");
     expect(esc11_grip_close_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_close_request.force short");
+    expect(esc11_grip_close_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_close_request.force cut");
 }
 
-static void test_50(void)
+static void test_53(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07, 0x00, 0x00};
     uint8_t bytes[ESC11_GRIP_RELATIVE_REQUEST_SIZE];
@@ -1277,9 +1484,10 @@ static void test_50(void)
     expect(out.speed == 0u, "grip_relative_request.distance: speed");
     expect(out.force == 0u, "grip_relative_request.distance: force");
     expect(esc11_grip_relative_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_relative_request.distance short");
+    expect(esc11_grip_relative_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_relative_request.distance cut");
 }
 
-static void test_51(void)
+static void test_54(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x64, 0x00};
     uint8_t bytes[ESC11_GRIP_RELATIVE_REQUEST_SIZE];
@@ -1297,9 +1505,10 @@ static void test_51(void)
     expect(out.speed == 100u, "grip_relative_request.speed: speed");
     expect(out.force == 0u, "grip_relative_request.speed: force");
     expect(esc11_grip_relative_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_relative_request.speed short");
+    expect(esc11_grip_relative_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_relative_request.speed cut");
 }
 
-static void test_52(void)
+static void test_55(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x00, 0x64};
     uint8_t bytes[ESC11_GRIP_RELATIVE_REQUEST_SIZE];
@@ -1317,9 +1526,10 @@ static void test_52(void)
     expect(out.speed == 0u, "grip_relative_request.force: speed");
     expect(out.force == 100u, "grip_relative_request.force: force");
     expect(esc11_grip_relative_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_relative_request.force short");
+    expect(esc11_grip_relative_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_relative_request.force cut");
 }
 
-static void test_53(void)
+static void test_56(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07, 0x00, 0x00};
     uint8_t bytes[ESC11_GRIP_ABSOLUTE_REQUEST_SIZE];
@@ -1337,9 +1547,10 @@ static void test_53(void)
     expect(out.speed == 0u, "grip_absolute_request.position: speed");
     expect(out.force == 0u, "grip_absolute_request.position: force");
     expect(esc11_grip_absolute_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_absolute_request.position short");
+    expect(esc11_grip_absolute_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_absolute_request.position cut");
 }
 
-static void test_54(void)
+static void test_57(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x64, 0x00};
     uint8_t bytes[ESC11_GRIP_ABSOLUTE_REQUEST_SIZE];
@@ -1357,9 +1568,10 @@ static void test_54(void)
     expect(out.speed == 100u, "grip_absolute_request.speed: speed");
     expect(out.force == 0u, "grip_absolute_request.speed: force");
     expect(esc11_grip_absolute_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_absolute_request.speed short");
+    expect(esc11_grip_absolute_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_absolute_request.speed cut");
 }
 
-static void test_55(void)
+static void test_58(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x00, 0x64};
     uint8_t bytes[ESC11_GRIP_ABSOLUTE_REQUEST_SIZE];
@@ -1377,9 +1589,10 @@ static void test_55(void)
     expect(out.speed == 0u, "grip_absolute_request.force: speed");
     expect(out.force == 100u, "grip_absolute_request.force: force");
     expect(esc11_grip_absolute_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_absolute_request.force short");
+    expect(esc11_grip_absolute_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_absolute_request.force cut");
 }
 
-static void test_56(void)
+static void test_59(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00};
     uint8_t bytes[ESC11_GRIP_OPEN_WITH_ZONE_REQUEST_SIZE];
@@ -1399,9 +1612,10 @@ static void test_56(void)
     expect(out.speed == 0u, "grip_open_with_zone_request.zone_limit_1: speed");
     expect(out.force == 0u, "grip_open_with_zone_request.zone_limit_1: force");
     expect(esc11_grip_open_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_open_with_zone_request.zone_limit_1 short");
+    expect(esc11_grip_open_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_open_with_zone_request.zone_limit_1 cut");
 }
 
-static void test_57(void)
+static void test_60(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0xFF, 0xFF, 0xFF, 0x07, 0x00, 0x00};
     uint8_t bytes[ESC11_GRIP_OPEN_WITH_ZONE_REQUEST_SIZE];
@@ -1421,9 +1635,10 @@ static void test_57(void)
     expect(out.speed == 0u, "grip_open_with_zone_request.zone_limit_2: speed");
     expect(out.force == 0u, "grip_open_with_zone_request.zone_limit_2: force");
     expect(esc11_grip_open_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_open_with_zone_request.zone_limit_2 short");
+    expect(esc11_grip_open_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_open_with_zone_request.zone_limit_2 cut");
 }
 
-static void test_58(void)
+static void test_61(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8, 0x64, 0x00};
     uint8_t bytes[ESC11_GRIP_OPEN_WITH_ZONE_REQUEST_SIZE];
@@ -1443,9 +1658,10 @@ static void test_58(void)
     expect(out.speed == 100u, "grip_open_with_zone_request.speed: speed");
     expect(out.force == 0u, "grip_open_with_zone_request.speed: force");
     expect(esc11_grip_open_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_open_with_zone_request.speed short");
+    expect(esc11_grip_open_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_open_with_zone_request.speed cut");
 }
 
-static void test_59(void)
+static void test_62(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x64};
     uint8_t bytes[ESC11_GRIP_OPEN_WITH_ZONE_REQUEST_SIZE];
@@ -1465,9 +1681,10 @@ static void test_59(void)
     expect(out.speed == 0u, "grip_open_with_zone_request.force: speed");
     expect(out.force == 100u, "grip_open_with_zone_request.force: force");
     expect(esc11_grip_open_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_open_with_zone_request.force short");
+    expect(esc11_grip_open_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_open_with_zone_request.force cut");
 }
 
-static void test_60(void)
+static void test_63(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x00};
     uint8_t bytes[ESC11_GRIP_CLOSE_WITH_ZONE_REQUEST_SIZE];
@@ -1487,9 +1704,10 @@ static void test_60(void)
     expect(out.speed == 0u, "grip_close_with_zone_request.zone_limit_1: speed");
     expect(out.force == 0u, "grip_close_with_zone_request.zone_limit_1: force");
     expect(esc11_grip_close_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_close_with_zone_request.zone_limit_1 short");
+    expect(esc11_grip_close_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_close_with_zone_request.zone_limit_1 cut");
 }
 
-static void test_61(void)
+static void test_64(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0xFF, 0xFF, 0xFF, 0x07, 0x00, 0x00};
     uint8_t bytes[ESC11_GRIP_CLOSE_WITH_ZONE_REQUEST_SIZE];
@@ -1509,9 +1727,10 @@ static void test_61(void)
     expect(out.speed == 0u, "grip_close_with_zone_request.zone_limit_2: speed");
     expect(out.force == 0u, "grip_close_with_zone_request.zone_limit_2: force");
     expect(esc11_grip_close_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_close_with_zone_request.zone_limit_2 short");
+    expect(esc11_grip_close_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_close_with_zone_request.zone_limit_2 cut");
 }
 
-static void test_62(void)
+static void test_65(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8, 0x64, 0x00};
     uint8_t bytes[ESC11_GRIP_CLOSE_WITH_ZONE_REQUEST_SIZE];
@@ -1531,9 +1750,10 @@ static void test_62(void)
     expect(out.speed == 100u, "grip_close_with_zone_request.speed: speed");
     expect(out.force == 0u, "grip_close_with_zone_request.speed: force");
     expect(esc11_grip_close_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_close_with_zone_request.speed short");
+    expect(esc11_grip_close_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_close_with_zone_request.speed cut");
 }
 
-static void test_63(void)
+static void test_66(void)
 {
     static const uint8_t wanted[] = {0x01, 0x00, 0x00, 0xF8, 0x01, 0x00, 0x00, 0xF8, 0x00, 0x64};
     uint8_t bytes[ESC11_GRIP_CLOSE_WITH_ZONE_REQUEST_SIZE];
@@ -1553,9 +1773,10 @@ static void test_63(void)
     expect(out.speed == 0u, "grip_close_with_zone_request.force: speed");
     expect(out.force == 100u, "grip_close_with_zone_request.force: force");
     expect(esc11_grip_close_with_zone_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "grip_close_with_zone_request.force short");
+    expect(esc11_grip_close_with_zone_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "grip_close_with_zone_request.force cut");
 }
 
-static void test_64(void)
+static void test_67(void)
 {
     static const uint8_t wanted[] = {0x01};
     uint8_t bytes[ESC11_SET_MOTOR_EXCITATION_REQUEST_SIZE];
@@ -1569,9 +1790,10 @@ static void test_64(void)
     expect(esc11_set_motor_excitation_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "set_motor_excitation_request.excited decodes");
     expect(out.excited == true, "set_motor_excitation_request.excited: excited");
     expect(esc11_set_motor_excitation_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "set_motor_excitation_request.excited short");
+    expect(esc11_set_motor_excitation_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "set_motor_excitation_request.excited cut");
 }
 
-static void test_65(void)
+static void test_68(void)
 {
     static const uint8_t wanted[] = {0x41, 0x42, 0x43, 0x44, 0x45, 0x46};
     uint8_t bytes[ESC11_READ_VERSION_RESPONSE_SIZE];
@@ -1585,9 +1807,10 @@ static void test_65(void)
     expect(esc11_read_version_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_version_response.version decodes");
     expect(memcmp(out.version, "\101\102\103\104\105\106", 6u) == 0, "read_version_response.version: version");
     expect(esc11_read_version_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_version_response.version short");
+    expect(esc11_read_version_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_version_response.version cut");
 }
 
-static void test_66(void)
+static void test_69(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_READ_CURRENT_POSITION_RESPONSE_SIZE];
@@ -1601,9 +1824,10 @@ static void test_66(void)
     expect(esc11_read_current_position_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_current_position_response.position decodes");
     expect(out.position == 134217727, "read_current_position_response.position: position");
     expect(esc11_read_current_position_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_current_position_response.position short");
+    expect(esc11_read_current_position_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_current_position_response.position cut");
 }
 
-static void test_67(void)
+static void test_70(void)
 {
     static const uint8_t wanted[] = {0x1F};
     uint8_t bytes[ESC11_READ_CURRENT_POINT_NUMBER_RESPONSE_SIZE];
@@ -1617,9 +1841,10 @@ static void test_67(void)
     expect(esc11_read_current_point_number_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_current_point_number_response.point_number decodes");
     expect(out.point_number == 31u, "read_current_point_number_response.point_number: point_number");
     expect(esc11_read_current_point_number_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_current_point_number_response.point_number short");
+    expect(esc11_read_current_point_number_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_current_point_number_response.point_number cut");
 }
 
-static void test_68(void)
+static void test_71(void)
 {
     static const uint8_t wanted[] = {0x1F};
     uint8_t bytes[ESC11_READ_PARAMETER_REQUEST_SIZE];
@@ -1633,9 +1858,10 @@ static void test_68(void)
     expect(esc11_read_parameter_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_parameter_request.parameter_number decodes");
     expect(out.parameter_number == 31u, "read_parameter_request.parameter_number: parameter_number");
     expect(esc11_read_parameter_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_parameter_request.parameter_number short");
+    expect(esc11_read_parameter_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_parameter_request.parameter_number cut");
 }
 
-static void test_69(void)
+static void test_72(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF};
     uint8_t bytes[ESC11_READ_PARAMETER_RESPONSE_SIZE];
@@ -1649,9 +1875,10 @@ static void test_69(void)
     expect(esc11_read_parameter_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_parameter_response.value decodes");
     expect(out.value == 65535u, "read_parameter_response.value: value");
     expect(esc11_read_parameter_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_parameter_response.value short");
+    expect(esc11_read_parameter_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_parameter_response.value cut");
 }
 
-static void test_70(void)
+static void test_73(void)
 {
     static const uint8_t wanted[] = {0x1F};
     uint8_t bytes[ESC11_READ_POINT_REQUEST_SIZE];
@@ -1665,9 +1892,10 @@ static void test_70(void)
     expect(esc11_read_point_request_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_point_request.point_number decodes");
     expect(out.point_number == 31u, "read_point_request.point_number: point_number");
     expect(esc11_read_point_request_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_point_request.point_number short");
+    expect(esc11_read_point_request_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_point_request.point_number cut");
 }
 
-static void test_71(void)
+static void test_74(void)
 {
     static const uint8_t wanted[] = {0x1F, 0x4F, 0xFF, 0xFF, 0xFF, 0x07, 0x64, 0x64, 0xFF, 0xFF, 0xFF, 0x07, 0xFF, 0xFF, 0xFF, 0x07};
     uint8_t bytes[ESC11_READ_POINT_RESPONSE_SIZE];
@@ -1693,9 +1921,10 @@ static void test_71(void)
     expect(out.point.zone_limit_1 == 134217727, "read_point_response.point: zone_limit_1");
     expect(out.point.zone_limit_2 == 134217727, "read_point_response.point: zone_limit_2");
     expect(esc11_read_point_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_point_response.point short");
+    expect(esc11_read_point_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_point_response.point cut");
 }
 
-static void test_72(void)
+static void test_75(void)
 {
     static const uint8_t wanted[] = {0x01};
     uint8_t bytes[ESC11_READ_HOMING_STATE_RESPONSE_SIZE];
@@ -1709,9 +1938,10 @@ static void test_72(void)
     expect(esc11_read_homing_state_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_homing_state_response.homing_complete decodes");
     expect(out.homing_complete == true, "read_homing_state_response.homing_complete: homing_complete");
     expect(esc11_read_homing_state_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_homing_state_response.homing_complete short");
+    expect(esc11_read_homing_state_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_homing_state_response.homing_complete cut");
 }
 
-static void test_73(void)
+static void test_76(void)
 {
     static const uint8_t wanted[] = {0x01};
     uint8_t bytes[ESC11_READ_MOTOR_EXCITATION_RESPONSE_SIZE];
@@ -1725,9 +1955,10 @@ static void test_73(void)
     expect(esc11_read_motor_excitation_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_motor_excitation_response.excited decodes");
     expect(out.excited == true, "read_motor_excitation_response.excited: excited");
     expect(esc11_read_motor_excitation_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_motor_excitation_response.excited short");
+    expect(esc11_read_motor_excitation_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_motor_excitation_response.excited cut");
 }
 
-static void test_74(void)
+static void test_77(void)
 {
     static const uint8_t wanted[] = {0xFF};
     uint8_t bytes[ESC11_READ_ALARM_CODE_RESPONSE_SIZE];
@@ -1741,9 +1972,10 @@ static void test_74(void)
     expect(esc11_read_alarm_code_response_decode(wanted, sizeof wanted, &out) == ESC11_OK, "read_alarm_code_response.alarm_code decodes");
     expect(out.alarm_code == 255u, "read_alarm_code_response.alarm_code: alarm_code");
     expect(esc11_read_alarm_code_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_alarm_code_response.alarm_code short");
+    expect(esc11_read_alarm_code_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_alarm_code_response.alarm_code cut");
 }
 
-static void test_75(void)
+static void test_78(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00};
     uint8_t bytes[ESC11_READ_ACCUMULATED_TIME_RESPONSE_SIZE];
@@ -1759,9 +1991,10 @@ static void test_75(void)
     expect(out.hours == 65535u, "read_accumulated_time_response.hours: hours");
     expect(out.minutes == 0u, "read_accumulated_time_response.hours: minutes");
     expect(esc11_read_accumulated_time_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_accumulated_time_response.hours short");
+    expect(esc11_read_accumulated_time_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_accumulated_time_response.hours cut");
 }
 
-static void test_76(void)
+static void test_79(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x3C};
     uint8_t bytes[ESC11_READ_ACCUMULATED_TIME_RESPONSE_SIZE];
@@ -1777,9 +2010,206 @@ static void test_76(void)
     expect(out.hours == 0u, "read_accumulated_time_response.minutes: hours");
     expect(out.minutes == 60u, "read_accumulated_time_response.minutes: minutes");
     expect(esc11_read_accumulated_time_response_encode(&in, bytes, sizeof wanted - 1, &length) == ESC11_ERR_CAPACITY, "read_accumulated_time_response.minutes short");
+    expect(esc11_read_accumulated_time_response_decode(wanted, sizeof wanted - 1, &out) != ESC11_OK, "read_accumulated_time_response.minutes cut");
 }
 
-static void test_77(void)
+static void test_80(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_actuator_type_encode(0u, bytes) == ESC11_OK, "parameters.actuator_type 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameters.actuator_type 0 bytes");
+    expect(esc11_par_parameters_actuator_type_decode(bytes, &out) == ESC11_OK, "parameters.actuator_type 0");
+    expect(out == 0u, "parameters.actuator_type 0");
+    expect(esc11_par_parameters_actuator_type_encode(65535u, bytes) == ESC11_OK, "parameters.actuator_type 65535");
+    expect(memcmp(bytes, "\377\377", 2u) == 0, "parameters.actuator_type 65535 bytes");
+    expect(esc11_par_parameters_actuator_type_decode(bytes, &out) == ESC11_OK, "parameters.actuator_type 65535");
+    expect(out == 65535u, "parameters.actuator_type 65535");
+}
+
+static void test_81(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_positive_soft_limit_encode(0u, bytes) == ESC11_OK, "parameters.positive_soft_limit 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameters.positive_soft_limit 0 bytes");
+    expect(esc11_par_parameters_positive_soft_limit_decode(bytes, &out) == ESC11_OK, "parameters.positive_soft_limit 0");
+    expect(out == 0u, "parameters.positive_soft_limit 0");
+    expect(esc11_par_parameters_positive_soft_limit_encode(9999u, bytes) == ESC11_OK, "parameters.positive_soft_limit 9999");
+    expect(memcmp(bytes, "\017\047", 2u) == 0, "parameters.positive_soft_limit 9999 bytes");
+    expect(esc11_par_parameters_positive_soft_limit_decode(bytes, &out) == ESC11_OK, "parameters.positive_soft_limit 9999");
+    expect(out == 9999u, "parameters.positive_soft_limit 9999");
+}
+
+static void test_82(void)
+{
+    uint8_t bytes[2];
+    int16_t out = 0;
+    expect(esc11_par_parameters_negative_soft_limit_encode((-9999), bytes) == ESC11_OK, "parameters.negative_soft_limit -9999");
+    expect(memcmp(bytes, "\361\330", 2u) == 0, "parameters.negative_soft_limit -9999 bytes");
+    expect(esc11_par_parameters_negative_soft_limit_decode(bytes, &out) == ESC11_OK, "parameters.negative_soft_limit -9999");
+    expect(out == (-9999), "parameters.negative_soft_limit -9999");
+    expect(esc11_par_parameters_negative_soft_limit_encode(0, bytes) == ESC11_OK, "parameters.negative_soft_limit 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameters.negative_soft_limit 0 bytes");
+    expect(esc11_par_parameters_negative_soft_limit_decode(bytes, &out) == ESC11_OK, "parameters.negative_soft_limit 0");
+    expect(out == 0, "parameters.negative_soft_limit 0");
+}
+
+static void test_83(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_stroke_encode(0u, bytes) == ESC11_OK, "parameters.stroke 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameters.stroke 0 bytes");
+    expect(esc11_par_parameters_stroke_decode(bytes, &out) == ESC11_OK, "parameters.stroke 0");
+    expect(out == 0u, "parameters.stroke 0");
+    expect(esc11_par_parameters_stroke_encode(9999u, bytes) == ESC11_OK, "parameters.stroke 9999");
+    expect(memcmp(bytes, "\017\047", 2u) == 0, "parameters.stroke 9999 bytes");
+    expect(esc11_par_parameters_stroke_decode(bytes, &out) == ESC11_OK, "parameters.stroke 9999");
+    expect(out == 9999u, "parameters.stroke 9999");
+}
+
+static void test_84(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_homing_direction_encode(0u, bytes) == ESC11_OK, "parameters.homing_direction 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameters.homing_direction 0 bytes");
+    expect(esc11_par_parameters_homing_direction_decode(bytes, &out) == ESC11_OK, "parameters.homing_direction 0");
+    expect(out == 0u, "parameters.homing_direction 0");
+    expect(esc11_par_parameters_homing_direction_encode(1u, bytes) == ESC11_OK, "parameters.homing_direction 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.homing_direction 1 bytes");
+    expect(esc11_par_parameters_homing_direction_decode(bytes, &out) == ESC11_OK, "parameters.homing_direction 1");
+    expect(out == 1u, "parameters.homing_direction 1");
+}
+
+static void test_85(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_homing_speed_encode(1u, bytes) == ESC11_OK, "parameters.homing_speed 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.homing_speed 1 bytes");
+    expect(esc11_par_parameters_homing_speed_decode(bytes, &out) == ESC11_OK, "parameters.homing_speed 1");
+    expect(out == 1u, "parameters.homing_speed 1");
+    expect(esc11_par_parameters_homing_speed_encode(50u, bytes) == ESC11_OK, "parameters.homing_speed 50");
+    expect(memcmp(bytes, "\062\000", 2u) == 0, "parameters.homing_speed 50 bytes");
+    expect(esc11_par_parameters_homing_speed_decode(bytes, &out) == ESC11_OK, "parameters.homing_speed 50");
+    expect(out == 50u, "parameters.homing_speed 50");
+}
+
+static void test_86(void)
+{
+    uint8_t bytes[2];
+    int16_t out = 0;
+    expect(esc11_par_parameters_home_offset_encode((-9999), bytes) == ESC11_OK, "parameters.home_offset -9999");
+    expect(memcmp(bytes, "\361\330", 2u) == 0, "parameters.home_offset -9999 bytes");
+    expect(esc11_par_parameters_home_offset_decode(bytes, &out) == ESC11_OK, "parameters.home_offset -9999");
+    expect(out == (-9999), "parameters.home_offset -9999");
+    expect(esc11_par_parameters_home_offset_encode(9999, bytes) == ESC11_OK, "parameters.home_offset 9999");
+    expect(memcmp(bytes, "\017\047", 2u) == 0, "parameters.home_offset 9999 bytes");
+    expect(esc11_par_parameters_home_offset_decode(bytes, &out) == ESC11_OK, "parameters.home_offset 9999");
+    expect(out == 9999, "parameters.home_offset 9999");
+}
+
+static void test_87(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_acceleration_encode(1u, bytes) == ESC11_OK, "parameters.acceleration 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.acceleration 1 bytes");
+    expect(esc11_par_parameters_acceleration_decode(bytes, &out) == ESC11_OK, "parameters.acceleration 1");
+    expect(out == 1u, "parameters.acceleration 1");
+    expect(esc11_par_parameters_acceleration_encode(100u, bytes) == ESC11_OK, "parameters.acceleration 100");
+    expect(memcmp(bytes, "\144\000", 2u) == 0, "parameters.acceleration 100 bytes");
+    expect(esc11_par_parameters_acceleration_decode(bytes, &out) == ESC11_OK, "parameters.acceleration 100");
+    expect(out == 100u, "parameters.acceleration 100");
+}
+
+static void test_88(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_maximum_program_speed_encode(1u, bytes) == ESC11_OK, "parameters.maximum_program_speed 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.maximum_program_speed 1 bytes");
+    expect(esc11_par_parameters_maximum_program_speed_decode(bytes, &out) == ESC11_OK, "parameters.maximum_program_speed 1");
+    expect(out == 1u, "parameters.maximum_program_speed 1");
+    expect(esc11_par_parameters_maximum_program_speed_encode(100u, bytes) == ESC11_OK, "parameters.maximum_program_speed 100");
+    expect(memcmp(bytes, "\144\000", 2u) == 0, "parameters.maximum_program_speed 100 bytes");
+    expect(esc11_par_parameters_maximum_program_speed_decode(bytes, &out) == ESC11_OK, "parameters.maximum_program_speed 100");
+    expect(out == 100u, "parameters.maximum_program_speed 100");
+}
+
+static void test_89(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_gripping_speed_encode(1u, bytes) == ESC11_OK, "parameters.gripping_speed 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.gripping_speed 1 bytes");
+    expect(esc11_par_parameters_gripping_speed_decode(bytes, &out) == ESC11_OK, "parameters.gripping_speed 1");
+    expect(out == 1u, "parameters.gripping_speed 1");
+    expect(esc11_par_parameters_gripping_speed_encode(100u, bytes) == ESC11_OK, "parameters.gripping_speed 100");
+    expect(memcmp(bytes, "\144\000", 2u) == 0, "parameters.gripping_speed 100 bytes");
+    expect(esc11_par_parameters_gripping_speed_decode(bytes, &out) == ESC11_OK, "parameters.gripping_speed 100");
+    expect(out == 100u, "parameters.gripping_speed 100");
+}
+
+static void test_90(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_constant_speed_distance_encode(1u, bytes) == ESC11_OK, "parameters.constant_speed_distance 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.constant_speed_distance 1 bytes");
+    expect(esc11_par_parameters_constant_speed_distance_decode(bytes, &out) == ESC11_OK, "parameters.constant_speed_distance 1");
+    expect(out == 1u, "parameters.constant_speed_distance 1");
+    expect(esc11_par_parameters_constant_speed_distance_encode(9999u, bytes) == ESC11_OK, "parameters.constant_speed_distance 9999");
+    expect(memcmp(bytes, "\017\047", 2u) == 0, "parameters.constant_speed_distance 9999 bytes");
+    expect(esc11_par_parameters_constant_speed_distance_decode(bytes, &out) == ESC11_OK, "parameters.constant_speed_distance 9999");
+    expect(out == 9999u, "parameters.constant_speed_distance 9999");
+}
+
+static void test_91(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_limit_width_encode(1u, bytes) == ESC11_OK, "parameters.limit_width 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.limit_width 1 bytes");
+    expect(esc11_par_parameters_limit_width_decode(bytes, &out) == ESC11_OK, "parameters.limit_width 1");
+    expect(out == 1u, "parameters.limit_width 1");
+    expect(esc11_par_parameters_limit_width_encode(9999u, bytes) == ESC11_OK, "parameters.limit_width 9999");
+    expect(memcmp(bytes, "\017\047", 2u) == 0, "parameters.limit_width 9999 bytes");
+    expect(esc11_par_parameters_limit_width_decode(bytes, &out) == ESC11_OK, "parameters.limit_width 9999");
+    expect(out == 9999u, "parameters.limit_width 9999");
+}
+
+static void test_92(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_positioning_complete_pulses_encode(1u, bytes) == ESC11_OK, "parameters.positioning_complete_pulses 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.positioning_complete_pulses 1 bytes");
+    expect(esc11_par_parameters_positioning_complete_pulses_decode(bytes, &out) == ESC11_OK, "parameters.positioning_complete_pulses 1");
+    expect(out == 1u, "parameters.positioning_complete_pulses 1");
+    expect(esc11_par_parameters_positioning_complete_pulses_encode(4000u, bytes) == ESC11_OK, "parameters.positioning_complete_pulses 4000");
+    expect(memcmp(bytes, "\240\017", 2u) == 0, "parameters.positioning_complete_pulses 4000 bytes");
+    expect(esc11_par_parameters_positioning_complete_pulses_decode(bytes, &out) == ESC11_OK, "parameters.positioning_complete_pulses 4000");
+    expect(out == 4000u, "parameters.positioning_complete_pulses 4000");
+}
+
+static void test_93(void)
+{
+    uint8_t bytes[2];
+    uint16_t out = 0;
+    expect(esc11_par_parameters_homing_method_encode(0u, bytes) == ESC11_OK, "parameters.homing_method 0");
+    expect(memcmp(bytes, "\000\000", 2u) == 0, "parameters.homing_method 0 bytes");
+    expect(esc11_par_parameters_homing_method_decode(bytes, &out) == ESC11_OK, "parameters.homing_method 0");
+    expect(out == 0u, "parameters.homing_method 0");
+    expect(esc11_par_parameters_homing_method_encode(1u, bytes) == ESC11_OK, "parameters.homing_method 1");
+    expect(memcmp(bytes, "\001\000", 2u) == 0, "parameters.homing_method 1 bytes");
+    expect(esc11_par_parameters_homing_method_decode(bytes, &out) == ESC11_OK, "parameters.homing_method 1");
+    expect(out == 1u, "parameters.homing_method 1");
+}
+
+static void test_94(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x50, 0x03, 0x58};
     esc11_serial_request_frame opened;
@@ -1799,7 +2229,7 @@ static void test_77(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-points-request bytes");
 }
 
-static void test_78(void)
+static void test_95(void)
 {
     static const uint8_t frame[] = {0x14, 0x00, 0x02, 0x03, 0x41, 0x20, 0x03, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xE1};
     esc11_serial_response_frame opened;
@@ -1833,7 +2263,7 @@ static void test_78(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-points-response bytes");
 }
 
-static void test_79(void)
+static void test_96(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x51, 0x55};
     esc11_serial_request_frame opened;
@@ -1848,7 +2278,7 @@ static void test_79(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-parameters-request bytes");
 }
 
-static void test_80(void)
+static void test_97(void)
 {
     static const uint8_t frame[] = {0x44, 0x00, 0x02, 0x6E, 0x00, 0x64, 0x00, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x32, 0x00, 0x00, 0x00, 0x64, 0x00, 0x64, 0x00, 0x32, 0x00, 0x64, 0x00, 0x0A, 0x00, 0xC7, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xDD};
     esc11_serial_response_frame opened;
@@ -1930,7 +2360,7 @@ static void test_80(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-parameters-response bytes");
 }
 
-static void test_81(void)
+static void test_98(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x52, 0x56};
     esc11_serial_request_frame opened;
@@ -1945,7 +2375,7 @@ static void test_81(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-io-status-request bytes");
 }
 
-static void test_82(void)
+static void test_99(void)
 {
     static const uint8_t frame[] = {0x07, 0x00, 0x02, 0x00, 0x00, 0x00, 0x09};
     esc11_serial_response_frame opened;
@@ -1969,7 +2399,7 @@ static void test_82(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-io-status-response bytes");
 }
 
-static void test_83(void)
+static void test_100(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x53, 0x57};
     esc11_serial_request_frame opened;
@@ -1984,7 +2414,7 @@ static void test_83(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-alarm-history-request bytes");
 }
 
-static void test_84(void)
+static void test_101(void)
 {
     static const uint8_t frame[] = {0x08, 0x00, 0x02, 0x03, 0x00, 0x14, 0x01, 0x22};
     esc11_serial_response_frame opened;
@@ -2010,7 +2440,7 @@ static void test_84(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-alarm-history-response bytes");
 }
 
-static void test_85(void)
+static void test_102(void)
 {
     static const uint8_t frame[] = {0x14, 0x00, 0x60, 0x03, 0x41, 0x20, 0x03, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x3F};
     esc11_serial_request_frame opened;
@@ -2044,7 +2474,7 @@ static void test_85(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-points-request bytes");
 }
 
-static void test_86(void)
+static void test_103(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2059,7 +2489,7 @@ static void test_86(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-points-response bytes");
 }
 
-static void test_87(void)
+static void test_104(void)
 {
     static const uint8_t frame[] = {0x44, 0x00, 0x61, 0x6E, 0x00, 0x64, 0x00, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x32, 0x00, 0x00, 0x00, 0x64, 0x00, 0x64, 0x00, 0x32, 0x00, 0x64, 0x00, 0x0A, 0x00, 0x68, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xDD};
     esc11_serial_request_frame opened;
@@ -2141,7 +2571,7 @@ static void test_87(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-parameters-request bytes");
 }
 
-static void test_88(void)
+static void test_105(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2156,7 +2586,7 @@ static void test_88(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-parameters-response bytes");
 }
 
-static void test_89(void)
+static void test_106(void)
 {
     static const uint8_t frame[] = {0x07, 0x00, 0x62, 0x01, 0x64, 0x00, 0xCE};
     esc11_serial_request_frame opened;
@@ -2178,7 +2608,7 @@ static void test_89(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-parameter-request bytes");
 }
 
-static void test_90(void)
+static void test_107(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2193,7 +2623,7 @@ static void test_90(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-parameter-response bytes");
 }
 
-static void test_91(void)
+static void test_108(void)
 {
     static const uint8_t frame[] = {0x14, 0x00, 0x63, 0x00, 0x41, 0x20, 0x03, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x3F};
     esc11_serial_request_frame opened;
@@ -2223,7 +2653,7 @@ static void test_91(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-temporary-point-request bytes");
 }
 
-static void test_92(void)
+static void test_109(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x00, 0x04};
     esc11_serial_response_frame opened;
@@ -2238,7 +2668,7 @@ static void test_92(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example write-temporary-point-response bytes");
 }
 
-static void test_93(void)
+static void test_110(void)
 {
     static const uint8_t frame[] = {0x06, 0x00, 0x70, 0x05, 0x04, 0x7F};
     esc11_serial_request_frame opened;
@@ -2260,7 +2690,7 @@ static void test_93(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example clear-points-request bytes");
 }
 
-static void test_94(void)
+static void test_111(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2275,7 +2705,7 @@ static void test_94(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example clear-points-response bytes");
 }
 
-static void test_95(void)
+static void test_112(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x71, 0x75};
     esc11_serial_request_frame opened;
@@ -2290,7 +2720,7 @@ static void test_95(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example initialize-points-request bytes");
 }
 
-static void test_96(void)
+static void test_113(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2305,7 +2735,7 @@ static void test_96(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example initialize-points-response bytes");
 }
 
-static void test_97(void)
+static void test_114(void)
 {
     static const uint8_t frame[] = {0x06, 0x00, 0x72, 0x6E, 0x00, 0xE6};
     esc11_serial_request_frame opened;
@@ -2325,7 +2755,7 @@ static void test_97(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example initialize-parameters-request bytes");
 }
 
-static void test_98(void)
+static void test_115(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2340,7 +2770,7 @@ static void test_98(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example initialize-parameters-response bytes");
 }
 
-static void test_99(void)
+static void test_116(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x73, 0x77};
     esc11_serial_request_frame opened;
@@ -2355,7 +2785,7 @@ static void test_99(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example clear-alarm-history-request bytes");
 }
 
-static void test_100(void)
+static void test_117(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2370,7 +2800,7 @@ static void test_100(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example clear-alarm-history-response bytes");
 }
 
-static void test_101(void)
+static void test_118(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x74, 0x78};
     esc11_serial_request_frame opened;
@@ -2385,7 +2815,7 @@ static void test_101(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example clear-accumulated-time-request bytes");
 }
 
-static void test_102(void)
+static void test_119(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -2400,7 +2830,7 @@ static void test_102(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example clear-accumulated-time-response bytes");
 }
 
-static void test_103(void)
+static void test_120(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x10, 0x14};
     esc11_serial_request_frame opened;
@@ -2415,7 +2845,7 @@ static void test_103(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example stop-request bytes");
 }
 
-static void test_104(void)
+static void test_121(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2430,7 +2860,7 @@ static void test_104(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example stop-response bytes");
 }
 
-static void test_105(void)
+static void test_122(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x11, 0x15};
     esc11_serial_request_frame opened;
@@ -2445,7 +2875,7 @@ static void test_105(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example start-homing-request bytes");
 }
 
-static void test_106(void)
+static void test_123(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2460,7 +2890,7 @@ static void test_106(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example start-homing-response bytes");
 }
 
-static void test_107(void)
+static void test_124(void)
 {
     static const uint8_t frame[] = {0x07, 0x00, 0x12, 0x64, 0x32, 0x46, 0xF5};
     esc11_serial_request_frame opened;
@@ -2484,7 +2914,7 @@ static void test_107(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-positive-distance-request bytes");
 }
 
-static void test_108(void)
+static void test_125(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2499,7 +2929,7 @@ static void test_108(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-positive-distance-response bytes");
 }
 
-static void test_109(void)
+static void test_126(void)
 {
     static const uint8_t frame[] = {0x07, 0x00, 0x13, 0x64, 0x32, 0x46, 0xF6};
     esc11_serial_request_frame opened;
@@ -2523,7 +2953,7 @@ static void test_109(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-negative-distance-request bytes");
 }
 
-static void test_110(void)
+static void test_127(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2538,7 +2968,7 @@ static void test_110(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-negative-distance-response bytes");
 }
 
-static void test_111(void)
+static void test_128(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x14, 0x32, 0x4B};
     esc11_serial_request_frame opened;
@@ -2558,7 +2988,7 @@ static void test_111(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-open-request bytes");
 }
 
-static void test_112(void)
+static void test_129(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2573,7 +3003,7 @@ static void test_112(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-open-response bytes");
 }
 
-static void test_113(void)
+static void test_130(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x15, 0x32, 0x4C};
     esc11_serial_request_frame opened;
@@ -2593,7 +3023,7 @@ static void test_113(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-close-request bytes");
 }
 
-static void test_114(void)
+static void test_131(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2608,7 +3038,7 @@ static void test_114(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-close-response bytes");
 }
 
-static void test_115(void)
+static void test_132(void)
 {
     static const uint8_t frame[] = {0x09, 0x00, 0x16, 0xD0, 0x07, 0x00, 0x00, 0x32, 0x28};
     esc11_serial_request_frame opened;
@@ -2630,7 +3060,7 @@ static void test_115(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-relative-request bytes");
 }
 
-static void test_116(void)
+static void test_133(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2645,7 +3075,7 @@ static void test_116(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-relative-response bytes");
 }
 
-static void test_117(void)
+static void test_134(void)
 {
     static const uint8_t frame[] = {0x09, 0x00, 0x17, 0xD0, 0x07, 0x00, 0x00, 0x32, 0x29};
     esc11_serial_request_frame opened;
@@ -2667,7 +3097,7 @@ static void test_117(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-absolute-request bytes");
 }
 
-static void test_118(void)
+static void test_135(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2682,7 +3112,7 @@ static void test_118(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-absolute-response bytes");
 }
 
-static void test_119(void)
+static void test_136(void)
 {
     static const uint8_t frame[] = {0x06, 0x00, 0x1A, 0x01, 0x32, 0x53};
     esc11_serial_request_frame opened;
@@ -2704,7 +3134,7 @@ static void test_119(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-to-point-request bytes");
 }
 
-static void test_120(void)
+static void test_137(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2719,7 +3149,7 @@ static void test_120(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example move-to-point-response bytes");
 }
 
-static void test_121(void)
+static void test_138(void)
 {
     static const uint8_t frame[] = {0x06, 0x00, 0x20, 0x32, 0x46, 0x9E};
     esc11_serial_request_frame opened;
@@ -2741,7 +3171,7 @@ static void test_121(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-open-request bytes");
 }
 
-static void test_122(void)
+static void test_139(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2756,7 +3186,7 @@ static void test_122(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-open-response bytes");
 }
 
-static void test_123(void)
+static void test_140(void)
 {
     static const uint8_t frame[] = {0x06, 0x00, 0x21, 0x32, 0x46, 0x9F};
     esc11_serial_request_frame opened;
@@ -2778,7 +3208,7 @@ static void test_123(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-close-request bytes");
 }
 
-static void test_124(void)
+static void test_141(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2793,7 +3223,7 @@ static void test_124(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-close-response bytes");
 }
 
-static void test_125(void)
+static void test_142(void)
 {
     static const uint8_t frame[] = {0x0A, 0x00, 0x22, 0xD0, 0x07, 0x00, 0x00, 0x32, 0x46, 0x7B};
     esc11_serial_request_frame opened;
@@ -2817,7 +3247,7 @@ static void test_125(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-relative-request bytes");
 }
 
-static void test_126(void)
+static void test_143(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2832,7 +3262,7 @@ static void test_126(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-relative-response bytes");
 }
 
-static void test_127(void)
+static void test_144(void)
 {
     static const uint8_t frame[] = {0x0A, 0x00, 0x23, 0xD0, 0x07, 0x00, 0x00, 0x32, 0x46, 0x7C};
     esc11_serial_request_frame opened;
@@ -2856,7 +3286,7 @@ static void test_127(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-absolute-request bytes");
 }
 
-static void test_128(void)
+static void test_145(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2871,7 +3301,7 @@ static void test_128(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-absolute-response bytes");
 }
 
-static void test_129(void)
+static void test_146(void)
 {
     static const uint8_t frame[] = {0x0E, 0x00, 0x24, 0xF4, 0x01, 0x00, 0x00, 0x20, 0x03, 0x00, 0x00, 0x32, 0x46, 0xC2};
     esc11_serial_request_frame opened;
@@ -2897,7 +3327,7 @@ static void test_129(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-open-with-zone-request bytes");
 }
 
-static void test_130(void)
+static void test_147(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2912,7 +3342,7 @@ static void test_130(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-open-with-zone-response bytes");
 }
 
-static void test_131(void)
+static void test_148(void)
 {
     static const uint8_t frame[] = {0x0E, 0x00, 0x25, 0xF4, 0x01, 0x00, 0x00, 0x20, 0x03, 0x00, 0x00, 0x32, 0x46, 0xC3};
     esc11_serial_request_frame opened;
@@ -2938,7 +3368,7 @@ static void test_131(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-close-with-zone-request bytes");
 }
 
-static void test_132(void)
+static void test_149(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x03, 0x07};
     esc11_serial_response_frame opened;
@@ -2953,7 +3383,7 @@ static void test_132(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example grip-close-with-zone-response bytes");
 }
 
-static void test_133(void)
+static void test_150(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x30, 0x34};
     esc11_serial_request_frame opened;
@@ -2968,7 +3398,7 @@ static void test_133(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example no-operation-request bytes");
 }
 
-static void test_134(void)
+static void test_151(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x00, 0x04};
     esc11_serial_response_frame opened;
@@ -2983,7 +3413,7 @@ static void test_134(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example no-operation-response bytes");
 }
 
-static void test_135(void)
+static void test_152(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x31, 0x01, 0x37};
     esc11_serial_request_frame opened;
@@ -3003,7 +3433,7 @@ static void test_135(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example excite-motor-request bytes");
 }
 
-static void test_136(void)
+static void test_153(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x02, 0x06};
     esc11_serial_response_frame opened;
@@ -3018,7 +3448,7 @@ static void test_136(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example excite-motor-response bytes");
 }
 
-static void test_137(void)
+static void test_154(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x31, 0x00, 0x36};
     esc11_serial_request_frame opened;
@@ -3038,7 +3468,7 @@ static void test_137(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example release-motor-request bytes");
 }
 
-static void test_138(void)
+static void test_155(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x06, 0x0A};
     esc11_serial_response_frame opened;
@@ -3053,7 +3483,7 @@ static void test_138(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example release-motor-response bytes");
 }
 
-static void test_139(void)
+static void test_156(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x40, 0x44};
     esc11_serial_request_frame opened;
@@ -3068,7 +3498,7 @@ static void test_139(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-version-request bytes");
 }
 
-static void test_140(void)
+static void test_157(void)
 {
     static const uint8_t frame[] = {0x0A, 0x00, 0x02, 0x20, 0x31, 0x2E, 0x30, 0x31, 0x20, 0x0C};
     esc11_serial_response_frame opened;
@@ -3088,7 +3518,7 @@ static void test_140(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-version-response bytes");
 }
 
-static void test_141(void)
+static void test_158(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x41, 0x45};
     esc11_serial_request_frame opened;
@@ -3103,7 +3533,7 @@ static void test_141(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-current-position-request bytes");
 }
 
-static void test_142(void)
+static void test_159(void)
 {
     static const uint8_t frame[] = {0x08, 0x00, 0x02, 0x20, 0x03, 0x00, 0x00, 0x2D};
     esc11_serial_response_frame opened;
@@ -3123,7 +3553,7 @@ static void test_142(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-current-position-response bytes");
 }
 
-static void test_143(void)
+static void test_160(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x42, 0x46};
     esc11_serial_request_frame opened;
@@ -3138,7 +3568,7 @@ static void test_143(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-current-point-number-request bytes");
 }
 
-static void test_144(void)
+static void test_161(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x02, 0x03, 0x0A};
     esc11_serial_response_frame opened;
@@ -3158,7 +3588,7 @@ static void test_144(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-current-point-number-response bytes");
 }
 
-static void test_145(void)
+static void test_162(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x43, 0x01, 0x49};
     esc11_serial_request_frame opened;
@@ -3178,7 +3608,7 @@ static void test_145(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-parameter-request bytes");
 }
 
-static void test_146(void)
+static void test_163(void)
 {
     static const uint8_t frame[] = {0x06, 0x00, 0x02, 0x64, 0x00, 0x6C};
     esc11_serial_response_frame opened;
@@ -3198,7 +3628,7 @@ static void test_146(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-parameter-response bytes");
 }
 
-static void test_147(void)
+static void test_164(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x44, 0x03, 0x4C};
     esc11_serial_request_frame opened;
@@ -3218,7 +3648,7 @@ static void test_147(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-point-request bytes");
 }
 
-static void test_148(void)
+static void test_165(void)
 {
     static const uint8_t frame[] = {0x14, 0x00, 0x02, 0x03, 0x41, 0x20, 0x03, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xE1};
     esc11_serial_response_frame opened;
@@ -3250,7 +3680,7 @@ static void test_148(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-point-response bytes");
 }
 
-static void test_149(void)
+static void test_166(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x45, 0x49};
     esc11_serial_request_frame opened;
@@ -3265,7 +3695,7 @@ static void test_149(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-homing-state-request bytes");
 }
 
-static void test_150(void)
+static void test_167(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x02, 0x01, 0x08};
     esc11_serial_response_frame opened;
@@ -3285,7 +3715,7 @@ static void test_150(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-homing-state-response bytes");
 }
 
-static void test_151(void)
+static void test_168(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x46, 0x4A};
     esc11_serial_request_frame opened;
@@ -3300,7 +3730,7 @@ static void test_151(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-motor-excitation-request bytes");
 }
 
-static void test_152(void)
+static void test_169(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x02, 0x01, 0x08};
     esc11_serial_response_frame opened;
@@ -3320,7 +3750,7 @@ static void test_152(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-motor-excitation-response bytes");
 }
 
-static void test_153(void)
+static void test_170(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x47, 0x4B};
     esc11_serial_request_frame opened;
@@ -3335,7 +3765,7 @@ static void test_153(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-alarm-code-request bytes");
 }
 
-static void test_154(void)
+static void test_171(void)
 {
     static const uint8_t frame[] = {0x05, 0x00, 0x02, 0x01, 0x08};
     esc11_serial_response_frame opened;
@@ -3355,7 +3785,7 @@ static void test_154(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-alarm-code-response bytes");
 }
 
-static void test_155(void)
+static void test_172(void)
 {
     static const uint8_t frame[] = {0x04, 0x00, 0x48, 0x4C};
     esc11_serial_request_frame opened;
@@ -3370,7 +3800,7 @@ static void test_155(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example read-accumulated-time-request bytes");
 }
 
-static void test_156(void)
+static void test_173(void)
 {
     static const uint8_t frame[] = {0x07, 0x00, 0x02, 0x01, 0x00, 0x0A, 0x14};
     esc11_serial_response_frame opened;
@@ -3551,6 +3981,23 @@ int main(void)
     test_154();
     test_155();
     test_156();
+    test_157();
+    test_158();
+    test_159();
+    test_160();
+    test_161();
+    test_162();
+    test_163();
+    test_164();
+    test_165();
+    test_166();
+    test_167();
+    test_168();
+    test_169();
+    test_170();
+    test_171();
+    test_172();
+    test_173();
     printf("%u passed, %u failed\n", passed, failed);
     return failed ? 1 : 0;
 }

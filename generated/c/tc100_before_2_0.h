@@ -1,9 +1,13 @@
 /*
  * TC100 (TOYO), version before-2.0
  * From: TC100 series operation manual V.2001
- * Identity: 030e9bdab75ec920
+ * Identity: 6f4511cfdbc65a9f
  *
  * C99 and C++11. Generated; do not edit.
+ *
+ * Before it is included there may be defined:
+ *   TC100_WITH_TEXTS for the texts of codes, which take memory
+ *   TC100_WIDE_CRC_TABLE for a faster check with a table of 512 bytes
  */
 #ifdef TC100_INCLUDED
 #ifndef TC100_VERSION_IS_BEFORE_2_0
@@ -22,7 +26,7 @@
 #include <string.h>
 
 #define TC100_VERSION "before-2.0"
-#define TC100_IDENTITY "030e9bdab75ec920"
+#define TC100_IDENTITY "6f4511cfdbc65a9f"
 
 /* ---- What functions return ---- */
 
@@ -322,8 +326,8 @@ typedef enum tc100_fault_code {
 
 /** Source: 5.1 L1164 */
 typedef enum tc100_rotation_direction {
-    TC100_ROTATION_DIRECTION_CLOCKWISE = 0,
-    TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE = 1
+    TC100_ROTATION_DIRECTION_CLOCKWISE = 0, /**< CW */
+    TC100_ROTATION_DIRECTION_COUNTERCLOCKWISE = 1 /**< CCW */
 } tc100_rotation_direction;
 
 /** Whether a value is one of tc100_rotation_direction. */
@@ -337,9 +341,9 @@ static inline bool tc100_rotation_direction_known(int64_t value)
 
 /** Source: 5.1 L1165 */
 typedef enum tc100_pulse_input_form {
-    TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE = 0, /**< One pulse train for each direction. */
-    TC100_PULSE_INPUT_FORM_PULSE_AND_DIRECTION = 1,
-    TC100_PULSE_INPUT_FORM_TWO_PHASES = 2
+    TC100_PULSE_INPUT_FORM_CLOCKWISE_AND_COUNTERCLOCKWISE = 0, /**< CW/CCW One pulse train for each direction. */
+    TC100_PULSE_INPUT_FORM_PULSE_AND_DIRECTION = 1, /**< PULSE/DIR */
+    TC100_PULSE_INPUT_FORM_TWO_PHASES = 2 /**< A 相 /B 相 */
 } tc100_pulse_input_form;
 
 /** Whether a value is one of tc100_pulse_input_form. */
@@ -455,9 +459,9 @@ static inline bool tc100_data_bits_known(int64_t value)
 
 /** Source: 5.8 L1273 */
 typedef enum tc100_parity {
-    TC100_PARITY_NO_PARITY = 0,
-    TC100_PARITY_EVEN_PARITY = 1,
-    TC100_PARITY_ODD_PARITY = 2
+    TC100_PARITY_NO_PARITY = 0, /**< None */
+    TC100_PARITY_EVEN_PARITY = 1, /**< Even */
+    TC100_PARITY_ODD_PARITY = 2 /**< Odd */
 } tc100_parity;
 
 /** Whether a value is one of tc100_parity. */
@@ -471,8 +475,8 @@ static inline bool tc100_parity_known(int64_t value)
 
 /** Source: 5.8 L1275 */
 typedef enum tc100_protocol {
-    TC100_PROTOCOL_MODBUS_ASCII = 0,
-    TC100_PROTOCOL_MODBUS_RTU = 1
+    TC100_PROTOCOL_MODBUS_ASCII = 0, /**< MODBUS-ASCII */
+    TC100_PROTOCOL_MODBUS_RTU = 1 /**< MODBUS-RTU */
 } tc100_protocol;
 
 /** Whether a value is one of tc100_protocol. */
@@ -520,17 +524,17 @@ static inline bool tc100_torque_search_direction_known(int64_t value)
  * Source: 8.2 L1624
  */
 typedef enum tc100_motion_command {
-    TC100_MOTION_COMMAND_RELATIVE_MOVE = 0, /**< 相對位置移動 Moves by the distance in 2000H. */
-    TC100_MOTION_COMMAND_ABSOLUTE_MOVE = 1, /**< 絶對位置移動 Moves to the position in 2002H. */
-    TC100_MOTION_COMMAND_TORQUE_SEARCH = 2, /**< 扭力搜尋移動 Moves in the direction of 2005H until the torque limit. */
-    TC100_MOTION_COMMAND_HOMING = 3, /**< 原點復歸 */
+    TC100_MOTION_COMMAND_RELATIVE_MOVE = 0, /**< INC 相對位置移動 Moves by the distance in 2000H. */
+    TC100_MOTION_COMMAND_ABSOLUTE_MOVE = 1, /**< ABS 絶對位置移動 Moves to the position in 2002H. */
+    TC100_MOTION_COMMAND_TORQUE_SEARCH = 2, /**< TSL 扭力搜尋移動 Moves in the direction of 2005H until the torque limit. */
+    TC100_MOTION_COMMAND_HOMING = 3, /**< ORG 原點復歸 */
     TC100_MOTION_COMMAND_PRESET_POSITION = 4, /**< 設定指令和現在位置數據值 Gives the commanded and the present position the value in 2006H. */
     TC100_MOTION_COMMAND_ALARM_RESET = 6, /**< 警報重置 */
     TC100_MOTION_COMMAND_CLEAR_DEVIATION = 7, /**< 偏差清除 Makes the commanded position equal to the present one. */
     TC100_MOTION_COMMAND_DECELERATE_AND_STOP = 8, /**< 減速停止 */
     TC100_MOTION_COMMAND_EMERGENCY_STOP = 9, /**< 緊急停止 */
-    TC100_MOTION_COMMAND_JOG_POSITIVE = 11, /**< Jogs in the positive direction. How long is not described. */
-    TC100_MOTION_COMMAND_JOG_NEGATIVE = 12 /**< Jogs in the negative direction. How long is not described. */
+    TC100_MOTION_COMMAND_JOG_POSITIVE = 11, /**< + JOG Jogs in the positive direction. How long is not described. */
+    TC100_MOTION_COMMAND_JOG_NEGATIVE = 12 /**< - JOG Jogs in the negative direction. How long is not described. */
 } tc100_motion_command;
 
 /** Whether a value is one of tc100_motion_command. */
@@ -575,15 +579,15 @@ static inline bool tc100_parameter_storage_known(int64_t value)
  * Source: 8.2 L1648
  */
 typedef enum tc100_point_mode {
-    TC100_POINT_MODE_RELATIVE_MOVE = 0, /**< 相對位置移動 Moves by the distance. */
-    TC100_POINT_MODE_ABSOLUTE_MOVE = 1, /**< 絶對位置移動 Moves to the position. */
-    TC100_POINT_MODE_HOMING = 2, /**< 原點復歸 */
-    TC100_POINT_MODE_TORQUE_SEARCH_POSITIVE = 3, /**< 正方向扭力搜尋移動 Moves in the positive direction until the torque limit, or to the end of the stroke. */
-    TC100_POINT_MODE_TORQUE_SEARCH_NEGATIVE = 4, /**< 負方向扭力搜尋移動 Moves in the negative direction until the torque limit, or to the end of the stroke. */
-    TC100_POINT_MODE_RELATIVE_MOVE_CONTINUOUS = 12, /**< 相對位置移動 (連續移動) Moves by the distance and on to the next point without a stop, changing speed. */
-    TC100_POINT_MODE_ABSOLUTE_MOVE_CONTINUOUS = 13, /**< 絶對位置移動 (連續移動) Moves to the position and on to the next point without a stop, changing speed. */
-    TC100_POINT_MODE_RELATIVE_MOVE_WITH_TORQUE = 15, /**< 相對位置移動 [扭力模式] Moves by the distance with the torque limit; stops and reports when more torque is needed. */
-    TC100_POINT_MODE_ABSOLUTE_MOVE_WITH_TORQUE = 16 /**< 絶對位置移動 [扭力模式] Moves to the position with the torque limit; stops and reports when more torque is needed. */
+    TC100_POINT_MODE_RELATIVE_MOVE = 0, /**< INC 相對位置移動 Moves by the distance. */
+    TC100_POINT_MODE_ABSOLUTE_MOVE = 1, /**< ABS 絶對位置移動 Moves to the position. */
+    TC100_POINT_MODE_HOMING = 2, /**< ORG 原點復歸 */
+    TC100_POINT_MODE_TORQUE_SEARCH_POSITIVE = 3, /**< + TSL 正方向扭力搜尋移動 Moves in the positive direction until the torque limit, or to the end of the stroke. */
+    TC100_POINT_MODE_TORQUE_SEARCH_NEGATIVE = 4, /**< - TSL 負方向扭力搜尋移動 Moves in the negative direction until the torque limit, or to the end of the stroke. */
+    TC100_POINT_MODE_RELATIVE_MOVE_CONTINUOUS = 12, /**< INC-R 相對位置移動 (連續移動) Moves by the distance and on to the next point without a stop, changing speed. */
+    TC100_POINT_MODE_ABSOLUTE_MOVE_CONTINUOUS = 13, /**< ABS-R 絶對位置移動 (連續移動) Moves to the position and on to the next point without a stop, changing speed. */
+    TC100_POINT_MODE_RELATIVE_MOVE_WITH_TORQUE = 15, /**< INC-T 相對位置移動 [扭力模式] Moves by the distance with the torque limit; stops and reports when more torque is needed. */
+    TC100_POINT_MODE_ABSOLUTE_MOVE_WITH_TORQUE = 16 /**< ABS-T 絶對位置移動 [扭力模式] Moves to the position with the torque limit; stops and reports when more torque is needed. */
 } tc100_point_mode;
 
 /* ---- Words of flags ---- */
@@ -1220,6 +1224,7 @@ static inline tc100_codec_status tc100_point_decode(const uint8_t *in, size_t le
 /**
  * Reads neighbouring registers.
  * Printed as 03 H 資料讀取.
+ * Read holding registers.
  * Source: 8.2 L1710
  */
 #define TC100_READ_REGISTERS_CODE 3u
@@ -1296,13 +1301,13 @@ static inline tc100_codec_status tc100_read_registers_response_encode(const tc10
     if (capacity < (1u + in->values_count * 2u)) {
         return TC100_ERR_CAPACITY;
     }
+    for (at = 0; at < in->values_count; at++) {
+        tc100_store_u16_be(out + 1u + at * 2u, in->values[at]);
+    }
     if (in->values_count * 2u > 120u) {
         return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u8(out + 0, (uint8_t)(in->values_count * 2u));
-    for (at = 0; at < in->values_count; at++) {
-        tc100_store_u16_be(out + 1u + at * 2u, in->values[at]);
-    }
     *length = (1u + in->values_count * 2u);
     return TC100_OK;
 }
@@ -1321,11 +1326,11 @@ static inline tc100_codec_status tc100_read_registers_response_decode(const uint
         return TC100_ERR_WRONG_LENGTH;
     }
     out->values_count = (length - 1u) / 2u;
-    if (tc100_load_u8(in + 0) != out->values_count * 2u) {
-        return TC100_ERR_WRONG_MEASURE;
-    }
     for (at = 0; at < out->values_count; at++) {
         out->values[at] = tc100_load_u16_be(in + 1u + at * 2u);
+    }
+    if (tc100_load_u8(in + 0) != out->values_count * 2u) {
+        return TC100_ERR_WRONG_MEASURE;
     }
     return TC100_OK;
 }
@@ -1333,6 +1338,7 @@ static inline tc100_codec_status tc100_read_registers_response_decode(const uint
 /**
  * Writes one register. The response repeats the request.
  * Printed as 06 H 資料寫入 (1Word).
+ * Write one register.
  * Source: 8.2 L1711
  */
 #define TC100_WRITE_REGISTER_CODE 6u
@@ -1431,6 +1437,7 @@ static inline tc100_codec_status tc100_write_register_response_decode(const uint
 /**
  * Writes neighbouring registers. The response repeats the address and the number.
  * Printed as 10 H 連續資料寫入 (1Word 以上).
+ * Write several registers.
  * Note: The manual gives 59, 60 and 63 words as the most that one request may write; the least of them is
  * safe.
  * Source: 8.2 L1712
@@ -1468,6 +1475,9 @@ static inline tc100_codec_status tc100_write_registers_request_encode(const tc10
         return TC100_ERR_CAPACITY;
     }
     tc100_store_u16_be(out + 0, in->address);
+    for (at = 0; at < in->values_count; at++) {
+        tc100_store_u16_be(out + 5u + at * 2u, in->values[at]);
+    }
     if (in->values_count > 59u) {
         return TC100_ERR_OUT_OF_RANGE;
     }
@@ -1476,9 +1486,6 @@ static inline tc100_codec_status tc100_write_registers_request_encode(const tc10
         return TC100_ERR_OUT_OF_RANGE;
     }
     tc100_store_u8(out + 4, (uint8_t)(in->values_count * 2u));
-    for (at = 0; at < in->values_count; at++) {
-        tc100_store_u16_be(out + 5u + at * 2u, in->values[at]);
-    }
     *length = (5u + in->values_count * 2u);
     return TC100_OK;
 }
@@ -1498,14 +1505,14 @@ static inline tc100_codec_status tc100_write_registers_request_decode(const uint
     }
     out->values_count = (length - 5u) / 2u;
     out->address = tc100_load_u16_be(in + 0);
+    for (at = 0; at < out->values_count; at++) {
+        out->values[at] = tc100_load_u16_be(in + 5u + at * 2u);
+    }
     if (tc100_load_u16_be(in + 2) != out->values_count) {
         return TC100_ERR_WRONG_MEASURE;
     }
     if (tc100_load_u8(in + 4) != out->values_count * 2u) {
         return TC100_ERR_WRONG_MEASURE;
-    }
-    for (at = 0; at < out->values_count; at++) {
-        out->values[at] = tc100_load_u16_be(in + 5u + at * 2u);
     }
     return TC100_OK;
 }
@@ -1565,6 +1572,7 @@ static inline tc100_codec_status tc100_write_registers_response_decode(const uin
  * Jogs in the positive direction while MANUAL is on.
  * Printed as JOG+ + JOG 移動.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1193
  */
 #define TC100_REG_JOG_POSITIVE_INPUT_ADDRESS 0x0601u
@@ -1588,6 +1596,7 @@ static inline tc100_codec_status tc100_reg_jog_positive_input_encode(uint16_t va
  * Jogs in the negative direction while MANUAL is on.
  * Printed as JOG- - JOG 移動.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1194
  */
 #define TC100_REG_JOG_NEGATIVE_INPUT_ADDRESS 0x0602u
@@ -1610,6 +1619,7 @@ static inline tc100_codec_status tc100_reg_jog_negative_input_encode(uint16_t va
 /**
  * Printed as MANUAL 手動模式.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1195
  */
 #define TC100_REG_MANUAL_MODE_INPUT_ADDRESS 0x0603u
@@ -1633,6 +1643,7 @@ static inline tc100_codec_status tc100_reg_manual_mode_input_encode(uint16_t val
  * Stores the present position in the selected point while MANUAL is on.
  * Printed as TEACH 點位置存入.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1196
  */
 #define TC100_REG_TEACH_INPUT_ADDRESS 0x0604u
@@ -1656,6 +1667,7 @@ static inline tc100_codec_status tc100_reg_teach_input_encode(uint16_t value, ui
  * Pause, interlock.
  * Printed as LOCK 暫停 / 聯鎖.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1197
  */
 #define TC100_REG_LOCK_INPUT_ADDRESS 0x0607u
@@ -1678,6 +1690,7 @@ static inline tc100_codec_status tc100_reg_lock_input_encode(uint16_t value, uin
 /**
  * Printed as PRGSEL4 程式選擇 No.0~127 Bit4.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1198
  */
 #define TC100_REG_POINT_SELECT_BIT_4_INPUT_ADDRESS 0x060Eu
@@ -1700,6 +1713,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_4_input_encode(uint1
 /**
  * Printed as PRGSEL5 程式選擇 No.0~127 Bit5.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1199
  */
 #define TC100_REG_POINT_SELECT_BIT_5_INPUT_ADDRESS 0x060Fu
@@ -1722,6 +1736,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_5_input_encode(uint1
 /**
  * Printed as PRGSEL6 程式選擇 No.0~127 Bit6.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1200
  */
 #define TC100_REG_POINT_SELECT_BIT_6_INPUT_ADDRESS 0x0610u
@@ -1744,6 +1759,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_6_input_encode(uint1
 /**
  * Printed as ORG_SIG 原點復歸用檢出信號.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1201
  */
 #define TC100_REG_HOMING_SENSOR_INPUT_ADDRESS 0x0611u
@@ -1767,6 +1783,7 @@ static inline tc100_codec_status tc100_reg_homing_sensor_input_encode(uint16_t v
  * Switches the brake while the servo is off.
  * Printed as BK_OFF 制動 ON/OFF 信號.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1202
  */
 #define TC100_REG_BRAKE_INPUT_ADDRESS 0x0612u
@@ -1790,6 +1807,7 @@ static inline tc100_codec_status tc100_reg_brake_input_encode(uint16_t value, ui
  * Switches the detection of full count, which is active initially.
  * Printed as FULL_COUNT 切換 FULL-COUNT 判斷.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.4 L1203
  */
 #define TC100_REG_FULL_COUNT_INPUT_ADDRESS 0x0613u
@@ -1812,6 +1830,7 @@ static inline tc100_codec_status tc100_reg_full_count_input_encode(uint16_t valu
 /**
  * Printed as INPOSITION Inposition 到位信號.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1209
  */
 #define TC100_REG_IN_POSITION_OUTPUT_ADDRESS 0x0700u
@@ -1834,6 +1853,7 @@ static inline tc100_codec_status tc100_reg_in_position_output_encode(uint16_t va
 /**
  * Printed as ALARM 錯誤信號.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1210
  */
 #define TC100_REG_ALARM_OUTPUT_ADDRESS 0x0701u
@@ -1857,6 +1877,7 @@ static inline tc100_codec_status tc100_reg_alarm_output_encode(uint16_t value, u
  * Ready for the next point.
  * Printed as READY 準備完成，可執行下一點位.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1211
  */
 #define TC100_REG_READY_OUTPUT_ADDRESS 0x0702u
@@ -1879,6 +1900,7 @@ static inline tc100_codec_status tc100_reg_ready_output_encode(uint16_t value, u
 /**
  * Printed as MOVE 移動中.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1212
  */
 #define TC100_REG_MOVING_OUTPUT_ADDRESS 0x0703u
@@ -1901,6 +1923,7 @@ static inline tc100_codec_status tc100_reg_moving_output_encode(uint16_t value, 
 /**
  * Printed as SERVO-S SERVO ON 狀態.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1213
  */
 #define TC100_REG_SERVO_ON_OUTPUT_ADDRESS 0x0705u
@@ -1923,6 +1946,7 @@ static inline tc100_codec_status tc100_reg_servo_on_output_encode(uint16_t value
 /**
  * Printed as PRGSEL0-S 程式選擇 No.0~127 Bit0.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1214
  */
 #define TC100_REG_POINT_SELECT_BIT_0_OUTPUT_ADDRESS 0x0706u
@@ -1945,6 +1969,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_0_output_encode(uint
 /**
  * Printed as PRGSEL1-S 程式選擇 No.0~127 Bit1.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1215
  */
 #define TC100_REG_POINT_SELECT_BIT_1_OUTPUT_ADDRESS 0x0707u
@@ -1967,6 +1992,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_1_output_encode(uint
 /**
  * Printed as PRGSEL2-S 程式選擇 No.0~127 Bit2.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1216
  */
 #define TC100_REG_POINT_SELECT_BIT_2_OUTPUT_ADDRESS 0x0708u
@@ -1989,6 +2015,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_2_output_encode(uint
 /**
  * Printed as PRGSEL3-S 程式選擇 No.0~127 Bit3.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1217
  */
 #define TC100_REG_POINT_SELECT_BIT_3_OUTPUT_ADDRESS 0x0709u
@@ -2011,6 +2038,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_3_output_encode(uint
 /**
  * Printed as PRGSEL4-S 程式選擇 No.0~127 Bit4.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1218
  */
 #define TC100_REG_POINT_SELECT_BIT_4_OUTPUT_ADDRESS 0x070Au
@@ -2033,6 +2061,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_4_output_encode(uint
 /**
  * Printed as PRGSEL5-S 程式選擇 No.0~127 Bit5.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1219
  */
 #define TC100_REG_POINT_SELECT_BIT_5_OUTPUT_ADDRESS 0x070Bu
@@ -2055,6 +2084,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_5_output_encode(uint
 /**
  * Printed as PRGSEL6-S 程式選擇 No.0~127 Bit6.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1220
  */
 #define TC100_REG_POINT_SELECT_BIT_6_OUTPUT_ADDRESS 0x070Cu
@@ -2078,6 +2108,7 @@ static inline tc100_codec_status tc100_reg_point_select_bit_6_output_encode(uint
  * Called TRQLIM in 6.2 and 7.5.
  * Printed as TRQ_LMT 扭力極限.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1221
  */
 #define TC100_REG_TORQUE_LIMIT_OUTPUT_ADDRESS 0x070Du
@@ -2100,6 +2131,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_output_encode(uint16_t v
 /**
  * Printed as ERR0 錯誤編碼 Bit0.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Note: 6.4 says that ERR0 to ERR3 show 16 states in binary. It does not say whether they carry alarms or
  * faults; alarm 17 does not fit four bits.
  * Source: 5.5 L1222
@@ -2124,6 +2156,7 @@ static inline tc100_codec_status tc100_reg_error_bit_0_output_encode(uint16_t va
 /**
  * Printed as ERR1 錯誤編碼 Bit1.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1223
  */
 #define TC100_REG_ERROR_BIT_1_OUTPUT_ADDRESS 0x070Fu
@@ -2146,6 +2179,7 @@ static inline tc100_codec_status tc100_reg_error_bit_1_output_encode(uint16_t va
 /**
  * Printed as ERR2 錯誤編碼 Bit2.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1224
  */
 #define TC100_REG_ERROR_BIT_2_OUTPUT_ADDRESS 0x0710u
@@ -2168,6 +2202,7 @@ static inline tc100_codec_status tc100_reg_error_bit_2_output_encode(uint16_t va
 /**
  * Printed as ERR3 錯誤編碼 Bit3.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1225
  */
 #define TC100_REG_ERROR_BIT_3_OUTPUT_ADDRESS 0x0711u
@@ -2191,6 +2226,7 @@ static inline tc100_codec_status tc100_reg_error_bit_3_output_encode(uint16_t va
  * On while the position is inside the zone of the point.
  * Printed as INRANGE 區間設定範圍內輸出.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1226
  */
 #define TC100_REG_ZONE_OUTPUT_ADDRESS 0x0712u
@@ -2214,6 +2250,7 @@ static inline tc100_codec_status tc100_reg_zone_output_encode(uint16_t value, ui
  * On near the target, see 011DH; the target is that of a point in mode ABS or INC.
  * Printed as NEAR 當移動至目標位置的範圍內時輸出.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1227
  */
 #define TC100_REG_NEAR_OUTPUT_ADDRESS 0x0713u
@@ -2237,6 +2274,7 @@ static inline tc100_codec_status tc100_reg_near_output_encode(uint16_t value, ui
  * On when the position has reached a soft limit.
  * Printed as SOFTLMT 軟體極限輸出燈號.
  * Read and write. A change takes effect after a restart.
+ * 0 is not_used.
  * Source: 5.5 L1228
  */
 #define TC100_REG_SOFT_LIMIT_OUTPUT_ADDRESS 0x0714u
@@ -2310,6 +2348,7 @@ static inline tc100_codec_status tc100_reg_absolute_position_encode(int32_t valu
  * The direction of the torque search of 201EH.
  * Printed as TrqStopDir 扭力停止搜尋方向.
  * Read and write.
+ * Range: 0..1. See torque_search_direction.
  * Note: In points, each direction is a mode of its own.
  * Source: 8.2 L1620
  */
@@ -2370,6 +2409,7 @@ static inline tc100_codec_status tc100_reg_preset_position_encode(int32_t value,
  * Switches the servo.
  * Printed as Servo ON/OFF 伺服ON/OFF.
  * Read and write.
+ * Range: 0..1. See servo_command.
  * Note: 0 is on and 1 is off. The servo status 100CH says it the other way round.
  * Source: 8.2 L1622
  */
@@ -2405,6 +2445,7 @@ static inline tc100_codec_status tc100_reg_servo_encode(uint16_t value, uint8_t 
  * The speed of relative and absolute moves and of jogging by 201EH, a percentage of the maximum speed 0802H.
  * Printed as MovSpeedSet 位置 / 扭力控制動作速度設定.
  * Read and write.
+ * One count is 1 %. Range: 0..100. 0 is start_speed.
  * Source: 8.2 L1623
  */
 #define TC100_REG_MOTION_SPEED_ADDRESS 0x2014u
@@ -2433,6 +2474,7 @@ static inline tc100_codec_status tc100_reg_motion_speed_encode(uint16_t value, u
  * Writing a value starts the action that it names.
  * Printed as MovType 移動類型.
  * The manual does not say how it is accessed. Writing starts an action.
+ * Range: 0..12. See motion_command.
  * Source: 8.2 L1624
  */
 #define TC100_REG_MOTION_COMMAND_ADDRESS 0x201Eu
@@ -2467,6 +2509,7 @@ static inline tc100_codec_status tc100_reg_motion_command_encode(uint16_t value,
  * All simulated inputs at once.
  * Printed as 模擬輸入設定(二進制).
  * Read and write.
+ * Range: 0..16383. See simulated_input_word.
  * Source: 8.2 L1625
  */
 #define TC100_REG_SIMULATED_INPUTS_ADDRESS 0x2040u
@@ -2495,6 +2538,7 @@ static inline tc100_codec_status tc100_reg_simulated_inputs_encode(uint16_t valu
  * One simulated input; 1 is on. The controller receives this value or the signal at the terminal.
  * Printed as 模擬輸入設定.
  * Read and write.
+ * Range: 0..1.
  * Source: 8.2 L1626-1632, 1636-1642
  */
 #define TC100_REG_SIMULATED_INPUT_ADDRESS 0x2041u
@@ -2536,6 +2580,7 @@ static inline tc100_codec_status tc100_reg_simulated_input_at(uint32_t number, u
  * Stores the parameters.
  * Printed as 參數儲存.
  * The manual does not say how it is accessed. Writing starts an action.
+ * Range: 0..1. See parameter_storage.
  * Note: Which parameters and whether points too are stored is not printed, nor whether 1 stores the default
  * values or brings them back, nor how long it takes, nor what reading gives.
  * Source: 8.2 L1667
@@ -2579,6 +2624,7 @@ static inline tc100_codec_status tc100_reg_parameter_storage_encode(uint16_t val
  */
 #define TC100_REG_WRITE_ENABLE_KEY_ADDRESS 0x999Bu
 #define TC100_REG_WRITE_ENABLE_KEY_WORDS 4u
+#define TC100_REG_WRITE_ENABLE_KEY_VALUE UINT64_C(5509644182563149415)
 
 /** Reads its value from the 8 bytes of its words. */
 static inline tc100_codec_status tc100_reg_write_enable_key_decode(const uint8_t *in)
@@ -2600,6 +2646,7 @@ static inline tc100_codec_status tc100_reg_write_enable_key_encode(uint8_t *out)
  * The full count alarm is raised when the actual position is further than this from the commanded one.
  * Printed as FullCountValue 計數器溢位警報值.
  * Read and write.
+ * One count is 1 pulse. Range: 1..100000.
  * Note: 5.1 prints no range; it is taken from the two screens of chapter 9. They show 100 and 200 as values,
  * which depend on the actuator and are no defaults.
  * Source: 5.1 L1160
@@ -2630,6 +2677,7 @@ static inline tc100_codec_status tc100_reg_full_count_limit_encode(uint32_t valu
  * The in position signal is on while the actual position is nearer than this to the commanded one.
  * Printed as InPositionZone INPOSITION 信號的到位區間範圍設定.
  * Read and write.
+ * One count is 1 pulse. Range: 0..1000.
  * Note: A large value, or a slow motion, can keep the signal on all the time.
  * Source: 5.1 L1161
  */
@@ -2660,6 +2708,7 @@ static inline tc100_codec_status tc100_reg_in_position_zone_encode(uint16_t valu
  * by (numerator / denominator).
  * Printed as ElectroGearNum 電子齒輪分子.
  * Read and write. A change takes effect after a restart.
+ * Range: 1..10000.
  * Note: The vendor's software shows it in pulse control only.
  * Source: 5.1 L1162
  */
@@ -2690,6 +2739,7 @@ static inline tc100_codec_status tc100_reg_electronic_gear_numerator_encode(uint
  * See the numerator.
  * Printed as ElectroGearDen 電子齒輪分母.
  * Read and write. A change takes effect after a restart.
+ * Range: 1..10000.
  * Source: 5.1 L1163
  */
 #define TC100_REG_ELECTRONIC_GEAR_DENOMINATOR_ADDRESS 0x010Cu
@@ -2719,6 +2769,7 @@ static inline tc100_codec_status tc100_reg_electronic_gear_denominator_encode(ui
  * The direction in which the motor turns in control by external pulses.
  * Printed as PosDir 外部脈沖指令，旋轉方向指定.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..1. See rotation_direction.
  * Source: 5.1 L1164
  */
 #define TC100_REG_PULSE_ROTATION_DIRECTION_ADDRESS 0x0114u
@@ -2753,6 +2804,7 @@ static inline tc100_codec_status tc100_reg_pulse_rotation_direction_encode(uint1
  * The form of the external pulses.
  * Printed as SelComPulse 外部脈衝指令形式.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..2. See pulse_input_form.
  * Source: 5.1 L1165
  */
 #define TC100_REG_PULSE_INPUT_FORM_ADDRESS 0x0115u
@@ -2788,6 +2840,7 @@ static inline tc100_codec_status tc100_reg_pulse_input_form_encode(uint16_t valu
  * The near output is on when the target is nearer than this.
  * Printed as NearZone NEAR 信號輸出的區間範圍設定.
  * Read and write.
+ * One count is 1 pulse. Range: 0..10000.
  * Source: 5.1 L1166
  */
 #define TC100_REG_NEAR_ZONE_ADDRESS 0x011Du
@@ -2818,6 +2871,7 @@ static inline tc100_codec_status tc100_reg_near_zone_encode(uint16_t value, uint
  * too.
  * Printed as PushTrqRateCw + 方向的推壓，扭力值.
  * Read and write.
+ * One count is 0.1 %. Range: 0..1000.
  * Source: 5.2 L1172
  */
 #define TC100_REG_PUSH_TORQUE_POSITIVE_ADDRESS 0x0400u
@@ -2849,6 +2903,7 @@ static inline tc100_codec_status tc100_reg_push_torque_positive_encode(uint16_t 
  * too.
  * Printed as PushTrqRateCcw - 方向的推壓，扭力值.
  * Read and write.
+ * One count is 0.1 %. Range: 0..1000.
  * Source: 5.2 L1173
  */
 #define TC100_REG_PUSH_TORQUE_NEGATIVE_ADDRESS 0x0401u
@@ -2879,6 +2934,7 @@ static inline tc100_codec_status tc100_reg_push_torque_negative_encode(uint16_t 
  * The time after which the torque limit counts as reached.
  * Printed as TrqLmtTime 扭力極限檢出時間.
  * Read and write. A change takes effect after a restart.
+ * One count is 1 ms. Range: 0..10000.
  * Note: Homing has a time of its own, 090AH, with a range of 0 to 1000.
  * Source: 5.2 L1174
  */
@@ -2908,6 +2964,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_time_encode(uint16_t val
  * The speed of position correction is limited by 0407H.
  * Printed as RtnSpdLmtEnable 選擇有無位置補正速限.
  * Read and write.
+ * Range: 0..1.
  * Source: 5.2 L1175
  */
 #define TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ENABLED_ADDRESS 0x0406u
@@ -2936,6 +2993,7 @@ static inline tc100_codec_status tc100_reg_position_correction_speed_limit_enabl
 /**
  * Printed as RtnMaxSpd 位置補正速限.
  * Read and write.
+ * One count is 1 rpm. Range: 10..500.
  * Source: 5.2 L1176
  */
 #define TC100_REG_POSITION_CORRECTION_SPEED_LIMIT_ADDRESS 0x0407u
@@ -2965,6 +3023,7 @@ static inline tc100_codec_status tc100_reg_position_correction_speed_limit_encod
  * The greatest torque in position mode.
  * Printed as MaxTrqRate 位置模式時最大輸出扭力設定.
  * Read and write.
+ * One count is 0.1 %. Range: 0..650.
  * Note: The torque limit of a point goes to 1000 (100.0% of the rated current), this one to 650; the manual
  * does not relate the two.
  * Source: 5.3 L1182
@@ -2998,6 +3057,7 @@ static inline tc100_codec_status tc100_reg_maximum_torque_encode(uint16_t value,
  * The time at full torque in position mode after which an error is detected.
  * Printed as FullTrqTime 位置模式時檢測完全扭力錯誤時間.
  * Read and write.
+ * One count is 1 ms. Range: 500..10000.
  * Source: 5.3 L1183
  */
 #define TC100_REG_FULL_TORQUE_TIME_ADDRESS 0x0501u
@@ -3027,6 +3087,7 @@ static inline tc100_codec_status tc100_reg_full_torque_time_encode(uint16_t valu
  * Position mode or torque mode in control by external pulses.
  * Printed as ModeSwitch Pulse 控制下切換模式開關.
  * Read and write.
+ * Range: 0..1. See control_mode.
  * Note: 5.3 calls 1 torque mode; 3.8 and 6.3 say that 1 lets the input signal CONT_MODE choose between the
  * modes. Chapter 5 has no parameter that assigns CONT_MODE to an input.
  * Source: 5.3 L1184
@@ -3064,6 +3125,7 @@ static inline tc100_codec_status tc100_reg_control_mode_encode(uint16_t value, u
  * Whether the servo is on after power-on.
  * Printed as ServoState 電源投入後・伺服狀態設定.
  * Read and write.
+ * Range: 0..1. See servo_command.
  * Note: 0 is on, as in 2011H and against 100CH, where 1 is on.
  * Source: 5.3 L1185
  */
@@ -3100,6 +3162,7 @@ static inline tc100_codec_status tc100_reg_servo_at_power_on_encode(uint16_t val
  * No motion is possible before homing is done.
  * Printed as OrgRetRestrict 原點復歸未完成的動作限制.
  * Read and write.
+ * Range: 0..1.
  * Source: 5.3 L1186
  */
 #define TC100_REG_HOMING_REQUIRED_ADDRESS 0x051Bu
@@ -3129,6 +3192,7 @@ static inline tc100_codec_status tc100_reg_homing_required_encode(bool value, ui
  * The revolutions of the motor are accumulated.
  * Printed as UseTotalRev 指定馬達累積計算迴轉數的功能開關.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..1.
  * Note: The vendor's software shows the total (9.3); 8.2 prints no register for it.
  * Source: 5.3 L1187
  */
@@ -3159,6 +3223,7 @@ static inline tc100_codec_status tc100_reg_total_revolutions_enabled_encode(bool
  * The speed that a speed setting of 0% stands for, whatever 0802H holds.
  * Printed as LowSpeed 啟動速度設定.
  * Read and write.
+ * One count is 1 pps.
  * Source: 5.6 L1234
  */
 #define TC100_REG_START_SPEED_ADDRESS 0x0800u
@@ -3183,6 +3248,7 @@ static inline tc100_codec_status tc100_reg_start_speed_encode(uint32_t value, ui
  * revolution.
  * Printed as HighSpeed 運轉時最高速設定.
  * Read and write.
+ * One count is 1 pps.
  * Source: 5.6 L1235
  */
 #define TC100_REG_MAXIMUM_SPEED_ADDRESS 0x0802u
@@ -3205,6 +3271,7 @@ static inline tc100_codec_status tc100_reg_maximum_speed_encode(uint32_t value, 
 /**
  * Printed as AccelTim 加速時間設定.
  * Read and write.
+ * One count is 1 ms. Range: 1..30000.
  * Source: 5.6 L1236
  */
 #define TC100_REG_ACCELERATION_TIME_ADDRESS 0x0804u
@@ -3232,6 +3299,7 @@ static inline tc100_codec_status tc100_reg_acceleration_time_encode(uint16_t val
 /**
  * Printed as DecelTime 減速時間設定.
  * Read and write.
+ * One count is 1 ms. Range: 1..30000.
  * Source: 5.6 L1237
  */
 #define TC100_REG_DECELERATION_TIME_ADDRESS 0x0805u
@@ -3260,6 +3328,7 @@ static inline tc100_codec_status tc100_reg_deceleration_time_encode(uint16_t val
  * How far a torque search goes on after it has reached the torque limit.
  * Printed as TrqLimitPress 扭力公差設定.
  * Read and write.
+ * One count is 1 pulse.
  * Source: 5.6 L1238
  */
 #define TC100_REG_TORQUE_LIMIT_PRESS_DISTANCE_ADDRESS 0x0807u
@@ -3283,6 +3352,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_press_distance_encode(ui
  * When the moving state ends.
  * Printed as MoveSttSet 移動中的狀態設定.
  * Read and write.
+ * Range: 0..1. See moving_state_rule.
  * Source: 5.6 L1242
  */
 #define TC100_REG_MOVING_STATE_RULE_ADDRESS 0x080Au
@@ -3317,6 +3387,7 @@ static inline tc100_codec_status tc100_reg_moving_state_rule_encode(uint16_t val
  * The speed of jogging by the inputs.
  * Printed as JogInchingSpd JOG 移動時速度設定.
  * Read and write.
+ * One count is 0.1 %. Range: 1..1000.
  * Note: In tenths of a percent; all other speeds that are given in percent are whole percents. Jogging by
  * 201EH uses 2014H.
  * Source: 5.6 L1243
@@ -3349,6 +3420,7 @@ static inline tc100_codec_status tc100_reg_jog_speed_encode(uint16_t value, uint
  * The distance of one jog by the inputs.
  * Printed as JogInchingData JOG 移動時的移動量設定.
  * Read and write.
+ * One count is 1 pulse.
  * Source: 5.6 L1244
  */
 #define TC100_REG_JOG_DISTANCE_ADDRESS 0x0810u
@@ -3372,6 +3444,7 @@ static inline tc100_codec_status tc100_reg_jog_distance_encode(uint32_t value, u
  * The wait after a jog by the inputs.
  * Printed as JogInchingWait JOG 移動後的等待時間設定.
  * Read and write.
+ * One count is 1 ms. Range: 0..1000.
  * Source: 5.6 L1245
  */
 #define TC100_REG_JOG_WAIT_TIME_ADDRESS 0x0812u
@@ -3400,6 +3473,7 @@ static inline tc100_codec_status tc100_reg_jog_wait_time_encode(uint16_t value, 
  * The soft limit in the positive direction.
  * Printed as PlusSoftLimit + 方向的軟體極限.
  * Read and write.
+ * 0 is no_limit.
  * Note: The description says mm, and not how many mm one count is.
  * Source: 5.6 L1246
  */
@@ -3424,6 +3498,7 @@ static inline tc100_codec_status tc100_reg_soft_limit_positive_encode(int32_t va
  * The soft limit in the negative direction.
  * Printed as MinusSoftLimit - 方向的軟體極限.
  * Read and write.
+ * 0 is no_limit.
  * Note: The description says mm, and not how many mm one count is.
  * Source: 5.6 L1247
  */
@@ -3448,6 +3523,7 @@ static inline tc100_codec_status tc100_reg_soft_limit_negative_encode(int32_t va
  * How and in which direction the home position is searched.
  * Printed as OrgMode 原點復歸方向.
  * Read and write.
+ * Range: 0..7. See homing_mode.
  * Source: 5.7 L1253
  */
 #define TC100_REG_HOMING_MODE_ADDRESS 0x0900u
@@ -3482,6 +3558,7 @@ static inline tc100_codec_status tc100_reg_homing_mode_encode(uint16_t value, ui
  * A percentage of the maximum speed 0802H. For homing by torque, 20 or less is advised.
  * Printed as OrgSpeed 原點復歸速度.
  * Read and write.
+ * One count is 1 %. Range: 0..100. 0 is start_speed.
  * Source: 5.7 L1254
  */
 #define TC100_REG_HOMING_SPEED_ADDRESS 0x0901u
@@ -3510,6 +3587,7 @@ static inline tc100_codec_status tc100_reg_homing_speed_encode(uint16_t value, u
  * The distance that is moved after homing is done. The push torques 0400H and 0401H apply.
  * Printed as OrgOffset 原點復歸的偏移量設定.
  * Read and write.
+ * One count is 1 pulse.
  * Note: This row places the move after homing; 0904H places it after the detection of torque, in the other
  * direction, and for homing by torque only.
  * Source: 5.7 L1255
@@ -3536,6 +3614,7 @@ static inline tc100_codec_status tc100_reg_homing_offset_encode(int32_t value, u
  * speed 0802H.
  * Printed as OrgOffsetSpeed 原點復歸偏移量 移動速度.
  * Read and write.
+ * One count is 1 %. Range: 0..100. 0 is start_speed.
  * Source: 5.7 L1259
  */
 #define TC100_REG_HOMING_OFFSET_SPEED_ADDRESS 0x0904u
@@ -3588,6 +3667,7 @@ static inline tc100_codec_status tc100_reg_homing_position_encode(int32_t value,
  * The torque that counts as having met the hard stop.
  * Printed as OrgTrqLimit 原點復歸時的扭力設定.
  * Read and write.
+ * One count is 0.1 %. Range: 0..1000.
  * Source: 5.7 L1261
  */
 #define TC100_REG_HOMING_TORQUE_LIMIT_ADDRESS 0x0907u
@@ -3619,6 +3699,7 @@ static inline tc100_codec_status tc100_reg_homing_torque_limit_encode(uint16_t v
  * 0401H apply.
  * Printed as OrgOffset_Z 檢出 Z 相前，偏移量.
  * Read and write.
+ * One count is 1 pulse.
  * Source: 5.7 L1262
  */
 #define TC100_REG_HOMING_Z_PHASE_OFFSET_ADDRESS 0x0908u
@@ -3642,6 +3723,7 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_offset_encode(int32_t 
  * How long the torque must last in homing by torque.
  * Printed as OrgTrqLmtTime 原點復歸時的扭力檢測時間.
  * Read and write.
+ * One count is 1 ms. Range: 0..1000.
  * Source: 5.7 L1263
  */
 #define TC100_REG_HOMING_TORQUE_LIMIT_TIME_ADDRESS 0x090Au
@@ -3670,6 +3752,7 @@ static inline tc100_codec_status tc100_reg_homing_torque_limit_time_encode(uint1
  * The speed of the first search of the Z phase, a percentage of the maximum speed 0802H.
  * Printed as OrgSpeed_Z1 Z 相檢出速度 _1.
  * Read and write.
+ * One count is 1 %. Range: 1..100.
  * Source: 5.7 L1264
  */
 #define TC100_REG_HOMING_Z_PHASE_SPEED_1_ADDRESS 0x090Bu
@@ -3698,6 +3781,7 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_speed_1_encode(uint16_
  * The speed of the second search of the Z phase, in the other direction.
  * Printed as OrgSpeed_Z2 Z 相檢出速度 _2.
  * Read and write.
+ * One count is 1 %. Range: 1..100.
  * Source: 5.7 L1265
  */
 #define TC100_REG_HOMING_Z_PHASE_SPEED_2_ADDRESS 0x090Cu
@@ -3725,6 +3809,7 @@ static inline tc100_codec_status tc100_reg_homing_z_phase_speed_2_encode(uint16_
 /**
  * Printed as BaudRate 通信速率.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..4. See baud_rate.
  * Source: 5.8 L1271
  */
 #define TC100_REG_BAUD_RATE_ADDRESS 0x0A00u
@@ -3759,6 +3844,7 @@ static inline tc100_codec_status tc100_reg_baud_rate_encode(uint16_t value, uint
 /**
  * Printed as DataSize 字串數據 Bit 設定.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..1. See data_bits.
  * Note: RTU needs 8 bits (8.1).
  * Source: 5.8 L1272
  */
@@ -3794,6 +3880,7 @@ static inline tc100_codec_status tc100_reg_data_bits_encode(uint16_t value, uint
 /**
  * Printed as Parity 奇偶校驗.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..2. See parity.
  * Source: 5.8 L1273
  */
 #define TC100_REG_PARITY_ADDRESS 0x0A02u
@@ -3829,6 +3916,7 @@ static inline tc100_codec_status tc100_reg_parity_encode(uint16_t value, uint8_t
  * Messages to the broadcast station 0 are obeyed; otherwise they are ignored.
  * Printed as Broadcast 擴播設定.
  * Read and write.
+ * Range: 0..1.
  * Source: 5.8 L1274
  */
 #define TC100_REG_BROADCAST_ENABLED_ADDRESS 0x0A03u
@@ -3858,6 +3946,7 @@ static inline tc100_codec_status tc100_reg_broadcast_enabled_encode(bool value, 
  * The Modbus mode of RS485.
  * Printed as Protocol 通訊協議.
  * Read and write. A change takes effect after a restart.
+ * Range: 0..1. See protocol.
  * Note: The vendor's software needs ASCII (8.1).
  * Source: 5.8 L1275
  */
@@ -3893,6 +3982,7 @@ static inline tc100_codec_status tc100_reg_protocol_encode(uint16_t value, uint8
 /**
  * Printed as ActionStatus 動作狀態.
  * Read only.
+ * Range: 0..2. See action_status.
  * Source: 8.2 L1506
  */
 #define TC100_REG_ACTION_STATUS_ADDRESS 0x1000u
@@ -3927,6 +4017,7 @@ static inline tc100_codec_status tc100_reg_action_status_encode(uint16_t value, 
  * The position is within the zone around the target, see 010AH.
  * Printed as InpStatus 到位訊號目前的狀態.
  * Read only.
+ * Range: 0..1.
  * Source: 8.2 L1507
  */
 #define TC100_REG_IN_POSITION_ADDRESS 0x1001u
@@ -3981,6 +4072,7 @@ static inline tc100_codec_status tc100_reg_torque_limit_reached_encode(bool valu
  * The present alarm.
  * Printed as AlarmStatus 警報狀態.
  * Read only.
+ * See alarm_code.
  * Source: 8.2 L1509
  */
 #define TC100_REG_ALARM_ADDRESS 0x1005u
@@ -4003,6 +4095,7 @@ static inline tc100_codec_status tc100_reg_alarm_encode(uint16_t value, uint8_t 
 /**
  * Printed as MonSpeed 馬達轉速.
  * Read only.
+ * One count is 1 rpm.
  * Source: 8.2 L1510
  */
 #define TC100_REG_MOTOR_SPEED_ADDRESS 0x1006u
@@ -4025,6 +4118,7 @@ static inline tc100_codec_status tc100_reg_motor_speed_encode(int16_t value, uin
 /**
  * Printed as MonCurrent 馬達電流值.
  * Read only.
+ * One count is 0.1 %.
  * Source: 8.2 L1511
  */
 #define TC100_REG_MOTOR_CURRENT_ADDRESS 0x1007u
@@ -4097,6 +4191,7 @@ static inline tc100_codec_status tc100_reg_encoder_position_encode(int32_t value
 /**
  * Printed as ServoStatus 伺服狀態.
  * Read only.
+ * Range: 0..1.
  * Note: 1 is on. In the command 2011H and in the parameter 0515H 1 is off.
  * Source: 8.2 L1514
  */
@@ -4126,6 +4221,7 @@ static inline tc100_codec_status tc100_reg_servo_on_encode(bool value, uint8_t *
  * The present fault.
  * Printed as ErrorStatus 故障狀態.
  * Read only.
+ * See fault_code.
  * Source: 8.2 L1515
  */
 #define TC100_REG_FAULT_ADDRESS 0x100Du
@@ -4149,6 +4245,7 @@ static inline tc100_codec_status tc100_reg_fault_encode(uint16_t value, uint8_t 
  * The number of the point that was executed last.
  * Printed as StepNo 程序選擇號碼.
  * Read only.
+ * Range: -1..127. -1 is none.
  * Note: The printed range holds 0; points are numbered from 1.
  * Source: 8.2 L1516
  */
@@ -4178,6 +4275,7 @@ static inline tc100_codec_status tc100_reg_executed_point_encode(int16_t value, 
  * All outputs at once.
  * Printed as PORT (OUT1~10) 整體輸出狀態.
  * Read only.
+ * Range: 0..1023. See output_word.
  * Source: 8.2 L1517
  */
 #define TC100_REG_OUTPUT_STATES_ADDRESS 0x1020u
@@ -4206,6 +4304,7 @@ static inline tc100_codec_status tc100_reg_output_states_encode(uint16_t value, 
  * One output; 1 is on.
  * Printed as 單獨輸出狀態.
  * Read only.
+ * Range: 0..1.
  * Source: 8.2 L1518-1519, 1523-1530
  */
 #define TC100_REG_OUTPUT_STATE_ADDRESS 0x1021u
@@ -4247,6 +4346,7 @@ static inline tc100_codec_status tc100_reg_output_state_at(uint32_t number, uint
  * All inputs at once.
  * Printed as PORT (IN1~IN14、Z相) 整體輸入狀態.
  * Read only.
+ * Range: 0..32767. See input_word.
  * Source: 8.2 L1531
  */
 #define TC100_REG_INPUT_STATES_ADDRESS 0x1040u
@@ -4275,6 +4375,7 @@ static inline tc100_codec_status tc100_reg_input_states_encode(uint16_t value, u
  * One input; 1 is on.
  * Printed as 單獨輸入狀態.
  * Read only.
+ * Range: 0..1.
  * Source: 8.2 L1532-1545
  */
 #define TC100_REG_INPUT_STATE_ADDRESS 0x1041u
@@ -4316,6 +4417,7 @@ static inline tc100_codec_status tc100_reg_input_state_at(uint32_t number, uint1
  * The Z phase of the encoder; 1 is on.
  * Printed as Z 相輸入狀態 Z 相輸入狀態.
  * Read only.
+ * Range: 0..1.
  * Source: 8.2 L1546
  */
 #define TC100_REG_Z_PHASE_STATE_ADDRESS 0x104Fu
@@ -4344,6 +4446,7 @@ static inline tc100_codec_status tc100_reg_z_phase_state_encode(bool value, uint
  * The stored alarms.
  * Printed as 50 筆錯誤履歷.
  * Read only.
+ * See alarm_code.
  * Note: Whether the first entry is the newest or the oldest one is not printed, nor what an empty entry holds.
  * Source: 8.2 L1552-1574, 1578-1604
  */
@@ -5005,9 +5108,12 @@ static inline tc100_codec_status tc100_ascii_encode_error(uint8_t station, uint3
 /* ---- Texts of codes, in UTF-8 ---- */
 
 #ifdef TC100_WITH_TEXTS
-/** The texts of a code. Several causes, or remedies, are parted by line ends. */
+/** The texts of a code. Several causes, or remedies, are parted by line ends.
+ * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
 typedef struct tc100_code_text {
     int64_t code;
+    int64_t number;
+    const char *printed;
     const char *name;
     const char *label;
     const char *problem;
@@ -5019,9 +5125,9 @@ typedef struct tc100_code_text {
 static inline const tc100_code_text *tc100_exception_code_text(int64_t code)
 {
     static const tc100_code_text texts[] = {
-        {INT64_C(1), "illegal_function", "\345\212\237\350\203\275\347\242\274\351\214\257\350\252\244", "The function code is none of those that the controller knows.", "", ""},
-        {INT64_C(2), "illegal_data_address", "\347\253\231\350\231\237\351\214\257\350\252\244", "A register that can only be written was read, one that can only be read was written, or there is no such register.", "", ""},
-        {INT64_C(3), "illegal_data_value", "\350\263\207\346\226\231\351\214\257\350\252\244", "A value is out of its range, too many words were asked for, a parameter cannot be changed, or number and data do not fit.", "", ""},
+        {INT64_C(1), (-INT64_C(1)), "", "illegal_function", "\345\212\237\350\203\275\347\242\274\351\214\257\350\252\244", "The function code is none of those that the controller knows.", "", ""},
+        {INT64_C(2), (-INT64_C(1)), "", "illegal_data_address", "\347\253\231\350\231\237\351\214\257\350\252\244", "A register that can only be written was read, one that can only be read was written, or there is no such register.", "", ""},
+        {INT64_C(3), (-INT64_C(1)), "", "illegal_data_value", "\350\263\207\346\226\231\351\214\257\350\252\244", "A value is out of its range, too many words were asked for, a parameter cannot be changed, or number and data do not fit.", "", ""},
     };
     size_t at;
     for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {
@@ -5036,23 +5142,23 @@ static inline const tc100_code_text *tc100_exception_code_text(int64_t code)
 static inline const tc100_code_text *tc100_alarm_code_text(int64_t code)
 {
     static const tc100_code_text texts[] = {
-        {INT64_C(0), "no_alarm", "\347\204\241\350\255\246\345\240\261", "", "", ""},
-        {INT64_C(1), "loop_error", "Loop error", "", "The load is too heavy.\nThe motor does not follow the frequency of the pulse command.\nThe motor cable is broken.", "Reduce the load.\nKeep the highest pulse frequency below the motor's rated speed.\nCheck the motor wiring."},
-        {INT64_C(2), "full_count", "Full Count", "The difference of the actual and the commanded position exceeds the limit of register 0108H.", "The load is too heavy.\nThe motor does not follow the frequency of the pulse command.\nThe motor cable is broken.", "Lengthen the acceleration and deceleration times.\nKeep the highest pulse frequency below the motor's rated speed.\nCheck the motor wiring."},
-        {INT64_C(3), "overspeed", "\351\201\216\351\200\237\345\272\246", "", "The motor turns too fast.", "Keep the highest pulse frequency below the motor's rated speed."},
-        {INT64_C(4), "gain_adjustment_error", "\345\242\236\347\233\212\345\200\274\350\252\277\346\225\264\344\270\215\350\211\257", "", "Wrong gains make the motor vibrate.\nPulses come without acceleration and deceleration.", "Set the gains anew.\nSet acceleration and deceleration anew."},
-        {INT64_C(5), "overvoltage", "\351\201\216\351\233\273\345\243\223", "", "Regenerated energy raises the voltage of the main circuit.", "Lengthen the acceleration and deceleration times.\nReduce the inertia of the load.\nAdd a regeneration resistor."},
-        {INT64_C(6), "initialization_error", "\345\210\235\346\234\237\345\214\226\347\225\260\345\270\270", "", "The supply was switched on with more than the rated load.", "Reduce the load."},
-        {INT64_C(7), "eeprom_error", "EEPROM \347\225\260\345\270\270", "", "The data in the EEPROM are damaged.", "Ask the maker or the dealer."},
-        {INT64_C(8), "main_circuit_undervoltage", "\344\270\273\350\277\264\350\267\257\351\233\273\346\272\220\351\233\273\345\243\223\344\270\215\350\266\263", "", "The supply of the main circuit is below its voltage.", "Check whether the power supply is strong enough; use a larger one."},
-        {INT64_C(9), "overcurrent", "\351\201\216\351\233\273\346\265\201", "", "A winding of the motor is shorted.\nThe controller's circuit is damaged.", "Replace the motor.\nReplace the controller."},
-        {INT64_C(10), "regeneration_error", "\345\233\236\347\224\237\347\225\260\345\270\270", "", "The internal circuit that absorbs energy has reached its limit.", "Add a regeneration resistor."},
-        {INT64_C(11), "emergency_stop", "\347\267\212\346\200\245\345\201\234\346\255\242", "", "The emergency stop input is off.", "Check the emergency stop circuit, or replace the switch."},
-        {INT64_C(12), "motor_disconnected", "\351\246\254\351\201\224\346\226\267\347\267\232", "", "Phase A or B of the motor is broken.", "Check the motor wiring."},
-        {INT64_C(13), "encoder_disconnected", "\347\267\250\347\242\274\345\231\250\346\226\267\347\267\232", "", "Phase A or B of the encoder is broken.", "Check the encoder wiring."},
-        {INT64_C(14), "current_protection", "\344\277\235\350\255\267\351\233\273\346\265\201\345\200\274", "", "The motor current was above the set value for the set time.", "Look for overload, or for other parts of the machine in the way."},
-        {INT64_C(15), "power_cycle_required", "\351\233\273\346\272\220\345\206\215\346\212\225\345\205\245", "", "", ""},
-        {INT64_C(17), "action_timeout", "\345\213\225\344\275\234\350\266\205\346\231\202", "", "The action did not end within the set time.", "Check the mechanism, or set a value that suits."},
+        {INT64_C(0), (-INT64_C(1)), "", "no_alarm", "\347\204\241\350\255\246\345\240\261", "", "", ""},
+        {INT64_C(1), (-INT64_C(1)), "", "loop_error", "Loop error", "", "The load is too heavy.\nThe motor does not follow the frequency of the pulse command.\nThe motor cable is broken.", "Reduce the load.\nKeep the highest pulse frequency below the motor's rated speed.\nCheck the motor wiring."},
+        {INT64_C(2), (-INT64_C(1)), "", "full_count", "Full Count", "The difference of the actual and the commanded position exceeds the limit of register 0108H.", "The load is too heavy.\nThe motor does not follow the frequency of the pulse command.\nThe motor cable is broken.", "Lengthen the acceleration and deceleration times.\nKeep the highest pulse frequency below the motor's rated speed.\nCheck the motor wiring."},
+        {INT64_C(3), (-INT64_C(1)), "", "overspeed", "\351\201\216\351\200\237\345\272\246", "", "The motor turns too fast.", "Keep the highest pulse frequency below the motor's rated speed."},
+        {INT64_C(4), (-INT64_C(1)), "", "gain_adjustment_error", "\345\242\236\347\233\212\345\200\274\350\252\277\346\225\264\344\270\215\350\211\257", "", "Wrong gains make the motor vibrate.\nPulses come without acceleration and deceleration.", "Set the gains anew.\nSet acceleration and deceleration anew."},
+        {INT64_C(5), (-INT64_C(1)), "", "overvoltage", "\351\201\216\351\233\273\345\243\223", "", "Regenerated energy raises the voltage of the main circuit.", "Lengthen the acceleration and deceleration times.\nReduce the inertia of the load.\nAdd a regeneration resistor."},
+        {INT64_C(6), (-INT64_C(1)), "", "initialization_error", "\345\210\235\346\234\237\345\214\226\347\225\260\345\270\270", "", "The supply was switched on with more than the rated load.", "Reduce the load."},
+        {INT64_C(7), (-INT64_C(1)), "", "eeprom_error", "EEPROM \347\225\260\345\270\270", "", "The data in the EEPROM are damaged.", "Ask the maker or the dealer."},
+        {INT64_C(8), (-INT64_C(1)), "", "main_circuit_undervoltage", "\344\270\273\350\277\264\350\267\257\351\233\273\346\272\220\351\233\273\345\243\223\344\270\215\350\266\263", "", "The supply of the main circuit is below its voltage.", "Check whether the power supply is strong enough; use a larger one."},
+        {INT64_C(9), (-INT64_C(1)), "", "overcurrent", "\351\201\216\351\233\273\346\265\201", "", "A winding of the motor is shorted.\nThe controller's circuit is damaged.", "Replace the motor.\nReplace the controller."},
+        {INT64_C(10), (-INT64_C(1)), "", "regeneration_error", "\345\233\236\347\224\237\347\225\260\345\270\270", "", "The internal circuit that absorbs energy has reached its limit.", "Add a regeneration resistor."},
+        {INT64_C(11), (-INT64_C(1)), "", "emergency_stop", "\347\267\212\346\200\245\345\201\234\346\255\242", "", "The emergency stop input is off.", "Check the emergency stop circuit, or replace the switch."},
+        {INT64_C(12), (-INT64_C(1)), "", "motor_disconnected", "\351\246\254\351\201\224\346\226\267\347\267\232", "", "Phase A or B of the motor is broken.", "Check the motor wiring."},
+        {INT64_C(13), (-INT64_C(1)), "", "encoder_disconnected", "\347\267\250\347\242\274\345\231\250\346\226\267\347\267\232", "", "Phase A or B of the encoder is broken.", "Check the encoder wiring."},
+        {INT64_C(14), (-INT64_C(1)), "", "current_protection", "\344\277\235\350\255\267\351\233\273\346\265\201\345\200\274", "", "The motor current was above the set value for the set time.", "Look for overload, or for other parts of the machine in the way."},
+        {INT64_C(15), (-INT64_C(1)), "", "power_cycle_required", "\351\233\273\346\272\220\345\206\215\346\212\225\345\205\245", "", "", ""},
+        {INT64_C(17), (-INT64_C(1)), "", "action_timeout", "\345\213\225\344\275\234\350\266\205\346\231\202", "", "The action did not end within the set time.", "Check the mechanism, or set a value that suits."},
     };
     size_t at;
     for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {
@@ -5067,20 +5173,20 @@ static inline const tc100_code_text *tc100_alarm_code_text(int64_t code)
 static inline const tc100_code_text *tc100_fault_code_text(int64_t code)
 {
     static const tc100_code_text texts[] = {
-        {INT64_C(0), "no_fault", "\346\262\222\346\234\211\351\214\257\350\252\244", "", "", ""},
-        {INT64_C(1), "motion_command_while_moving", "\345\234\250\345\213\225\344\275\234\344\270\255\346\216\245\346\224\266\345\213\225\344\275\234\346\214\207\344\273\244", "", "A motion or a program was commanded during a motion.\nA parameter that must not be changed during a motion was written then.\nData of a program were set while the program ran.", "Stop the motor and the program first.\nStop the motor and the program first.\nStop the motor and the program first."},
-        {INT64_C(2), "value_out_of_limits", "\344\270\212\344\270\213\351\231\220\351\214\257\350\252\244", "", "A value outside its range was written.", "Write a value within the range."},
-        {INT64_C(3), "address_error", "\344\275\215\347\275\256\351\214\257\350\252\244", "", "A read asked for more words than are allowed.", "Stay within the number of words."},
-        {INT64_C(4), "format_error", "\346\240\274\345\274\217\351\214\257\350\252\244", "", "A write had more words than are allowed.", "Stay within the number of words."},
-        {INT64_C(5), "control_mode_error", "\346\216\247\345\210\266\346\250\241\345\274\217\351\214\257\350\252\244", "", "The command belongs to another control mode.", "Compare the parameter 0503H with the input CONT_MODE, then command again."},
-        {INT64_C(6), "power_cycle_required", "\346\226\267\351\233\273\351\207\215\351\226\213", "", "A parameter was written that takes effect after a restart.", "Switch the control supply off and on."},
-        {INT64_C(7), "initialization_incomplete", "\345\210\235\345\247\213\345\214\226\346\234\252\345\256\214\346\210\220", "", "A motion was commanded, by input or line, before the initialization had ended.", "Wait for its end, then command."},
-        {INT64_C(8), "servo_on_off_error", "Servo ON/OFF \351\214\257\350\252\244", "", "A motion was commanded while the servo was off.\nAn alarm reset was commanded while the servo was on.", "Switch the servo on first.\nSwitch the servo off with 1 in 2011H, then write 6 to 201EH."},
-        {INT64_C(9), "lock_active", "LOCK", "", "A motion was commanded while the signal LOCK was on.\nThe signal LOCK came on during a motion.", "Switch LOCK off, then command.\nSwitch LOCK off, then command."},
-        {INT64_C(10), "soft_limit_reached", "\350\273\237\351\253\224\346\245\265\351\231\220", "", "The position has reached a soft limit.", "Command motions within the soft limits."},
-        {INT64_C(11), "parameter_write_not_permitted", "\345\217\203\346\225\270\345\257\253\345\205\245\346\254\212\351\231\220\344\270\215\350\266\263", "", "The right to write the parameter is missing.", "Raise the level for writing parameters."},
-        {INT64_C(12), "homing_incomplete", "\345\216\237\351\273\236\345\276\251\346\255\270\346\234\252\345\256\214\346\210\220", "", "A motion or a program was commanded before homing was complete.", "Carry out homing, or lift the restriction with 0 in 051BH."},
-        {INT64_C(13), "brake_released", "\345\211\216\350\273\212\345\267\262\350\247\243\351\231\244", "", "The servo was switched while the command to release the brake was in effect.", "End that command first."},
+        {INT64_C(0), (-INT64_C(1)), "", "no_fault", "\346\262\222\346\234\211\351\214\257\350\252\244", "", "", ""},
+        {INT64_C(1), (-INT64_C(1)), "", "motion_command_while_moving", "\345\234\250\345\213\225\344\275\234\344\270\255\346\216\245\346\224\266\345\213\225\344\275\234\346\214\207\344\273\244", "", "A motion or a program was commanded during a motion.\nA parameter that must not be changed during a motion was written then.\nData of a program were set while the program ran.", "Stop the motor and the program first.\nStop the motor and the program first.\nStop the motor and the program first."},
+        {INT64_C(2), (-INT64_C(1)), "", "value_out_of_limits", "\344\270\212\344\270\213\351\231\220\351\214\257\350\252\244", "", "A value outside its range was written.", "Write a value within the range."},
+        {INT64_C(3), (-INT64_C(1)), "", "address_error", "\344\275\215\347\275\256\351\214\257\350\252\244", "", "A read asked for more words than are allowed.", "Stay within the number of words."},
+        {INT64_C(4), (-INT64_C(1)), "", "format_error", "\346\240\274\345\274\217\351\214\257\350\252\244", "", "A write had more words than are allowed.", "Stay within the number of words."},
+        {INT64_C(5), (-INT64_C(1)), "", "control_mode_error", "\346\216\247\345\210\266\346\250\241\345\274\217\351\214\257\350\252\244", "", "The command belongs to another control mode.", "Compare the parameter 0503H with the input CONT_MODE, then command again."},
+        {INT64_C(6), (-INT64_C(1)), "", "power_cycle_required", "\346\226\267\351\233\273\351\207\215\351\226\213", "", "A parameter was written that takes effect after a restart.", "Switch the control supply off and on."},
+        {INT64_C(7), (-INT64_C(1)), "", "initialization_incomplete", "\345\210\235\345\247\213\345\214\226\346\234\252\345\256\214\346\210\220", "", "A motion was commanded, by input or line, before the initialization had ended.", "Wait for its end, then command."},
+        {INT64_C(8), (-INT64_C(1)), "", "servo_on_off_error", "Servo ON/OFF \351\214\257\350\252\244", "", "A motion was commanded while the servo was off.\nAn alarm reset was commanded while the servo was on.", "Switch the servo on first.\nSwitch the servo off with 1 in 2011H, then write 6 to 201EH."},
+        {INT64_C(9), (-INT64_C(1)), "", "lock_active", "LOCK", "", "A motion was commanded while the signal LOCK was on.\nThe signal LOCK came on during a motion.", "Switch LOCK off, then command.\nSwitch LOCK off, then command."},
+        {INT64_C(10), (-INT64_C(1)), "", "soft_limit_reached", "\350\273\237\351\253\224\346\245\265\351\231\220", "", "The position has reached a soft limit.", "Command motions within the soft limits."},
+        {INT64_C(11), (-INT64_C(1)), "", "parameter_write_not_permitted", "\345\217\203\346\225\270\345\257\253\345\205\245\346\254\212\351\231\220\344\270\215\350\266\263", "", "The right to write the parameter is missing.", "Raise the level for writing parameters."},
+        {INT64_C(12), (-INT64_C(1)), "", "homing_incomplete", "\345\216\237\351\273\236\345\276\251\346\255\270\346\234\252\345\256\214\346\210\220", "", "A motion or a program was commanded before homing was complete.", "Carry out homing, or lift the restriction with 0 in 051BH."},
+        {INT64_C(13), (-INT64_C(1)), "", "brake_released", "\345\211\216\350\273\212\345\267\262\350\247\243\351\231\244", "", "The servo was switched while the command to release the brake was in effect.", "End that command first."},
     };
     size_t at;
     for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {

@@ -1,6 +1,6 @@
 /*
  * Tests tc100_before_2_0.h: TC100, version before-2.0
- * Identity: 030e9bdab75ec920
+ * Identity: 6f4511cfdbc65a9f
  *
  * Generated; do not edit. Compile and run: it exits with 0 where all is well.
  */
@@ -24,83 +24,237 @@ static void expect(bool holds, const char *what)
 static void test_0(void)
 {
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_1_MASK == 0x0001u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_1_MASK");
-    expect(tc100_simulated_input_word_simulated_input_1(0x0001u) == 1u, "tc100_simulated_input_word_simulated_input_1");
+    expect(tc100_simulated_input_word_simulated_input_1(0x0001u) == true, "tc100_simulated_input_word_simulated_input_1");
+    expect(tc100_simulated_input_word_simulated_input_1((uint16_t)~0x0001u) == false, "tc100_simulated_input_word_simulated_input_1");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_2_MASK == 0x0002u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_2_MASK");
-    expect(tc100_simulated_input_word_simulated_input_2(0x0002u) == 1u, "tc100_simulated_input_word_simulated_input_2");
+    expect(tc100_simulated_input_word_simulated_input_2(0x0002u) == true, "tc100_simulated_input_word_simulated_input_2");
+    expect(tc100_simulated_input_word_simulated_input_2((uint16_t)~0x0002u) == false, "tc100_simulated_input_word_simulated_input_2");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_3_MASK == 0x0004u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_3_MASK");
-    expect(tc100_simulated_input_word_simulated_input_3(0x0004u) == 1u, "tc100_simulated_input_word_simulated_input_3");
+    expect(tc100_simulated_input_word_simulated_input_3(0x0004u) == true, "tc100_simulated_input_word_simulated_input_3");
+    expect(tc100_simulated_input_word_simulated_input_3((uint16_t)~0x0004u) == false, "tc100_simulated_input_word_simulated_input_3");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_4_MASK == 0x0008u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_4_MASK");
-    expect(tc100_simulated_input_word_simulated_input_4(0x0008u) == 1u, "tc100_simulated_input_word_simulated_input_4");
+    expect(tc100_simulated_input_word_simulated_input_4(0x0008u) == true, "tc100_simulated_input_word_simulated_input_4");
+    expect(tc100_simulated_input_word_simulated_input_4((uint16_t)~0x0008u) == false, "tc100_simulated_input_word_simulated_input_4");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_5_MASK == 0x0010u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_5_MASK");
-    expect(tc100_simulated_input_word_simulated_input_5(0x0010u) == 1u, "tc100_simulated_input_word_simulated_input_5");
+    expect(tc100_simulated_input_word_simulated_input_5(0x0010u) == true, "tc100_simulated_input_word_simulated_input_5");
+    expect(tc100_simulated_input_word_simulated_input_5((uint16_t)~0x0010u) == false, "tc100_simulated_input_word_simulated_input_5");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_6_MASK == 0x0020u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_6_MASK");
-    expect(tc100_simulated_input_word_simulated_input_6(0x0020u) == 1u, "tc100_simulated_input_word_simulated_input_6");
+    expect(tc100_simulated_input_word_simulated_input_6(0x0020u) == true, "tc100_simulated_input_word_simulated_input_6");
+    expect(tc100_simulated_input_word_simulated_input_6((uint16_t)~0x0020u) == false, "tc100_simulated_input_word_simulated_input_6");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_7_MASK == 0x0040u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_7_MASK");
-    expect(tc100_simulated_input_word_simulated_input_7(0x0040u) == 1u, "tc100_simulated_input_word_simulated_input_7");
+    expect(tc100_simulated_input_word_simulated_input_7(0x0040u) == true, "tc100_simulated_input_word_simulated_input_7");
+    expect(tc100_simulated_input_word_simulated_input_7((uint16_t)~0x0040u) == false, "tc100_simulated_input_word_simulated_input_7");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_8_MASK == 0x0080u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_8_MASK");
-    expect(tc100_simulated_input_word_simulated_input_8(0x0080u) == 1u, "tc100_simulated_input_word_simulated_input_8");
+    expect(tc100_simulated_input_word_simulated_input_8(0x0080u) == true, "tc100_simulated_input_word_simulated_input_8");
+    expect(tc100_simulated_input_word_simulated_input_8((uint16_t)~0x0080u) == false, "tc100_simulated_input_word_simulated_input_8");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_9_MASK == 0x0100u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_9_MASK");
-    expect(tc100_simulated_input_word_simulated_input_9(0x0100u) == 1u, "tc100_simulated_input_word_simulated_input_9");
+    expect(tc100_simulated_input_word_simulated_input_9(0x0100u) == true, "tc100_simulated_input_word_simulated_input_9");
+    expect(tc100_simulated_input_word_simulated_input_9((uint16_t)~0x0100u) == false, "tc100_simulated_input_word_simulated_input_9");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_10_MASK == 0x0200u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_10_MASK");
-    expect(tc100_simulated_input_word_simulated_input_10(0x0200u) == 1u, "tc100_simulated_input_word_simulated_input_10");
+    expect(tc100_simulated_input_word_simulated_input_10(0x0200u) == true, "tc100_simulated_input_word_simulated_input_10");
+    expect(tc100_simulated_input_word_simulated_input_10((uint16_t)~0x0200u) == false, "tc100_simulated_input_word_simulated_input_10");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_11_MASK == 0x0400u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_11_MASK");
-    expect(tc100_simulated_input_word_simulated_input_11(0x0400u) == 1u, "tc100_simulated_input_word_simulated_input_11");
+    expect(tc100_simulated_input_word_simulated_input_11(0x0400u) == true, "tc100_simulated_input_word_simulated_input_11");
+    expect(tc100_simulated_input_word_simulated_input_11((uint16_t)~0x0400u) == false, "tc100_simulated_input_word_simulated_input_11");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_12_MASK == 0x0800u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_12_MASK");
-    expect(tc100_simulated_input_word_simulated_input_12(0x0800u) == 1u, "tc100_simulated_input_word_simulated_input_12");
+    expect(tc100_simulated_input_word_simulated_input_12(0x0800u) == true, "tc100_simulated_input_word_simulated_input_12");
+    expect(tc100_simulated_input_word_simulated_input_12((uint16_t)~0x0800u) == false, "tc100_simulated_input_word_simulated_input_12");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_13_MASK == 0x1000u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_13_MASK");
-    expect(tc100_simulated_input_word_simulated_input_13(0x1000u) == 1u, "tc100_simulated_input_word_simulated_input_13");
+    expect(tc100_simulated_input_word_simulated_input_13(0x1000u) == true, "tc100_simulated_input_word_simulated_input_13");
+    expect(tc100_simulated_input_word_simulated_input_13((uint16_t)~0x1000u) == false, "tc100_simulated_input_word_simulated_input_13");
     expect(TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_14_MASK == 0x2000u, "TC100_SIMULATED_INPUT_WORD_SIMULATED_INPUT_14_MASK");
-    expect(tc100_simulated_input_word_simulated_input_14(0x2000u) == 1u, "tc100_simulated_input_word_simulated_input_14");
+    expect(tc100_simulated_input_word_simulated_input_14(0x2000u) == true, "tc100_simulated_input_word_simulated_input_14");
+    expect(tc100_simulated_input_word_simulated_input_14((uint16_t)~0x2000u) == false, "tc100_simulated_input_word_simulated_input_14");
     expect(TC100_OUTPUT_WORD_OUTPUT_1_MASK == 0x0001u, "TC100_OUTPUT_WORD_OUTPUT_1_MASK");
-    expect(tc100_output_word_output_1(0x0001u) == 1u, "tc100_output_word_output_1");
+    expect(tc100_output_word_output_1(0x0001u) == true, "tc100_output_word_output_1");
+    expect(tc100_output_word_output_1((uint16_t)~0x0001u) == false, "tc100_output_word_output_1");
     expect(TC100_OUTPUT_WORD_OUTPUT_2_MASK == 0x0002u, "TC100_OUTPUT_WORD_OUTPUT_2_MASK");
-    expect(tc100_output_word_output_2(0x0002u) == 1u, "tc100_output_word_output_2");
+    expect(tc100_output_word_output_2(0x0002u) == true, "tc100_output_word_output_2");
+    expect(tc100_output_word_output_2((uint16_t)~0x0002u) == false, "tc100_output_word_output_2");
     expect(TC100_OUTPUT_WORD_OUTPUT_3_MASK == 0x0004u, "TC100_OUTPUT_WORD_OUTPUT_3_MASK");
-    expect(tc100_output_word_output_3(0x0004u) == 1u, "tc100_output_word_output_3");
+    expect(tc100_output_word_output_3(0x0004u) == true, "tc100_output_word_output_3");
+    expect(tc100_output_word_output_3((uint16_t)~0x0004u) == false, "tc100_output_word_output_3");
     expect(TC100_OUTPUT_WORD_OUTPUT_4_MASK == 0x0008u, "TC100_OUTPUT_WORD_OUTPUT_4_MASK");
-    expect(tc100_output_word_output_4(0x0008u) == 1u, "tc100_output_word_output_4");
+    expect(tc100_output_word_output_4(0x0008u) == true, "tc100_output_word_output_4");
+    expect(tc100_output_word_output_4((uint16_t)~0x0008u) == false, "tc100_output_word_output_4");
     expect(TC100_OUTPUT_WORD_OUTPUT_5_MASK == 0x0010u, "TC100_OUTPUT_WORD_OUTPUT_5_MASK");
-    expect(tc100_output_word_output_5(0x0010u) == 1u, "tc100_output_word_output_5");
+    expect(tc100_output_word_output_5(0x0010u) == true, "tc100_output_word_output_5");
+    expect(tc100_output_word_output_5((uint16_t)~0x0010u) == false, "tc100_output_word_output_5");
     expect(TC100_OUTPUT_WORD_OUTPUT_6_MASK == 0x0020u, "TC100_OUTPUT_WORD_OUTPUT_6_MASK");
-    expect(tc100_output_word_output_6(0x0020u) == 1u, "tc100_output_word_output_6");
+    expect(tc100_output_word_output_6(0x0020u) == true, "tc100_output_word_output_6");
+    expect(tc100_output_word_output_6((uint16_t)~0x0020u) == false, "tc100_output_word_output_6");
     expect(TC100_OUTPUT_WORD_OUTPUT_7_MASK == 0x0040u, "TC100_OUTPUT_WORD_OUTPUT_7_MASK");
-    expect(tc100_output_word_output_7(0x0040u) == 1u, "tc100_output_word_output_7");
+    expect(tc100_output_word_output_7(0x0040u) == true, "tc100_output_word_output_7");
+    expect(tc100_output_word_output_7((uint16_t)~0x0040u) == false, "tc100_output_word_output_7");
     expect(TC100_OUTPUT_WORD_OUTPUT_8_MASK == 0x0080u, "TC100_OUTPUT_WORD_OUTPUT_8_MASK");
-    expect(tc100_output_word_output_8(0x0080u) == 1u, "tc100_output_word_output_8");
+    expect(tc100_output_word_output_8(0x0080u) == true, "tc100_output_word_output_8");
+    expect(tc100_output_word_output_8((uint16_t)~0x0080u) == false, "tc100_output_word_output_8");
     expect(TC100_OUTPUT_WORD_OUTPUT_9_MASK == 0x0100u, "TC100_OUTPUT_WORD_OUTPUT_9_MASK");
-    expect(tc100_output_word_output_9(0x0100u) == 1u, "tc100_output_word_output_9");
+    expect(tc100_output_word_output_9(0x0100u) == true, "tc100_output_word_output_9");
+    expect(tc100_output_word_output_9((uint16_t)~0x0100u) == false, "tc100_output_word_output_9");
     expect(TC100_OUTPUT_WORD_OUTPUT_10_MASK == 0x0200u, "TC100_OUTPUT_WORD_OUTPUT_10_MASK");
-    expect(tc100_output_word_output_10(0x0200u) == 1u, "tc100_output_word_output_10");
+    expect(tc100_output_word_output_10(0x0200u) == true, "tc100_output_word_output_10");
+    expect(tc100_output_word_output_10((uint16_t)~0x0200u) == false, "tc100_output_word_output_10");
     expect(TC100_INPUT_WORD_INPUT_1_MASK == 0x0001u, "TC100_INPUT_WORD_INPUT_1_MASK");
-    expect(tc100_input_word_input_1(0x0001u) == 1u, "tc100_input_word_input_1");
+    expect(tc100_input_word_input_1(0x0001u) == true, "tc100_input_word_input_1");
+    expect(tc100_input_word_input_1((uint16_t)~0x0001u) == false, "tc100_input_word_input_1");
     expect(TC100_INPUT_WORD_INPUT_2_MASK == 0x0002u, "TC100_INPUT_WORD_INPUT_2_MASK");
-    expect(tc100_input_word_input_2(0x0002u) == 1u, "tc100_input_word_input_2");
+    expect(tc100_input_word_input_2(0x0002u) == true, "tc100_input_word_input_2");
+    expect(tc100_input_word_input_2((uint16_t)~0x0002u) == false, "tc100_input_word_input_2");
     expect(TC100_INPUT_WORD_INPUT_3_MASK == 0x0004u, "TC100_INPUT_WORD_INPUT_3_MASK");
-    expect(tc100_input_word_input_3(0x0004u) == 1u, "tc100_input_word_input_3");
+    expect(tc100_input_word_input_3(0x0004u) == true, "tc100_input_word_input_3");
+    expect(tc100_input_word_input_3((uint16_t)~0x0004u) == false, "tc100_input_word_input_3");
     expect(TC100_INPUT_WORD_INPUT_4_MASK == 0x0008u, "TC100_INPUT_WORD_INPUT_4_MASK");
-    expect(tc100_input_word_input_4(0x0008u) == 1u, "tc100_input_word_input_4");
+    expect(tc100_input_word_input_4(0x0008u) == true, "tc100_input_word_input_4");
+    expect(tc100_input_word_input_4((uint16_t)~0x0008u) == false, "tc100_input_word_input_4");
     expect(TC100_INPUT_WORD_INPUT_5_MASK == 0x0010u, "TC100_INPUT_WORD_INPUT_5_MASK");
-    expect(tc100_input_word_input_5(0x0010u) == 1u, "tc100_input_word_input_5");
+    expect(tc100_input_word_input_5(0x0010u) == true, "tc100_input_word_input_5");
+    expect(tc100_input_word_input_5((uint16_t)~0x0010u) == false, "tc100_input_word_input_5");
     expect(TC100_INPUT_WORD_INPUT_6_MASK == 0x0020u, "TC100_INPUT_WORD_INPUT_6_MASK");
-    expect(tc100_input_word_input_6(0x0020u) == 1u, "tc100_input_word_input_6");
+    expect(tc100_input_word_input_6(0x0020u) == true, "tc100_input_word_input_6");
+    expect(tc100_input_word_input_6((uint16_t)~0x0020u) == false, "tc100_input_word_input_6");
     expect(TC100_INPUT_WORD_INPUT_7_MASK == 0x0040u, "TC100_INPUT_WORD_INPUT_7_MASK");
-    expect(tc100_input_word_input_7(0x0040u) == 1u, "tc100_input_word_input_7");
+    expect(tc100_input_word_input_7(0x0040u) == true, "tc100_input_word_input_7");
+    expect(tc100_input_word_input_7((uint16_t)~0x0040u) == false, "tc100_input_word_input_7");
     expect(TC100_INPUT_WORD_INPUT_8_MASK == 0x0080u, "TC100_INPUT_WORD_INPUT_8_MASK");
-    expect(tc100_input_word_input_8(0x0080u) == 1u, "tc100_input_word_input_8");
+    expect(tc100_input_word_input_8(0x0080u) == true, "tc100_input_word_input_8");
+    expect(tc100_input_word_input_8((uint16_t)~0x0080u) == false, "tc100_input_word_input_8");
     expect(TC100_INPUT_WORD_INPUT_9_MASK == 0x0100u, "TC100_INPUT_WORD_INPUT_9_MASK");
-    expect(tc100_input_word_input_9(0x0100u) == 1u, "tc100_input_word_input_9");
+    expect(tc100_input_word_input_9(0x0100u) == true, "tc100_input_word_input_9");
+    expect(tc100_input_word_input_9((uint16_t)~0x0100u) == false, "tc100_input_word_input_9");
     expect(TC100_INPUT_WORD_INPUT_10_MASK == 0x0200u, "TC100_INPUT_WORD_INPUT_10_MASK");
-    expect(tc100_input_word_input_10(0x0200u) == 1u, "tc100_input_word_input_10");
+    expect(tc100_input_word_input_10(0x0200u) == true, "tc100_input_word_input_10");
+    expect(tc100_input_word_input_10((uint16_t)~0x0200u) == false, "tc100_input_word_input_10");
     expect(TC100_INPUT_WORD_INPUT_11_MASK == 0x0400u, "TC100_INPUT_WORD_INPUT_11_MASK");
-    expect(tc100_input_word_input_11(0x0400u) == 1u, "tc100_input_word_input_11");
+    expect(tc100_input_word_input_11(0x0400u) == true, "tc100_input_word_input_11");
+    expect(tc100_input_word_input_11((uint16_t)~0x0400u) == false, "tc100_input_word_input_11");
     expect(TC100_INPUT_WORD_INPUT_12_MASK == 0x0800u, "TC100_INPUT_WORD_INPUT_12_MASK");
-    expect(tc100_input_word_input_12(0x0800u) == 1u, "tc100_input_word_input_12");
+    expect(tc100_input_word_input_12(0x0800u) == true, "tc100_input_word_input_12");
+    expect(tc100_input_word_input_12((uint16_t)~0x0800u) == false, "tc100_input_word_input_12");
     expect(TC100_INPUT_WORD_INPUT_13_MASK == 0x1000u, "TC100_INPUT_WORD_INPUT_13_MASK");
-    expect(tc100_input_word_input_13(0x1000u) == 1u, "tc100_input_word_input_13");
+    expect(tc100_input_word_input_13(0x1000u) == true, "tc100_input_word_input_13");
+    expect(tc100_input_word_input_13((uint16_t)~0x1000u) == false, "tc100_input_word_input_13");
     expect(TC100_INPUT_WORD_INPUT_14_MASK == 0x2000u, "TC100_INPUT_WORD_INPUT_14_MASK");
-    expect(tc100_input_word_input_14(0x2000u) == 1u, "tc100_input_word_input_14");
+    expect(tc100_input_word_input_14(0x2000u) == true, "tc100_input_word_input_14");
+    expect(tc100_input_word_input_14((uint16_t)~0x2000u) == false, "tc100_input_word_input_14");
     expect(TC100_INPUT_WORD_Z_PHASE_MASK == 0x4000u, "TC100_INPUT_WORD_Z_PHASE_MASK");
-    expect(tc100_input_word_z_phase(0x4000u) == 1u, "tc100_input_word_z_phase");
+    expect(tc100_input_word_z_phase(0x4000u) == true, "tc100_input_word_z_phase");
+    expect(tc100_input_word_z_phase((uint16_t)~0x4000u) == false, "tc100_input_word_z_phase");
+}
+
+static void test_1(void)
+{
+    expect(tc100_exception_code_text(INT64_C(1)) != NULL && tc100_exception_code_text(INT64_C(1))->number == (-INT64_C(1)) && strcmp(tc100_exception_code_text(INT64_C(1))->name, "illegal_function") == 0 && strcmp(tc100_exception_code_text(INT64_C(1))->printed, "") == 0, "tc100_exception_code_text");
+    expect(tc100_exception_code_text(INT64_C(2)) != NULL && tc100_exception_code_text(INT64_C(2))->number == (-INT64_C(1)) && strcmp(tc100_exception_code_text(INT64_C(2))->name, "illegal_data_address") == 0 && strcmp(tc100_exception_code_text(INT64_C(2))->printed, "") == 0, "tc100_exception_code_text");
+    expect(tc100_exception_code_text(INT64_C(3)) != NULL && tc100_exception_code_text(INT64_C(3))->number == (-INT64_C(1)) && strcmp(tc100_exception_code_text(INT64_C(3))->name, "illegal_data_value") == 0 && strcmp(tc100_exception_code_text(INT64_C(3))->printed, "") == 0, "tc100_exception_code_text");
+    expect(tc100_exception_code_text(INT64_C(0)) == NULL, "tc100_exception_code_text");
+    expect(tc100_alarm_code_text(INT64_C(0)) != NULL && tc100_alarm_code_text(INT64_C(0))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(0))->name, "no_alarm") == 0 && strcmp(tc100_alarm_code_text(INT64_C(0))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(1)) != NULL && tc100_alarm_code_text(INT64_C(1))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(1))->name, "loop_error") == 0 && strcmp(tc100_alarm_code_text(INT64_C(1))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(2)) != NULL && tc100_alarm_code_text(INT64_C(2))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(2))->name, "full_count") == 0 && strcmp(tc100_alarm_code_text(INT64_C(2))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(3)) != NULL && tc100_alarm_code_text(INT64_C(3))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(3))->name, "overspeed") == 0 && strcmp(tc100_alarm_code_text(INT64_C(3))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(4)) != NULL && tc100_alarm_code_text(INT64_C(4))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(4))->name, "gain_adjustment_error") == 0 && strcmp(tc100_alarm_code_text(INT64_C(4))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(5)) != NULL && tc100_alarm_code_text(INT64_C(5))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(5))->name, "overvoltage") == 0 && strcmp(tc100_alarm_code_text(INT64_C(5))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(6)) != NULL && tc100_alarm_code_text(INT64_C(6))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(6))->name, "initialization_error") == 0 && strcmp(tc100_alarm_code_text(INT64_C(6))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(7)) != NULL && tc100_alarm_code_text(INT64_C(7))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(7))->name, "eeprom_error") == 0 && strcmp(tc100_alarm_code_text(INT64_C(7))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(8)) != NULL && tc100_alarm_code_text(INT64_C(8))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(8))->name, "main_circuit_undervoltage") == 0 && strcmp(tc100_alarm_code_text(INT64_C(8))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(9)) != NULL && tc100_alarm_code_text(INT64_C(9))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(9))->name, "overcurrent") == 0 && strcmp(tc100_alarm_code_text(INT64_C(9))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(10)) != NULL && tc100_alarm_code_text(INT64_C(10))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(10))->name, "regeneration_error") == 0 && strcmp(tc100_alarm_code_text(INT64_C(10))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(11)) != NULL && tc100_alarm_code_text(INT64_C(11))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(11))->name, "emergency_stop") == 0 && strcmp(tc100_alarm_code_text(INT64_C(11))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(12)) != NULL && tc100_alarm_code_text(INT64_C(12))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(12))->name, "motor_disconnected") == 0 && strcmp(tc100_alarm_code_text(INT64_C(12))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(13)) != NULL && tc100_alarm_code_text(INT64_C(13))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(13))->name, "encoder_disconnected") == 0 && strcmp(tc100_alarm_code_text(INT64_C(13))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(14)) != NULL && tc100_alarm_code_text(INT64_C(14))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(14))->name, "current_protection") == 0 && strcmp(tc100_alarm_code_text(INT64_C(14))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(15)) != NULL && tc100_alarm_code_text(INT64_C(15))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(15))->name, "power_cycle_required") == 0 && strcmp(tc100_alarm_code_text(INT64_C(15))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(17)) != NULL && tc100_alarm_code_text(INT64_C(17))->number == (-INT64_C(1)) && strcmp(tc100_alarm_code_text(INT64_C(17))->name, "action_timeout") == 0 && strcmp(tc100_alarm_code_text(INT64_C(17))->printed, "") == 0, "tc100_alarm_code_text");
+    expect(tc100_alarm_code_text(INT64_C(16)) == NULL, "tc100_alarm_code_text");
+    expect(tc100_fault_code_text(INT64_C(0)) != NULL && tc100_fault_code_text(INT64_C(0))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(0))->name, "no_fault") == 0 && strcmp(tc100_fault_code_text(INT64_C(0))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(1)) != NULL && tc100_fault_code_text(INT64_C(1))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(1))->name, "motion_command_while_moving") == 0 && strcmp(tc100_fault_code_text(INT64_C(1))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(2)) != NULL && tc100_fault_code_text(INT64_C(2))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(2))->name, "value_out_of_limits") == 0 && strcmp(tc100_fault_code_text(INT64_C(2))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(3)) != NULL && tc100_fault_code_text(INT64_C(3))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(3))->name, "address_error") == 0 && strcmp(tc100_fault_code_text(INT64_C(3))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(4)) != NULL && tc100_fault_code_text(INT64_C(4))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(4))->name, "format_error") == 0 && strcmp(tc100_fault_code_text(INT64_C(4))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(5)) != NULL && tc100_fault_code_text(INT64_C(5))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(5))->name, "control_mode_error") == 0 && strcmp(tc100_fault_code_text(INT64_C(5))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(6)) != NULL && tc100_fault_code_text(INT64_C(6))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(6))->name, "power_cycle_required") == 0 && strcmp(tc100_fault_code_text(INT64_C(6))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(7)) != NULL && tc100_fault_code_text(INT64_C(7))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(7))->name, "initialization_incomplete") == 0 && strcmp(tc100_fault_code_text(INT64_C(7))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(8)) != NULL && tc100_fault_code_text(INT64_C(8))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(8))->name, "servo_on_off_error") == 0 && strcmp(tc100_fault_code_text(INT64_C(8))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(9)) != NULL && tc100_fault_code_text(INT64_C(9))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(9))->name, "lock_active") == 0 && strcmp(tc100_fault_code_text(INT64_C(9))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(10)) != NULL && tc100_fault_code_text(INT64_C(10))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(10))->name, "soft_limit_reached") == 0 && strcmp(tc100_fault_code_text(INT64_C(10))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(11)) != NULL && tc100_fault_code_text(INT64_C(11))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(11))->name, "parameter_write_not_permitted") == 0 && strcmp(tc100_fault_code_text(INT64_C(11))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(12)) != NULL && tc100_fault_code_text(INT64_C(12))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(12))->name, "homing_incomplete") == 0 && strcmp(tc100_fault_code_text(INT64_C(12))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(13)) != NULL && tc100_fault_code_text(INT64_C(13))->number == (-INT64_C(1)) && strcmp(tc100_fault_code_text(INT64_C(13))->name, "brake_released") == 0 && strcmp(tc100_fault_code_text(INT64_C(13))->printed, "") == 0, "tc100_fault_code_text");
+    expect(tc100_fault_code_text(INT64_C(14)) == NULL, "tc100_fault_code_text");
+    expect(tc100_rotation_direction_known(INT64_C(0)) == true, "tc100_rotation_direction_known");
+    expect(tc100_rotation_direction_known(INT64_C(1)) == true, "tc100_rotation_direction_known");
+    expect(tc100_rotation_direction_known(INT64_C(2)) == false, "tc100_rotation_direction_known");
+    expect(tc100_pulse_input_form_known(INT64_C(0)) == true, "tc100_pulse_input_form_known");
+    expect(tc100_pulse_input_form_known(INT64_C(1)) == true, "tc100_pulse_input_form_known");
+    expect(tc100_pulse_input_form_known(INT64_C(2)) == true, "tc100_pulse_input_form_known");
+    expect(tc100_pulse_input_form_known(INT64_C(3)) == false, "tc100_pulse_input_form_known");
+    expect(tc100_control_mode_known(INT64_C(0)) == true, "tc100_control_mode_known");
+    expect(tc100_control_mode_known(INT64_C(1)) == true, "tc100_control_mode_known");
+    expect(tc100_control_mode_known(INT64_C(2)) == false, "tc100_control_mode_known");
+    expect(tc100_servo_command_known(INT64_C(0)) == true, "tc100_servo_command_known");
+    expect(tc100_servo_command_known(INT64_C(1)) == true, "tc100_servo_command_known");
+    expect(tc100_servo_command_known(INT64_C(2)) == false, "tc100_servo_command_known");
+    expect(tc100_moving_state_rule_known(INT64_C(0)) == true, "tc100_moving_state_rule_known");
+    expect(tc100_moving_state_rule_known(INT64_C(1)) == true, "tc100_moving_state_rule_known");
+    expect(tc100_moving_state_rule_known(INT64_C(2)) == false, "tc100_moving_state_rule_known");
+    expect(tc100_homing_mode_known(INT64_C(0)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(1)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(2)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(3)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(4)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(5)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(6)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(7)) == true, "tc100_homing_mode_known");
+    expect(tc100_homing_mode_known(INT64_C(8)) == false, "tc100_homing_mode_known");
+    expect(tc100_baud_rate_known(INT64_C(0)) == true, "tc100_baud_rate_known");
+    expect(tc100_baud_rate_known(INT64_C(1)) == true, "tc100_baud_rate_known");
+    expect(tc100_baud_rate_known(INT64_C(2)) == true, "tc100_baud_rate_known");
+    expect(tc100_baud_rate_known(INT64_C(3)) == true, "tc100_baud_rate_known");
+    expect(tc100_baud_rate_known(INT64_C(4)) == true, "tc100_baud_rate_known");
+    expect(tc100_baud_rate_known(INT64_C(5)) == false, "tc100_baud_rate_known");
+    expect(tc100_data_bits_known(INT64_C(0)) == true, "tc100_data_bits_known");
+    expect(tc100_data_bits_known(INT64_C(1)) == true, "tc100_data_bits_known");
+    expect(tc100_data_bits_known(INT64_C(2)) == false, "tc100_data_bits_known");
+    expect(tc100_parity_known(INT64_C(0)) == true, "tc100_parity_known");
+    expect(tc100_parity_known(INT64_C(1)) == true, "tc100_parity_known");
+    expect(tc100_parity_known(INT64_C(2)) == true, "tc100_parity_known");
+    expect(tc100_parity_known(INT64_C(3)) == false, "tc100_parity_known");
+    expect(tc100_protocol_known(INT64_C(0)) == true, "tc100_protocol_known");
+    expect(tc100_protocol_known(INT64_C(1)) == true, "tc100_protocol_known");
+    expect(tc100_protocol_known(INT64_C(2)) == false, "tc100_protocol_known");
+    expect(tc100_action_status_known(INT64_C(0)) == true, "tc100_action_status_known");
+    expect(tc100_action_status_known(INT64_C(1)) == true, "tc100_action_status_known");
+    expect(tc100_action_status_known(INT64_C(2)) == true, "tc100_action_status_known");
+    expect(tc100_action_status_known(INT64_C(3)) == false, "tc100_action_status_known");
+    expect(tc100_torque_search_direction_known(INT64_C(0)) == true, "tc100_torque_search_direction_known");
+    expect(tc100_torque_search_direction_known(INT64_C(1)) == true, "tc100_torque_search_direction_known");
+    expect(tc100_torque_search_direction_known(INT64_C(2)) == false, "tc100_torque_search_direction_known");
+    expect(tc100_motion_command_known(INT64_C(0)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(1)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(2)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(3)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(4)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(6)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(7)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(8)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(9)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(11)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(12)) == true, "tc100_motion_command_known");
+    expect(tc100_motion_command_known(INT64_C(13)) == false, "tc100_motion_command_known");
+    expect(tc100_parameter_storage_known(INT64_C(0)) == true, "tc100_parameter_storage_known");
+    expect(tc100_parameter_storage_known(INT64_C(1)) == true, "tc100_parameter_storage_known");
+    expect(tc100_parameter_storage_known(INT64_C(2)) == false, "tc100_parameter_storage_known");
+}
+
+static void test_2(void)
+{
+    expect(TC100_READ_REGISTERS_CODE == 3u, "TC100_READ_REGISTERS_CODE");
+    expect(TC100_WRITE_REGISTER_CODE == 6u, "TC100_WRITE_REGISTER_CODE");
+    expect(TC100_WRITE_REGISTERS_CODE == 16u, "TC100_WRITE_REGISTERS_CODE");
+}
+
+static void test_3(void)
+{
     expect(TC100_REG_JOG_POSITIVE_INPUT_ADDRESS == 1537u, "TC100_REG_JOG_POSITIVE_INPUT_ADDRESS");
     expect(TC100_REG_JOG_NEGATIVE_INPUT_ADDRESS == 1538u, "TC100_REG_JOG_NEGATIVE_INPUT_ADDRESS");
     expect(TC100_REG_MANUAL_MODE_INPUT_ADDRESS == 1539u, "TC100_REG_MANUAL_MODE_INPUT_ADDRESS");
@@ -216,7 +370,7 @@ static void test_0(void)
     }
 }
 
-static void test_1(void)
+static void test_4(void)
 {
     static const uint8_t wanted[] = {0x03};
     uint8_t bytes[TC100_EXCEPTION_SIZE];
@@ -230,9 +384,10 @@ static void test_1(void)
     expect(tc100_exception_decode(wanted, sizeof wanted, &out) == TC100_OK, "exception.exception_code decodes");
     expect(out.exception_code == 3u, "exception.exception_code: exception_code");
     expect(tc100_exception_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "exception.exception_code short");
+    expect(tc100_exception_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "exception.exception_code cut");
 }
 
-static void test_2(void)
+static void test_5(void)
 {
     static const uint8_t wanted[] = {0x00, 0x10, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -260,9 +415,10 @@ static void test_2(void)
     expect(out.wait_time == 0u, "point.mode: wait_time");
     expect(out.next_point == (-1), "point.mode: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.mode short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.mode cut");
 }
 
-static void test_3(void)
+static void test_6(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x7F, 0xFF, 0xFF, 0xFF, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -290,9 +446,10 @@ static void test_3(void)
     expect(out.wait_time == 0u, "point.position: wait_time");
     expect(out.next_point == (-1), "point.position: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.position short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.position cut");
 }
 
-static void test_4(void)
+static void test_7(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x64, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -320,9 +477,10 @@ static void test_4(void)
     expect(out.wait_time == 0u, "point.speed: wait_time");
     expect(out.next_point == (-1), "point.speed: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.speed short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.speed cut");
 }
 
-static void test_5(void)
+static void test_8(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x03, 0xE8, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -350,9 +508,10 @@ static void test_5(void)
     expect(out.wait_time == 0u, "point.torque_limit: wait_time");
     expect(out.next_point == (-1), "point.torque_limit: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.torque_limit short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.torque_limit cut");
 }
 
-static void test_6(void)
+static void test_9(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x7F, 0xFF, 0xFF, 0xFF, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -380,9 +539,10 @@ static void test_6(void)
     expect(out.wait_time == 0u, "point.zone_lower_limit: wait_time");
     expect(out.next_point == (-1), "point.zone_lower_limit: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.zone_lower_limit short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.zone_lower_limit cut");
 }
 
-static void test_7(void)
+static void test_10(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x7F, 0xFF, 0xFF, 0xFF, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -410,9 +570,10 @@ static void test_7(void)
     expect(out.wait_time == 0u, "point.zone_upper_limit: wait_time");
     expect(out.next_point == (-1), "point.zone_upper_limit: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.zone_upper_limit short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.zone_upper_limit cut");
 }
 
-static void test_8(void)
+static void test_11(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x75, 0x30, 0xFF, 0xFF};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -440,9 +601,10 @@ static void test_8(void)
     expect(out.wait_time == 30000u, "point.wait_time: wait_time");
     expect(out.next_point == (-1), "point.wait_time: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.wait_time short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.wait_time cut");
 }
 
-static void test_9(void)
+static void test_12(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x80, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x7F};
     uint8_t bytes[TC100_POINT_SIZE];
@@ -470,9 +632,10 @@ static void test_9(void)
     expect(out.wait_time == 0u, "point.next_point: wait_time");
     expect(out.next_point == 127, "point.next_point: next_point");
     expect(tc100_point_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "point.next_point short");
+    expect(tc100_point_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "point.next_point cut");
 }
 
-static void test_10(void)
+static void test_13(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x01};
     uint8_t bytes[TC100_READ_REGISTERS_REQUEST_SIZE];
@@ -488,9 +651,10 @@ static void test_10(void)
     expect(out.address == 65535u, "read_registers_request.address: address");
     expect(out.word_count == 1u, "read_registers_request.address: word_count");
     expect(tc100_read_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "read_registers_request.address short");
+    expect(tc100_read_registers_request_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "read_registers_request.address cut");
 }
 
-static void test_11(void)
+static void test_14(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0x3C};
     uint8_t bytes[TC100_READ_REGISTERS_REQUEST_SIZE];
@@ -506,9 +670,10 @@ static void test_11(void)
     expect(out.address == 0u, "read_registers_request.word_count: address");
     expect(out.word_count == 60u, "read_registers_request.word_count: word_count");
     expect(tc100_read_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "read_registers_request.word_count short");
+    expect(tc100_read_registers_request_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "read_registers_request.word_count cut");
 }
 
-static void test_12(void)
+static void test_15(void)
 {
     static const uint8_t wanted[] = {0x02, 0xFF, 0xFF};
     uint8_t bytes[TC100_READ_REGISTERS_RESPONSE_SIZE];
@@ -524,9 +689,10 @@ static void test_12(void)
     expect(out.values_count == 1u, "read_registers_response.values: values count");
     expect(out.values[0] == 65535u, "read_registers_response.values: values");
     expect(tc100_read_registers_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "read_registers_response.values short");
+    expect(tc100_read_registers_response_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "read_registers_response.values cut");
 }
 
-static void test_13(void)
+static void test_16(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x00};
     uint8_t bytes[TC100_WRITE_REGISTER_REQUEST_SIZE];
@@ -542,9 +708,10 @@ static void test_13(void)
     expect(out.address == 65535u, "write_register_request.address: address");
     expect(out.value == 0u, "write_register_request.address: value");
     expect(tc100_write_register_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_request.address short");
+    expect(tc100_write_register_request_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_register_request.address cut");
 }
 
-static void test_14(void)
+static void test_17(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_WRITE_REGISTER_REQUEST_SIZE];
@@ -560,9 +727,10 @@ static void test_14(void)
     expect(out.address == 0u, "write_register_request.value: address");
     expect(out.value == 65535u, "write_register_request.value: value");
     expect(tc100_write_register_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_request.value short");
+    expect(tc100_write_register_request_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_register_request.value cut");
 }
 
-static void test_15(void)
+static void test_18(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x00};
     uint8_t bytes[TC100_WRITE_REGISTER_RESPONSE_SIZE];
@@ -578,9 +746,10 @@ static void test_15(void)
     expect(out.address == 65535u, "write_register_response.address: address");
     expect(out.value == 0u, "write_register_response.address: value");
     expect(tc100_write_register_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_response.address short");
+    expect(tc100_write_register_response_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_register_response.address cut");
 }
 
-static void test_16(void)
+static void test_19(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0xFF, 0xFF};
     uint8_t bytes[TC100_WRITE_REGISTER_RESPONSE_SIZE];
@@ -596,9 +765,10 @@ static void test_16(void)
     expect(out.address == 0u, "write_register_response.value: address");
     expect(out.value == 65535u, "write_register_response.value: value");
     expect(tc100_write_register_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_register_response.value short");
+    expect(tc100_write_register_response_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_register_response.value cut");
 }
 
-static void test_17(void)
+static void test_20(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x01, 0x02, 0x00, 0x00};
     uint8_t bytes[TC100_WRITE_REGISTERS_REQUEST_SIZE];
@@ -616,9 +786,10 @@ static void test_17(void)
     expect(out.values_count == 1u, "write_registers_request.address: values count");
     expect(out.values[0] == 0u, "write_registers_request.address: values");
     expect(tc100_write_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_request.address short");
+    expect(tc100_write_registers_request_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_registers_request.address cut");
 }
 
-static void test_18(void)
+static void test_21(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0x01, 0x02, 0xFF, 0xFF};
     uint8_t bytes[TC100_WRITE_REGISTERS_REQUEST_SIZE];
@@ -636,9 +807,10 @@ static void test_18(void)
     expect(out.values_count == 1u, "write_registers_request.values: values count");
     expect(out.values[0] == 65535u, "write_registers_request.values: values");
     expect(tc100_write_registers_request_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_request.values short");
+    expect(tc100_write_registers_request_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_registers_request.values cut");
 }
 
-static void test_19(void)
+static void test_22(void)
 {
     static const uint8_t wanted[] = {0xFF, 0xFF, 0x00, 0x01};
     uint8_t bytes[TC100_WRITE_REGISTERS_RESPONSE_SIZE];
@@ -654,9 +826,10 @@ static void test_19(void)
     expect(out.address == 65535u, "write_registers_response.address: address");
     expect(out.word_count == 1u, "write_registers_response.address: word_count");
     expect(tc100_write_registers_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_response.address short");
+    expect(tc100_write_registers_response_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_registers_response.address cut");
 }
 
-static void test_20(void)
+static void test_23(void)
 {
     static const uint8_t wanted[] = {0x00, 0x00, 0x00, 0x3B};
     uint8_t bytes[TC100_WRITE_REGISTERS_RESPONSE_SIZE];
@@ -672,9 +845,10 @@ static void test_20(void)
     expect(out.address == 0u, "write_registers_response.word_count: address");
     expect(out.word_count == 59u, "write_registers_response.word_count: word_count");
     expect(tc100_write_registers_response_encode(&in, bytes, sizeof wanted - 1, &length) == TC100_ERR_CAPACITY, "write_registers_response.word_count short");
+    expect(tc100_write_registers_response_decode(wanted, sizeof wanted - 1, &out) != TC100_OK, "write_registers_response.word_count cut");
 }
 
-static void test_21(void)
+static void test_24(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -688,7 +862,7 @@ static void test_21(void)
     expect(out == 65535u, "jog_positive_input 65535");
 }
 
-static void test_22(void)
+static void test_25(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -702,7 +876,7 @@ static void test_22(void)
     expect(out == 65535u, "jog_negative_input 65535");
 }
 
-static void test_23(void)
+static void test_26(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -716,7 +890,7 @@ static void test_23(void)
     expect(out == 65535u, "manual_mode_input 65535");
 }
 
-static void test_24(void)
+static void test_27(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -730,7 +904,7 @@ static void test_24(void)
     expect(out == 65535u, "teach_input 65535");
 }
 
-static void test_25(void)
+static void test_28(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -744,7 +918,7 @@ static void test_25(void)
     expect(out == 65535u, "lock_input 65535");
 }
 
-static void test_26(void)
+static void test_29(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -758,7 +932,7 @@ static void test_26(void)
     expect(out == 65535u, "point_select_bit_4_input 65535");
 }
 
-static void test_27(void)
+static void test_30(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -772,7 +946,7 @@ static void test_27(void)
     expect(out == 65535u, "point_select_bit_5_input 65535");
 }
 
-static void test_28(void)
+static void test_31(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -786,7 +960,7 @@ static void test_28(void)
     expect(out == 65535u, "point_select_bit_6_input 65535");
 }
 
-static void test_29(void)
+static void test_32(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -800,7 +974,7 @@ static void test_29(void)
     expect(out == 65535u, "homing_sensor_input 65535");
 }
 
-static void test_30(void)
+static void test_33(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -814,7 +988,7 @@ static void test_30(void)
     expect(out == 65535u, "brake_input 65535");
 }
 
-static void test_31(void)
+static void test_34(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -828,7 +1002,7 @@ static void test_31(void)
     expect(out == 65535u, "full_count_input 65535");
 }
 
-static void test_32(void)
+static void test_35(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -842,7 +1016,7 @@ static void test_32(void)
     expect(out == 65535u, "in_position_output 65535");
 }
 
-static void test_33(void)
+static void test_36(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -856,7 +1030,7 @@ static void test_33(void)
     expect(out == 65535u, "alarm_output 65535");
 }
 
-static void test_34(void)
+static void test_37(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -870,7 +1044,7 @@ static void test_34(void)
     expect(out == 65535u, "ready_output 65535");
 }
 
-static void test_35(void)
+static void test_38(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -884,7 +1058,7 @@ static void test_35(void)
     expect(out == 65535u, "moving_output 65535");
 }
 
-static void test_36(void)
+static void test_39(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -898,7 +1072,7 @@ static void test_36(void)
     expect(out == 65535u, "servo_on_output 65535");
 }
 
-static void test_37(void)
+static void test_40(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -912,7 +1086,7 @@ static void test_37(void)
     expect(out == 65535u, "point_select_bit_0_output 65535");
 }
 
-static void test_38(void)
+static void test_41(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -926,7 +1100,7 @@ static void test_38(void)
     expect(out == 65535u, "point_select_bit_1_output 65535");
 }
 
-static void test_39(void)
+static void test_42(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -940,7 +1114,7 @@ static void test_39(void)
     expect(out == 65535u, "point_select_bit_2_output 65535");
 }
 
-static void test_40(void)
+static void test_43(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -954,7 +1128,7 @@ static void test_40(void)
     expect(out == 65535u, "point_select_bit_3_output 65535");
 }
 
-static void test_41(void)
+static void test_44(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -968,7 +1142,7 @@ static void test_41(void)
     expect(out == 65535u, "point_select_bit_4_output 65535");
 }
 
-static void test_42(void)
+static void test_45(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -982,7 +1156,7 @@ static void test_42(void)
     expect(out == 65535u, "point_select_bit_5_output 65535");
 }
 
-static void test_43(void)
+static void test_46(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -996,7 +1170,7 @@ static void test_43(void)
     expect(out == 65535u, "point_select_bit_6_output 65535");
 }
 
-static void test_44(void)
+static void test_47(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1010,7 +1184,7 @@ static void test_44(void)
     expect(out == 65535u, "torque_limit_output 65535");
 }
 
-static void test_45(void)
+static void test_48(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1024,7 +1198,7 @@ static void test_45(void)
     expect(out == 65535u, "error_bit_0_output 65535");
 }
 
-static void test_46(void)
+static void test_49(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1038,7 +1212,7 @@ static void test_46(void)
     expect(out == 65535u, "error_bit_1_output 65535");
 }
 
-static void test_47(void)
+static void test_50(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1052,7 +1226,7 @@ static void test_47(void)
     expect(out == 65535u, "error_bit_2_output 65535");
 }
 
-static void test_48(void)
+static void test_51(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1066,7 +1240,7 @@ static void test_48(void)
     expect(out == 65535u, "error_bit_3_output 65535");
 }
 
-static void test_49(void)
+static void test_52(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1080,7 +1254,7 @@ static void test_49(void)
     expect(out == 65535u, "zone_output 65535");
 }
 
-static void test_50(void)
+static void test_53(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1094,7 +1268,7 @@ static void test_50(void)
     expect(out == 65535u, "near_output 65535");
 }
 
-static void test_51(void)
+static void test_54(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1108,7 +1282,7 @@ static void test_51(void)
     expect(out == 65535u, "soft_limit_output 65535");
 }
 
-static void test_52(void)
+static void test_55(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1126,7 +1300,7 @@ static void test_52(void)
     expect(out == 2147483647, "relative_distance 2147483647");
 }
 
-static void test_53(void)
+static void test_56(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1144,7 +1318,7 @@ static void test_53(void)
     expect(out == 2147483647, "absolute_position 2147483647");
 }
 
-static void test_54(void)
+static void test_57(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1158,7 +1332,7 @@ static void test_54(void)
     expect(out == 1u, "torque_search_direction 1");
 }
 
-static void test_55(void)
+static void test_58(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1176,7 +1350,7 @@ static void test_55(void)
     expect(out == 2147483647, "preset_position 2147483647");
 }
 
-static void test_56(void)
+static void test_59(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1190,7 +1364,7 @@ static void test_56(void)
     expect(out == 1u, "servo 1");
 }
 
-static void test_57(void)
+static void test_60(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1204,7 +1378,7 @@ static void test_57(void)
     expect(out == 100u, "motion_speed 100");
 }
 
-static void test_58(void)
+static void test_61(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1254,7 +1428,7 @@ static void test_58(void)
     expect(out == 12u, "motion_command 12");
 }
 
-static void test_59(void)
+static void test_62(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1268,7 +1442,7 @@ static void test_59(void)
     expect(out == 16383u, "simulated_inputs 16383");
 }
 
-static void test_60(void)
+static void test_63(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1282,7 +1456,17 @@ static void test_60(void)
     expect(out == 1u, "parameter_storage 1");
 }
 
-static void test_61(void)
+static void test_64(void)
+{
+    uint8_t bytes[8];
+    expect(tc100_reg_write_enable_key_encode(bytes) == TC100_OK, "write_enable_key");
+    expect(memcmp(bytes, "\114\166\060\061\124\171\126\147", 8u) == 0, "write_enable_key bytes");
+    expect(tc100_reg_write_enable_key_decode(bytes) == TC100_OK, "write_enable_key");
+    bytes[0] ^= 1;
+    expect(tc100_reg_write_enable_key_decode(bytes) == TC100_ERR_WRONG_CONST, "write_enable_key wrong");
+}
+
+static void test_65(void)
 {
     uint8_t bytes[4];
     uint32_t out = 0;
@@ -1296,7 +1480,7 @@ static void test_61(void)
     expect(out == 100000u, "full_count_limit 100000");
 }
 
-static void test_62(void)
+static void test_66(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1310,7 +1494,7 @@ static void test_62(void)
     expect(out == 1000u, "in_position_zone 1000");
 }
 
-static void test_63(void)
+static void test_67(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1324,7 +1508,7 @@ static void test_63(void)
     expect(out == 10000u, "electronic_gear_numerator 10000");
 }
 
-static void test_64(void)
+static void test_68(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1338,7 +1522,7 @@ static void test_64(void)
     expect(out == 10000u, "electronic_gear_denominator 10000");
 }
 
-static void test_65(void)
+static void test_69(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1352,7 +1536,7 @@ static void test_65(void)
     expect(out == 1u, "pulse_rotation_direction 1");
 }
 
-static void test_66(void)
+static void test_70(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1370,7 +1554,7 @@ static void test_66(void)
     expect(out == 2u, "pulse_input_form 2");
 }
 
-static void test_67(void)
+static void test_71(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1384,7 +1568,7 @@ static void test_67(void)
     expect(out == 10000u, "near_zone 10000");
 }
 
-static void test_68(void)
+static void test_72(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1398,7 +1582,7 @@ static void test_68(void)
     expect(out == 1000u, "push_torque_positive 1000");
 }
 
-static void test_69(void)
+static void test_73(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1412,7 +1596,7 @@ static void test_69(void)
     expect(out == 1000u, "push_torque_negative 1000");
 }
 
-static void test_70(void)
+static void test_74(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1426,7 +1610,7 @@ static void test_70(void)
     expect(out == 10000u, "torque_limit_time 10000");
 }
 
-static void test_71(void)
+static void test_75(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1440,7 +1624,7 @@ static void test_71(void)
     expect(out == 500u, "position_correction_speed_limit 500");
 }
 
-static void test_72(void)
+static void test_76(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1454,7 +1638,7 @@ static void test_72(void)
     expect(out == 650u, "maximum_torque 650");
 }
 
-static void test_73(void)
+static void test_77(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1468,7 +1652,7 @@ static void test_73(void)
     expect(out == 10000u, "full_torque_time 10000");
 }
 
-static void test_74(void)
+static void test_78(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1482,7 +1666,7 @@ static void test_74(void)
     expect(out == 1u, "control_mode 1");
 }
 
-static void test_75(void)
+static void test_79(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1496,7 +1680,7 @@ static void test_75(void)
     expect(out == 1u, "servo_at_power_on 1");
 }
 
-static void test_76(void)
+static void test_80(void)
 {
     uint8_t bytes[4];
     uint32_t out = 0;
@@ -1510,7 +1694,7 @@ static void test_76(void)
     expect(out == 4294967295u, "start_speed 4294967295");
 }
 
-static void test_77(void)
+static void test_81(void)
 {
     uint8_t bytes[4];
     uint32_t out = 0;
@@ -1524,7 +1708,7 @@ static void test_77(void)
     expect(out == 4294967295u, "maximum_speed 4294967295");
 }
 
-static void test_78(void)
+static void test_82(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1538,7 +1722,7 @@ static void test_78(void)
     expect(out == 30000u, "acceleration_time 30000");
 }
 
-static void test_79(void)
+static void test_83(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1552,7 +1736,7 @@ static void test_79(void)
     expect(out == 30000u, "deceleration_time 30000");
 }
 
-static void test_80(void)
+static void test_84(void)
 {
     uint8_t bytes[4];
     uint32_t out = 0;
@@ -1566,7 +1750,7 @@ static void test_80(void)
     expect(out == 4294967295u, "torque_limit_press_distance 4294967295");
 }
 
-static void test_81(void)
+static void test_85(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1580,7 +1764,7 @@ static void test_81(void)
     expect(out == 1u, "moving_state_rule 1");
 }
 
-static void test_82(void)
+static void test_86(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1594,7 +1778,7 @@ static void test_82(void)
     expect(out == 1000u, "jog_speed 1000");
 }
 
-static void test_83(void)
+static void test_87(void)
 {
     uint8_t bytes[4];
     uint32_t out = 0;
@@ -1608,7 +1792,7 @@ static void test_83(void)
     expect(out == 4294967295u, "jog_distance 4294967295");
 }
 
-static void test_84(void)
+static void test_88(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1622,7 +1806,7 @@ static void test_84(void)
     expect(out == 1000u, "jog_wait_time 1000");
 }
 
-static void test_85(void)
+static void test_89(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1640,7 +1824,7 @@ static void test_85(void)
     expect(out == 2147483647, "soft_limit_positive 2147483647");
 }
 
-static void test_86(void)
+static void test_90(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1658,7 +1842,7 @@ static void test_86(void)
     expect(out == 2147483647, "soft_limit_negative 2147483647");
 }
 
-static void test_87(void)
+static void test_91(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1696,7 +1880,7 @@ static void test_87(void)
     expect(out == 7u, "homing_mode 7");
 }
 
-static void test_88(void)
+static void test_92(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1710,7 +1894,7 @@ static void test_88(void)
     expect(out == 100u, "homing_speed 100");
 }
 
-static void test_89(void)
+static void test_93(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1728,7 +1912,7 @@ static void test_89(void)
     expect(out == 2147483647, "homing_offset 2147483647");
 }
 
-static void test_90(void)
+static void test_94(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1742,7 +1926,7 @@ static void test_90(void)
     expect(out == 100u, "homing_offset_speed 100");
 }
 
-static void test_91(void)
+static void test_95(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1760,7 +1944,7 @@ static void test_91(void)
     expect(out == 2147483647, "homing_position 2147483647");
 }
 
-static void test_92(void)
+static void test_96(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1774,7 +1958,7 @@ static void test_92(void)
     expect(out == 1000u, "homing_torque_limit 1000");
 }
 
-static void test_93(void)
+static void test_97(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1792,7 +1976,7 @@ static void test_93(void)
     expect(out == 2147483647, "homing_z_phase_offset 2147483647");
 }
 
-static void test_94(void)
+static void test_98(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1806,7 +1990,7 @@ static void test_94(void)
     expect(out == 1000u, "homing_torque_limit_time 1000");
 }
 
-static void test_95(void)
+static void test_99(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1820,7 +2004,7 @@ static void test_95(void)
     expect(out == 100u, "homing_z_phase_speed_1 100");
 }
 
-static void test_96(void)
+static void test_100(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1834,7 +2018,7 @@ static void test_96(void)
     expect(out == 100u, "homing_z_phase_speed_2 100");
 }
 
-static void test_97(void)
+static void test_101(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1860,7 +2044,7 @@ static void test_97(void)
     expect(out == 4u, "baud_rate 4");
 }
 
-static void test_98(void)
+static void test_102(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1874,7 +2058,7 @@ static void test_98(void)
     expect(out == 1u, "data_bits 1");
 }
 
-static void test_99(void)
+static void test_103(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1892,7 +2076,7 @@ static void test_99(void)
     expect(out == 2u, "parity 2");
 }
 
-static void test_100(void)
+static void test_104(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1906,7 +2090,7 @@ static void test_100(void)
     expect(out == 1u, "protocol 1");
 }
 
-static void test_101(void)
+static void test_105(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1924,7 +2108,7 @@ static void test_101(void)
     expect(out == 2u, "action_status 2");
 }
 
-static void test_102(void)
+static void test_106(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -1938,7 +2122,7 @@ static void test_102(void)
     expect(out == 65535u, "alarm 65535");
 }
 
-static void test_103(void)
+static void test_107(void)
 {
     uint8_t bytes[2];
     int16_t out = 0;
@@ -1956,7 +2140,7 @@ static void test_103(void)
     expect(out == 32767, "motor_speed 32767");
 }
 
-static void test_104(void)
+static void test_108(void)
 {
     uint8_t bytes[2];
     int16_t out = 0;
@@ -1974,7 +2158,7 @@ static void test_104(void)
     expect(out == 32767, "motor_current 32767");
 }
 
-static void test_105(void)
+static void test_109(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -1992,7 +2176,7 @@ static void test_105(void)
     expect(out == 2147483647, "command_position 2147483647");
 }
 
-static void test_106(void)
+static void test_110(void)
 {
     uint8_t bytes[4];
     int32_t out = 0;
@@ -2010,7 +2194,7 @@ static void test_106(void)
     expect(out == 2147483647, "encoder_position 2147483647");
 }
 
-static void test_107(void)
+static void test_111(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -2024,7 +2208,7 @@ static void test_107(void)
     expect(out == 65535u, "fault 65535");
 }
 
-static void test_108(void)
+static void test_112(void)
 {
     uint8_t bytes[2];
     int16_t out = 0;
@@ -2038,7 +2222,7 @@ static void test_108(void)
     expect(out == 127, "executed_point 127");
 }
 
-static void test_109(void)
+static void test_113(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -2052,7 +2236,7 @@ static void test_109(void)
     expect(out == 1023u, "output_states 1023");
 }
 
-static void test_110(void)
+static void test_114(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -2066,7 +2250,7 @@ static void test_110(void)
     expect(out == 32767u, "input_states 32767");
 }
 
-static void test_111(void)
+static void test_115(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -2080,7 +2264,7 @@ static void test_111(void)
     expect(out == 65535u, "alarm_history 65535");
 }
 
-static void test_112(void)
+static void test_116(void)
 {
     uint8_t bytes[2];
     uint16_t out = 0;
@@ -2094,7 +2278,7 @@ static void test_112(void)
     expect(out == 65535u, "firmware_version 65535");
 }
 
-static void test_113(void)
+static void test_117(void)
 {
     static const uint8_t frame[] = {0x01, 0x06, 0x20, 0x1E, 0x00, 0x03, 0xA2, 0x0D};
     tc100_rtu_request_frame opened;
@@ -2116,7 +2300,7 @@ static void test_113(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-homing bytes");
 }
 
-static void test_114(void)
+static void test_118(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x36, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x38, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2139,7 +2323,7 @@ static void test_114(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-homing bytes");
 }
 
-static void test_115(void)
+static void test_119(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x31, 0x30, 0x39, 0x39, 0x39, 0x42, 0x30, 0x30, 0x30, 0x34, 0x30, 0x38, 0x34, 0x43, 0x37, 0x36, 0x33, 0x30, 0x33, 0x31, 0x35, 0x34, 0x37, 0x39, 0x35, 0x36, 0x36, 0x37, 0x30, 0x32, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2170,7 +2354,7 @@ static void test_115(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-write-enable bytes");
 }
 
-static void test_116(void)
+static void test_120(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x34, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x41, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2179,7 +2363,7 @@ static void test_116(void)
     expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_ERR_UNKNOWN_CODE, "example unknown-function-04-request");
 }
 
-static void test_117(void)
+static void test_121(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x38, 0x34, 0x30, 0x31, 0x37, 0x41, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2201,7 +2385,7 @@ static void test_117(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example unknown-function-04-response bytes");
 }
 
-static void test_118(void)
+static void test_122(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x39, 0x30, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x32, 0x45, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2210,7 +2394,7 @@ static void test_118(void)
     expect(tc100_ascii_request_open(frame, sizeof frame, buffer, sizeof buffer, &opened) == TC100_ERR_UNKNOWN_CODE, "example unknown-function-90-request");
 }
 
-static void test_119(void)
+static void test_123(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x39, 0x30, 0x30, 0x31, 0x36, 0x45, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2232,7 +2416,7 @@ static void test_119(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example unknown-function-90-response bytes");
 }
 
-static void test_120(void)
+static void test_124(void)
 {
     static const uint8_t frame[] = {0x01, 0x03, 0x10, 0x00, 0x00, 0x01, 0x80, 0xCA};
     tc100_rtu_request_frame opened;
@@ -2254,7 +2438,7 @@ static void test_120(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-read-action-status bytes");
 }
 
-static void test_121(void)
+static void test_125(void)
 {
     static const uint8_t frame[] = {0x01, 0x06, 0x20, 0x1E, 0x00, 0x03, 0xA2, 0x0D};
     tc100_rtu_request_frame opened;
@@ -2276,7 +2460,7 @@ static void test_121(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-homing-8.4 bytes");
 }
 
-static void test_122(void)
+static void test_126(void)
 {
     static const uint8_t frame[] = {0x01, 0x10, 0x20, 0x00, 0x00, 0x02, 0x04, 0x00, 0x00, 0x00, 0x64, 0x6B, 0x85};
     tc100_rtu_request_frame opened;
@@ -2302,7 +2486,7 @@ static void test_122(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example rtu-write-relative-distance bytes");
 }
 
-static void test_123(void)
+static void test_127(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x33, 0x31, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x31, 0x45, 0x42, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2325,7 +2509,7 @@ static void test_123(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-read-action-status bytes");
 }
 
-static void test_124(void)
+static void test_128(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x30, 0x36, 0x32, 0x30, 0x31, 0x45, 0x30, 0x30, 0x30, 0x33, 0x42, 0x38, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2348,7 +2532,7 @@ static void test_124(void)
     expect(length == sizeof frame && memcmp(again, frame, length) == 0, "example ascii-homing-8.5 bytes");
 }
 
-static void test_125(void)
+static void test_129(void)
 {
     static const uint8_t frame[] = {0x3A, 0x30, 0x31, 0x31, 0x30, 0x32, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x32, 0x30, 0x34, 0x30, 0x30, 0x30, 0x30, 0x30, 0x30, 0x36, 0x34, 0x36, 0x35, 0x0D, 0x0A};
     uint8_t buffer[sizeof frame];
@@ -2503,6 +2687,10 @@ int main(void)
     test_123();
     test_124();
     test_125();
+    test_126();
+    test_127();
+    test_128();
+    test_129();
     printf("%u passed, %u failed\n", passed, failed);
     return failed ? 1 : 0;
 }

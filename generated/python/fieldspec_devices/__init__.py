@@ -3,14 +3,16 @@
 Nothing here opens a port: bytes go in, objects come out, and the other way round. A device's subpackage gives
 the newest version that its spec knows; each version has a module of its own beside it.
 
-Everything that is wrong in bytes or values is a `CodecError`.
+Everything that is wrong in bytes or values is a `CodecError`. A firmware that a spec does not know is an
+`UnknownFirmwareError`.
 """
 
 from ._error import CodecError
+from ._firmware import UnknownFirmwareError
 from ._flags import Flags
 from ._framers import Framer
 from ._frames import ErrorReply, Request, Response
-from ._parameters import Parameter, ParameterSet
+from ._parameters import Parameter, ParameterSet, ParameterSpace, Subindex
 from ._registers import Register, RegisterArray, Table
 
 __all__ = [
@@ -20,9 +22,12 @@ __all__ = [
     "Framer",
     "Parameter",
     "ParameterSet",
+    "ParameterSpace",
     "Register",
     "RegisterArray",
     "Request",
     "Response",
+    "Subindex",
     "Table",
+    "UnknownFirmwareError",
 ]

@@ -6,19 +6,31 @@ from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import Final
+    from typing import ClassVar, Final
 
 
 class Flags:
     """A word, and its bits as properties. It keeps the bits that have no name.
 
-    An `IntFlag` would keep every value that it ever saw, and take several times as long.
+    Bits given by name are changed in `raw`; fields of several bits take numbers. Raises CodecError where a number
+    does not fit its bits. An `IntFlag` would keep every value that it ever saw, and take several times as long.
     """
 
     __slots__ = ("raw",)
+    _BITS: ClassVar[dict[str, tuple[int, int]]] = {}
 
-    def __init__(self, raw: int = 0) -> None:
-        self.raw: Final = raw
+    def __init__(self, raw: int = 0, **bits: int) -> None:
+        self.raw: Final = self._changed(raw, bits) if bits else raw
+
+    def _changed(self, raw: int, bits: dict[str, int]) -> int:
+        for name, value in bits.items():
+            if name not in self._BITS:
+                raise TypeError(f"{self.__class__.__name__} has no bit {name}")
+            first, most = self._BITS[name]
+            if not 0 <= value <= most:
+                raise CodecError("out_of_range", f"{name} is {int(value)}, not in 0..{most}")
+            raw = raw & ~(most << first) | value << first
+        return raw
 
     def __int__(self) -> int:
         return self.raw
@@ -41,10 +53,3 @@ class Flags:
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raise NotImplementedError
-
-
-def field_of_bits(name: str, value: int, most: int) -> int:
-    """A value for a field of several bits. Raises CodecError where it does not fit."""
-    if not 0 <= value <= most:
-        raise CodecError("out_of_range", f"{name} is {value}, not in 0..{most}")
-    return value

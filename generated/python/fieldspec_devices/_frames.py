@@ -7,7 +7,7 @@ from binascii import hexlify, unhexlify
 from struct import Struct
 
 from ._checks import crc16_modbus, lrc, sum8
-from ._error import CodecError
+from ._error import CodecError, wrong_const
 from ._typing import TYPE_CHECKING, Generic, M, R
 
 if TYPE_CHECKING:
@@ -85,7 +85,8 @@ class Frames:
     """The frames of one link in one direction: start mark, head, body, check, end mark.
 
     `head` is the format of the head's Struct; `code` and `length` are the places of these parts in it, -1 where
-    there is none. The length is that of all parts.
+    there is none. The length is that of all parts. `constants` are parts of the head that are always the same: place,
+    name, value and offset of each.
     """
 
     __slots__ = (
@@ -93,6 +94,7 @@ class Frames:
         "check_order",
         "code",
         "code_offset",
+        "constants",
         "end",
         "head",
         "head_size",
@@ -120,6 +122,7 @@ class Frames:
         start: bytes = b"",
         end: bytes = b"",
         hexadecimal: bool = False,
+        constants: tuple[tuple[int, str, int, int], ...] = (),
     ) -> None:
         self.head = Struct(head)
         self.head_size = self.head.size
@@ -128,7 +131,7 @@ class Frames:
         self.check_order: Literal["big", "little"] = check_order
         self.code, self.code_offset = code, code_offset
         self.length, self.length_offset, self.length_name, self.longest = length, length_offset, length_name, longest
-        self.start, self.end, self.hexadecimal = start, end, hexadecimal
+        self.start, self.end, self.hexadecimal, self.constants = start, end, hexadecimal, constants
 
     def unmarked(self, frame: Data) -> Data:
         """A frame without its marks, as bytes instead of characters. Raises CodecError."""
@@ -170,8 +173,10 @@ class Frames:
             if have != want:
                 width = 2 * self.tail_size
                 raise CodecError("wrong_check", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
-            return head, data[self.head_size : at]
-        return head, data[self.head_size :]
+        for place, name, const, offset in self.constants:
+            if head[place] != const:
+                raise wrong_const(name, head[place], const, offset)
+        return head, data[self.head_size : size - self.tail_size]
 
     def joined(self, head: list[int], body: bytes) -> bytes:
         """The whole frame of a head, whose length is filled in, and a body. Raises CodecError."""
@@ -193,6 +198,13 @@ class Frames:
         if wanted is not None and wanted != code:
             raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
         return self.body(found, body)
+
+    def named(self, classes: dict[int | str, Any], name: int | str) -> Any:
+        """The class of the message with a number or a name. Raises CodecError."""
+        found = classes.get(name)
+        if found is None:
+            raise CodecError("unknown_code", f"no message here is {name!r}")
+        return found
 
     def body(self, record: Any, body: Data) -> Any:
         """The data of a known message. Raises CodecError."""

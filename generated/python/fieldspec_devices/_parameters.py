@@ -1,35 +1,115 @@
-"""Parameters that are addressed by number."""
+"""Parameters that are addressed by number, in sets, whose numbers on the wire may be shared by several sets."""
 
 from __future__ import annotations
 
 from struct import Struct
 from struct import error as StructError
 
+from ._conversions import counts
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
-from ._values import Value
+from ._values import Unknown, Value
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any
+    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from typing import Any, TypeAlias
+
+    Rows: TypeAlias = "Mapping[str, Parameter[Any] | tuple[Parameter[Any], ...]]"
+
+
+class Subindex:
+    """Elements of a parameter that have a meaning of their own; `indices` are intervals with both ends."""
+
+    __slots__ = ("indices", "name", "reserved", "source", "type", "value")
+
+    def __init__(
+        self,
+        name: str,
+        indices: tuple[tuple[int, int], ...],
+        value: Value[Any],
+        *,
+        type: str = "",
+        reserved: bool = False,
+        source: str = "",
+    ) -> None:
+        self.name, self.indices, self.value, self.type = name, indices, value, type
+        self.reserved, self.source = reserved, source
+
+    def __contains__(self, index: int) -> bool:
+        return any(first <= index <= last for first, last in self.indices)
+
+    def __repr__(self) -> str:
+        return f"<subindex {', '.join(f'{a}' if a == b else f'{a}..{b}' for a, b in self.indices)} {self.name}>"
 
 
 class Parameter(Generic[T]):
-    """One parameter. Its value is of type T; a message carries it as a whole number or as bytes.
+    """One parameter. Its value is of type T; a message carries it as a number or as bytes.
 
-    `access` is ro, rw or wo, and empty where the manual does not say it.
+    `number` counts as the manual does in the set with the name `set`, and `wire_number` is the one on the wire;
+    `printed_name` is the name that the manual gives it, or its number as the manual writes it. `type` is its type on
+    the wire. Where the manual tells nothing of a parameter but that there is one, `name`, `type` and `source` are
+    empty. `default` is a count. `elements` is the length of an array, None where it is none. `access` is ro, rw or wo,
+    and empty where the manual does not say it; so is `restart` None. `applies_to` and `messages` say for what, and with
+    which messages, it has an effect, and `only` which versions or models have it; they are empty where the manual makes
+    no difference.
     """
 
-    __slots__ = ("access", "carrier", "name", "number", "reserved", "value")
+    __slots__ = (
+        "access",
+        "applies_to",
+        "carrier",
+        "default",
+        "elements",
+        "messages",
+        "name",
+        "number",
+        "only",
+        "printed_name",
+        "reserved",
+        "restart",
+        "set",
+        "source",
+        "subindices",
+        "type",
+        "value",
+        "wire_number",
+    )
 
     def __init__(
-        self, name: str, number: int, value: Value[T], access: str = "", *, carrier: str, reserved: bool = False
+        self,
+        name: str,
+        number: int,
+        value: Value[T],
+        access: str = "",
+        *,
+        type: str = "",
+        carrier: str = "",
+        printed_name: str = "",
+        default: int | str | None = None,
+        elements: int | None = None,
+        subindices: tuple[Subindex, ...] = (),
+        restart: bool | None = None,
+        applies_to: tuple[str, ...] = (),
+        messages: tuple[str, ...] = (),
+        only: tuple[str, ...] = (),
+        reserved: bool = False,
+        source: str = "",
+        set: str = "",
+        base: int = 0,
     ) -> None:
         self.name, self.number, self.value, self.access = name, number, value, access
-        self.carrier, self.reserved = Struct(carrier), reserved
+        self.type, self.carrier, self.printed_name, self.default = type, carrier, printed_name or str(number), default
+        self.elements, self.subindices, self.restart = elements, subindices, restart
+        self.applies_to, self.messages, self.reserved, self.source = applies_to, messages, reserved, source
+        self.only, self.set, self.wire_number = only, set, base + number
 
     def __repr__(self) -> str:
-        return f"<parameter {self.number} {self.name}>"
+        return f"<parameter {' '.join(word for word in (self.printed_name, self.name) if word)}>"
+
+    @property
+    def title(self) -> str:
+        """What errors call it: its name, or where it has none its printed name."""
+        return self.name or self.printed_name
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
@@ -46,52 +126,142 @@ class Parameter(Generic[T]):
         """What one count is worth in the unit."""
         return self.value.ratio[0] / self.value.ratio[2]
 
+    def in_unit(self, count: int) -> float:
+        """A count in the unit."""
+        a, b, c = self.value.ratio
+        return (count * a + b) / c
+
+    def from_unit(self, value: float) -> int:
+        """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
+        return counts(self.title, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+
+    def subindex(self, index: int) -> Subindex | None:
+        """What the manual tells of the element with an index; None where it makes no difference."""
+        return next((held for held in self.subindices if index in held), None)
+
     def decode(self, data: bytes) -> T:
         """The value of exactly all of its bytes. Raises CodecError."""
-        return self.value.decode(self.name, data)
+        return self.value.decode(self.title, data)
 
     def encode(self, value: T) -> bytes:
         """The bytes of a value. Raises CodecError where it is out of range."""
-        return self.value.encode(self.name, value)
+        return self.value.encode(self.title, value)
 
     def writable(self) -> None:
         """Raises CodecError for a parameter that can only be read."""
         if self.access == "ro":
-            raise CodecError("read_only", f"{self.name} can only be read")
+            raise CodecError("read_only", f"{self.title} can only be read")
 
-    def from_raw(self, raw: int) -> T:
-        """The value of the number that a message carries. Raises CodecError."""
+    def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
+        """The value of what a message carries for it, or for its element with an index. Raises CodecError."""
+        held = self.subindex(subindex) if self.subindices else None
+        value: Value[T] = self.value if held is None else held.value
+        return value.of_carried(self._title(held), raw)
+
+    def to_raw(self, value: T, subindex: int = 0) -> Any:
+        """What a message carries for a value. Raises CodecError where the value is out of range."""
+        held = self.subindex(subindex) if self.subindices else None
+        if not self.carrier or held is not None:
+            own = self.value if held is None else held.value
+            error = own.refused(self._title(held), value)
+            if error is not None:
+                raise error
+            return own.to_raw(value)
         try:
-            data = self.carrier.pack(raw)
+            return Struct(self.carrier).unpack(self.encode(value))[0]
         except StructError:
-            raise CodecError("out_of_range", f"{self.name} is {raw!r}, which no message can carry") from None
-        return self.decode(data)
+            raise CodecError("out_of_range", f"no message can carry {self.title}") from None
 
-    def to_raw(self, value: T) -> int:
-        """The number by which a message carries a value. Raises CodecError where the value is out of range."""
-        raw: int = self.carrier.unpack(self.encode(value))[0]
-        return raw
+    def from_raws(self, raws: Sequence[float | str | bytes], subindex: int = 0) -> list[T]:
+        """The values of its elements, of which `subindex` is the first one. Raises CodecError."""
+        return [self.from_raw(raw, subindex + place) for place, raw in enumerate(raws)]
+
+    def to_raws(self, values: Sequence[T], subindex: int = 0) -> list[Any]:
+        """What a message carries for the values of its elements. Raises CodecError."""
+        return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
+
+    def _title(self, held: Subindex | None) -> str:
+        return self.title if held is None else f"{self.title}.{held.name}"
 
 
 class ParameterSet:
-    """The parameters of a set, in the order of their numbers; each is an attribute too."""
+    """The parameters of a set, in the order of their numbers; each is an attribute too, a run of them a tuple.
 
-    __slots__ = ("_parameters",)
+    `space` is that of the numbers on the wire, which are those of the set with `base` added. `numbers` are all that the
+    set has, as intervals, where they are more than those that the manual tells of. `printed_as` is how it writes one.
+    """
 
-    def __init__(self, parameters: Sequence[Parameter[Any]]) -> None:
-        self._parameters = {parameter.number: parameter for parameter in parameters}
+    __slots__ = ("_index", "_make", "_rows", "base", "name", "numbers", "printed_as", "space", "title")
+
+    def __init__(
+        self,
+        name: str,
+        make: Callable[[], Rows],
+        *,
+        title: str = "",
+        space: str = "",
+        base: int = 0,
+        numbers: tuple[tuple[int, int], ...] = (),
+        printed_as: str = "",
+    ) -> None:
+        self.name, self.title, self.space, self.base = name, title, space or name, base
+        self.numbers, self.printed_as = numbers, printed_as
+        self._make: Callable[[], Rows] = make
+        self._rows: dict[str, Any] = {}
+        self._index: dict[int, Parameter[Any]] = {}
+
+    def _made(self) -> dict[int, Parameter[Any]]:
+        """All rows by number; they are made when one is asked for, as few programs need many of them."""
+        if not self._index:
+            self._rows |= self._make()
+            for row in self._rows.values():
+                for parameter in row if isinstance(row, tuple) else (row,):
+                    self._index[parameter.number] = parameter
+        return self._index
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            if not name.startswith("_"):
+                self._made()
+                if name in self._rows:
+                    return self._rows[name]
+            raise AttributeError(f"{self.__class__.__name__} has no parameter {name}")
+
+    def __dir__(self) -> list[str]:
+        self._made()
+        return [*super().__dir__(), *self._rows]
 
     def __len__(self) -> int:
-        return len(self._parameters)
+        return len(self._made())
 
     def __iter__(self) -> Iterator[Parameter[Any]]:
-        return iter(self._parameters.values())
+        return iter(self._made().values())
+
+    def __contains__(self, number: int) -> bool:
+        return number in self._made() or any(first <= number <= last for first, last in self.numbers)
 
     def __getitem__(self, number: int) -> Parameter[Any]:
-        try:
-            return self._parameters[number]
-        except KeyError:
-            raise IndexError(f"there is no parameter {number}") from None
+        """The parameter with a number of the set. Raises IndexError."""
+        found = self._made().get(number)
+        if found is None and number not in self:
+            raise IndexError(f"there is no parameter {number}")
+        return found or self._untold(number)
+
+    def __call__(self, wire_number: int) -> Parameter[Any]:
+        """The parameter with a number on the wire. Raises CodecError for a number that the set does not have."""
+        if wire_number - self.base not in self:
+            raise no_parameter(self.space, wire_number)
+        return self[wire_number - self.base]
+
+    def _untold(self, number: int) -> Parameter[Any]:
+        """A parameter of which nothing is known but that there is one."""
+        unknown: Value[Any] = Unknown()
+        return Parameter("", number, unknown, printed_name=self.written(number), set=self.name, base=self.base)
+
+    def written(self, number: int) -> str:
+        """A number of the set as the manual writes it."""
+        return self.printed_as.format(number=number) if self.printed_as else str(number)
 
     def from_raws(self, raws: Sequence[int]) -> dict[str, Any]:
         """The values of all parameters by name, from the numbers that a message carries in order."""
@@ -109,3 +279,55 @@ class ParameterSet:
         if wrong:
             raise CodecError("unknown_value", f"{wrong[0]} is {'unknown' if wrong[0] in values else 'missing'}")
         return [parameter.to_raw(values[parameter.name]) for parameter in self]
+
+
+class ParameterSpace:
+    """Sets of parameters that share the numbers on the wire."""
+
+    __slots__ = ("_found", "name", "sets")
+
+    def __init__(self, name: str, *sets: ParameterSet) -> None:
+        self.name, self.sets = name, sets
+        self._found: dict[int, Parameter[Any]] = {}
+
+    def __call__(self, wire_number: int) -> Parameter[Any]:
+        """The parameter with a number on the wire, also one of which nothing but its set is known.
+
+        Raises CodecError, which is a ValueError, for a number that no set has.
+        """
+        found = self._found.get(wire_number)
+        if found is None:
+            held = next((held for held in self.sets if wire_number - held.base in held), None)
+            if held is None:
+                raise no_parameter(self.name, wire_number)
+            found = self._found[wire_number] = held[wire_number - held.base]
+        return found
+
+    def __contains__(self, wire_number: int) -> bool:
+        return any(wire_number - held.base in held for held in self.sets)
+
+    def __iter__(self) -> Iterator[Parameter[Any]]:
+        return (parameter for held in self.sets for parameter in held)
+
+
+def no_parameter(space: str, wire_number: int) -> CodecError:
+    """A number that no set has."""
+    return CodecError("unknown_value", f"{space} has no number {wire_number} ({wire_number:#06x})")
+
+
+def single(parameter: Parameter[Any], values: Sequence[T]) -> T:
+    """The one value of a response. Raises CodecError where there are none or several."""
+    if len(values) != 1:
+        raise CodecError("wrong_length", f"{parameter.title} has {len(values)} values, not one")
+    return values[0]
+
+
+def selected(parameter: Parameter[Any], formats: Mapping[str, T], given: T | None) -> T:
+    """What says the type of a parameter's values: what is given, or else what suits its type. Raises CodecError."""
+    if given is not None:
+        return given
+    found = formats.get(parameter.type)
+    if found is None:
+        text = f"no value of the selector is known for {parameter.title}: give one"
+        raise CodecError("unknown_value", text)
+    return found

@@ -21,9 +21,10 @@ class Register(Generic[T]):
 
     `access` is ro, rw or wo, and empty where the manual does not say it. The words of an `atomic` register must be
     accessed in one request. `trigger` says that writing starts something, and that reading gives nothing back.
+    `number` is the one under which the manual lists it elsewhere, `copy_of` the name of the register whose copy it is.
     """
 
-    __slots__ = ("access", "address", "atomic", "name", "order", "trigger", "value", "words")
+    __slots__ = ("access", "address", "atomic", "copy_of", "name", "number", "order", "trigger", "value", "words")
 
     def __init__(
         self,
@@ -35,10 +36,12 @@ class Register(Generic[T]):
         *,
         atomic: bool = False,
         trigger: bool = False,
+        number: int | None = None,
+        copy_of: str = "",
         order: str = ">",
     ) -> None:
         self.name, self.address, self.words = name, address, words
-        self.value, self.access = value, access
+        self.value, self.access, self.number, self.copy_of = value, access, number, copy_of
         self.atomic, self.trigger, self.order = atomic, trigger, order
 
     def __repr__(self) -> str:
@@ -94,7 +97,7 @@ class Register(Generic[T]):
 class RegisterArray(Generic[T]):
     """Equal registers, `stride` words apart, by the number that the manual gives them."""
 
-    __slots__ = ("_registers", "access", "address", "first", "name", "stride")
+    __slots__ = ("_registers", "access", "address", "copy_of", "first", "name", "number", "stride")
 
     def __init__(
         self,
@@ -109,10 +112,12 @@ class RegisterArray(Generic[T]):
         stride: int,
         atomic: bool = False,
         trigger: bool = False,
+        number: int | None = None,
+        copy_of: str = "",
         order: str = ">",
     ) -> None:
         self.name, self.address, self.access = name, address, access
-        self.first, self.stride = first, stride
+        self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
         more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order}
         self._registers = tuple(
             Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)

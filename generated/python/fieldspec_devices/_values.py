@@ -62,23 +62,36 @@ class Value(Generic[T]):
         if len(data) != self.size:
             reason = "incomplete" if len(data) < self.size else "wrong_length"
             raise CodecError(reason, f"{name} has {self.size} bytes, not {len(data)}", min(len(data), self.size))
-        return self._of(name, self.struct.unpack(turned(bytes(data)) if self.swapped else data)[0])
+        return self.of_raw(name, self.struct.unpack(turned(bytes(data)) if self.swapped else data)[0])
 
     def encode(self, name: str, value: T) -> bytes:
         """The bytes of a value. Raises CodecError."""
-        error = self._refused(name, value)
+        error = self.refused(name, value)
         if error is not None:
             raise error
-        data = self.struct.pack(self._raw(value))
+        data = self.struct.pack(self.to_raw(value))
         return turned(data) if self.swapped else data
 
-    def _of(self, name: str, raw: Any) -> T:
+    def of_raw(self, name: str, raw: Any) -> T:
+        """The value of what its Struct gives. Raises CodecError."""
         raise NotImplementedError
 
-    def _raw(self, value: Any) -> Any:
+    def of_carried(self, name: str, raw: Any) -> T:
+        """The value of what a message carries, which may count with or without a sign. Raises CodecError."""
+        if not isinstance(raw, int):
+            raise CodecError("wrong_type", f"{name} is a whole number, not {raw!r}")
+        span = self.high - self.low + 1
+        if not -span // 2 <= raw < span:
+            raise CodecError("out_of_range", f"{name} is {raw}, not in {self.low}..{self.high}")
+        moved = raw % span
+        return self.of_raw(name, moved - span if moved > self.high else moved)
+
+    def to_raw(self, value: Any) -> Any:
+        """What its Struct takes, of a value that it does not refuse."""
         return value
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        """Why a value cannot be encoded; None for one that can."""
         raise NotImplementedError
 
 
@@ -107,12 +120,12 @@ class Number(_Whole[int]):
 
     __slots__ = ()
 
-    def _of(self, name: str, raw: int) -> int:
+    def of_raw(self, name: str, raw: int) -> int:
         if not self.low <= raw <= self.high:
             raise CodecError("unknown_value", f"{name} is {raw}, not in {self.low}..{self.high}", 0)
         return raw
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_number(name, value, self.low, self.high, self.ranges, self.others)
 
 
@@ -125,12 +138,12 @@ class Constant(Number):
         super().__init__(letters, swapped=swapped)
         self.const = const
 
-    def _of(self, name: str, raw: int) -> int:
+    def of_raw(self, name: str, raw: int) -> int:
         if raw != self.const:
             raise wrong_const(name, raw, self.const, 0)
         return raw
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         if value != self.const:
             return CodecError("wrong_const", f"{name} is {value}, not {self.const}")
         return None
@@ -153,13 +166,13 @@ class Closed(_Whole[E]):
         super().__init__(letters, swapped=swapped, ranges=ranges)
         self.enum, self.members = enum, members
 
-    def _of(self, name: str, raw: int) -> E:
+    def of_raw(self, name: str, raw: int) -> E:
         member = self.members.get(raw)
         if member is None:
             raise unknown_member(name, raw, self.enum, 0)
         return member
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_number(name, value, self.low, self.high, self.ranges, (), self.members, self.enum)
 
 
@@ -182,7 +195,7 @@ class Open(_Whole["E | int"], Generic[E]):
         super().__init__(letters, swapped=swapped, ranges=ranges, others=others)
         self.enum, self.members, self.closed = enum, members, closed
 
-    def _of(self, name: str, raw: int) -> E | int:
+    def of_raw(self, name: str, raw: int) -> E | int:
         member = self.members.get(raw)
         if member is not None:
             return member
@@ -190,7 +203,7 @@ class Open(_Whole["E | int"], Generic[E]):
             raise unknown_member(name, raw, self.enum, 0)
         return raw
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         members = self.members if self.closed else None
         return refused_number(name, value, self.low, self.high, self.ranges, self.others, members, self.enum)
 
@@ -211,13 +224,13 @@ class Word(Value[F]):
         super().__init__(letters, swapped=swapped, ranges=ranges)
         self.flags = flags
 
-    def _of(self, name: str, raw: int) -> F:
+    def of_raw(self, name: str, raw: int) -> F:
         return self.flags(raw)
 
-    def _raw(self, value: F) -> int:
+    def to_raw(self, value: F) -> int:
         return value.raw
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_flags(name, value, self.high, self.ranges)
 
 
@@ -226,12 +239,12 @@ class Boolean(Value[bool]):
 
     __slots__ = ()
 
-    def _of(self, name: str, raw: int) -> bool:
+    def of_raw(self, name: str, raw: int) -> bool:
         if raw > 1:
             raise no_boolean(name, raw, 0)
         return raw == 1
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_number(name, value, 0, 1)
 
 
@@ -240,10 +253,16 @@ class Float(Value[float]):
 
     __slots__ = ()
 
-    def _of(self, name: str, raw: float) -> float:
+    def of_carried(self, name: str, raw: Any) -> float:
+        """The number that a message carries. Raises CodecError."""
+        if not isinstance(raw, (int, float)):
+            raise CodecError("wrong_type", f"{name} is a number, not {raw!r}")
+        return float(raw)
+
+    def of_raw(self, name: str, raw: float) -> float:
         return raw
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_float(name, value)
 
 
@@ -256,13 +275,17 @@ class Text(Value[str]):
         super().__init__(letters)
         self.length = length
 
-    def _of(self, name: str, raw: bytes) -> str:
+    def of_carried(self, name: str, raw: Any) -> str:
+        """The characters of the bytes that a message carries. Raises CodecError."""
+        return self.decode(name, raw)
+
+    def of_raw(self, name: str, raw: bytes) -> str:
         return text(name, raw, 0)
 
-    def _raw(self, value: str) -> bytes:
+    def to_raw(self, value: str) -> bytes:
         return value.encode("ascii")
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_text(name, value, self.length)
 
 
@@ -275,10 +298,14 @@ class Bytes(Value[bytes]):
         super().__init__(letters)
         self.length = length
 
-    def _of(self, name: str, raw: bytes) -> bytes:
+    def of_carried(self, name: str, raw: Any) -> bytes:
+        """The bytes that a message carries. Raises CodecError."""
+        return self.decode(name, raw)
+
+    def of_raw(self, name: str, raw: bytes) -> bytes:
         return raw[: self.length]
 
-    def _refused(self, name: str, value: Any) -> CodecError | None:
+    def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_bytes(name, value, self.length)
 
 
@@ -302,3 +329,28 @@ class RecordValue(Value[T]):
             raise CodecError("wrong_type", f"{name} is a {self.record.__name__}, not {value!r}")
         encoded: bytes = value.encode()  # type: ignore[attr-defined]
         return encoded
+
+
+class Unknown(Value["Any"]):
+    """A value of which the manual does not tell the type: what a message carries is passed on."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__("0s")
+
+    def decode(self, name: str, data: Data) -> Any:
+        """Nothing is known of its bytes: raises CodecError."""
+        raise CodecError("unknown_value", f"the type of {name} is not known")
+
+    def encode(self, name: str, value: Any) -> bytes:
+        """Nothing is known of its bytes: raises CodecError."""
+        raise CodecError("unknown_value", f"the type of {name} is not known")
+
+    def of_carried(self, name: str, raw: Any) -> Any:
+        """What the message carries."""
+        return raw
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        """Why no message can carry a value; None for a number."""
+        return None if isinstance(value, (int, float)) else CodecError("wrong_type", f"{name} is a number: {value!r}")

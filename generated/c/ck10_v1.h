@@ -1,0 +1,10237 @@
+/*
+ * CK10 (unknown), version 1
+ * From: CK10 series, Modbus communication, user manual
+ * Identity: 4332a6ea93cee82e
+ *
+ * C99 and C++11. Generated; do not edit.
+ *
+ * Before it is included there may be defined:
+ *   CK10_WITH_TEXTS for the texts of codes, which take memory
+ *   CK10_WIDE_CRC_TABLE for a faster check with a table of 512 bytes
+ */
+#ifdef CK10_INCLUDED
+#ifndef CK10_VERSION_IS_1
+#error "another version of this device is included already"
+#endif
+#else
+#define CK10_INCLUDED
+#define CK10_VERSION_IS_1
+
+#ifndef __STDC_CONSTANT_MACROS
+#define __STDC_CONSTANT_MACROS
+#endif
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#define CK10_VERSION "1"
+#define CK10_IDENTITY "4332a6ea93cee82e"
+
+/* ---- What functions return ---- */
+
+/** What a function has to say. */
+typedef enum ck10_codec_status {
+    CK10_OK = 0, /**< It is done. */
+    CK10_ERR_INCOMPLETE = 1, /**< There are too few bytes. */
+    CK10_ERR_WRONG_LENGTH = 2, /**< The bytes, or elements, are not as many as they must be. */
+    CK10_ERR_WRONG_MARK = 3, /**< The frame does not start or end with its mark. */
+    CK10_ERR_NOT_HEX = 4, /**< A character is no hexadecimal digit. */
+    CK10_ERR_WRONG_CHECK = 5, /**< The check does not fit the bytes. */
+    CK10_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
+    CK10_ERR_UNKNOWN_VALUE = 7, /**< The value is none of those that there are. */
+    CK10_ERR_WRONG_CONST = 8, /**< A constant has another value. */
+    CK10_ERR_WRONG_MEASURE = 9, /**< A field that holds a size does not fit what it measures. */
+    CK10_ERR_OUT_OF_RANGE = 10, /**< A value is out of its range. */
+    CK10_ERR_CAPACITY = 11 /**< The buffer is too small. */
+} ck10_codec_status;
+
+/* ---- Numbers and characters, independent of the machine ---- */
+
+static inline uint8_t ck10_load_u8(const uint8_t *in)
+{
+    return (uint8_t)((uint32_t)in[0]);
+}
+
+static inline void ck10_store_u8(uint8_t *out, uint8_t value)
+{
+    out[0] = (uint8_t)value;
+}
+
+static inline uint16_t ck10_load_u16_be(const uint8_t *in)
+{
+    return (uint16_t)(((uint32_t)in[0] << 8) | ((uint32_t)in[1]));
+}
+
+static inline void ck10_store_u16_be(uint8_t *out, uint16_t value)
+{
+    out[0] = (uint8_t)(value >> 8);
+    out[1] = (uint8_t)value;
+}
+
+static inline uint16_t ck10_load_u16_le(const uint8_t *in)
+{
+    return (uint16_t)(((uint32_t)in[0]) | ((uint32_t)in[1] << 8));
+}
+
+static inline void ck10_store_u16_le(uint8_t *out, uint16_t value)
+{
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+}
+
+static inline uint32_t ck10_load_u32_be(const uint8_t *in)
+{
+    return (uint32_t)(((uint32_t)in[0] << 24) | ((uint32_t)in[1] << 16) | ((uint32_t)in[2] << 8) | ((uint32_t)in[3]));
+}
+
+static inline void ck10_store_u32_be(uint8_t *out, uint32_t value)
+{
+    out[0] = (uint8_t)(value >> 24);
+    out[1] = (uint8_t)(value >> 16);
+    out[2] = (uint8_t)(value >> 8);
+    out[3] = (uint8_t)value;
+}
+
+static inline uint64_t ck10_load_u64_be(const uint8_t *in)
+{
+    return (uint64_t)(((uint64_t)in[0] << 56) | ((uint64_t)in[1] << 48) | ((uint64_t)in[2] << 40) | ((uint64_t)in[3] << 32) | ((uint64_t)in[4] << 24) | ((uint64_t)in[5] << 16) | ((uint64_t)in[6] << 8) | ((uint64_t)in[7]));
+}
+
+static inline void ck10_store_u64_be(uint8_t *out, uint64_t value)
+{
+    out[0] = (uint8_t)(value >> 56);
+    out[1] = (uint8_t)(value >> 48);
+    out[2] = (uint8_t)(value >> 40);
+    out[3] = (uint8_t)(value >> 32);
+    out[4] = (uint8_t)(value >> 24);
+    out[5] = (uint8_t)(value >> 16);
+    out[6] = (uint8_t)(value >> 8);
+    out[7] = (uint8_t)value;
+}
+
+static inline int8_t ck10_signed_8(uint8_t raw)
+{
+    return (int8_t)((raw & 0x80u) ? -(int32_t)(uint8_t)~raw - 1 : (int32_t)raw);
+}
+
+static inline int16_t ck10_signed_16(uint16_t raw)
+{
+    return (int16_t)((raw & 0x8000u) ? -(int32_t)(uint16_t)~raw - 1 : (int32_t)raw);
+}
+
+static inline int32_t ck10_signed_32(uint32_t raw)
+{
+    return (int32_t)((raw & 0x80000000u) ? -(int32_t)(uint32_t)~raw - 1 : (int32_t)raw);
+}
+
+static inline int64_t ck10_signed_64(uint64_t raw)
+{
+    return (int64_t)((raw & UINT64_C(0x8000000000000000)) ? -(int64_t)(uint64_t)~raw - 1 : (int64_t)raw);
+}
+
+static inline float ck10_float_of(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static inline uint32_t ck10_bits_of(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+static inline bool ck10_is_ascii(const uint8_t *in, size_t size)
+{
+    size_t at;
+    for (at = 0; at < size; at++) {
+        if (in[at] > 127u) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Writes a text of at most size characters, filled up with zeros; other characters than ASCII are refused. */
+static inline bool ck10_put_text(uint8_t *out, const char *text, size_t size)
+{
+    size_t at;
+    memset(out, 0, size);
+    for (at = 0; at < size && text[at] != '\0'; at++) {
+        out[at] = (uint8_t)text[at];
+    }
+    return ck10_is_ascii(out, size);
+}
+
+/** The value of a hexadecimal digit; more than 15 for any other character. */
+static inline uint8_t ck10_digit(uint8_t character)
+{
+    if (character >= 0x30u && character <= 0x39u) {
+        return (uint8_t)(character - 0x30u);
+    }
+    if (character >= 0x41u && character <= 0x46u) {
+        return (uint8_t)(character - 0x37u);
+    }
+    if (character >= 0x61u && character <= 0x66u) {
+        return (uint8_t)(character - 0x57u);
+    }
+    return 0xFFu;
+}
+
+static inline uint8_t ck10_hex_digit(uint8_t value)
+{
+    return (uint8_t)(value < 10u ? value + 0x30u : value + 0x37u);
+}
+
+/* ---- Checks ---- */
+
+/**
+ * CRC-16, polynomial 0xA001 reflected, start value 0xFFFF.
+ * Define CK10_WIDE_CRC_TABLE for a table of 512 bytes.
+ */
+static inline uint16_t ck10_crc16_modbus(const uint8_t *in, size_t size)
+{
+#ifdef CK10_WIDE_CRC_TABLE
+    static const uint16_t table[256] = {
+        0x0000u, 0xC0C1u, 0xC181u, 0x0140u, 0xC301u, 0x03C0u, 0x0280u, 0xC241u,
+        0xC601u, 0x06C0u, 0x0780u, 0xC741u, 0x0500u, 0xC5C1u, 0xC481u, 0x0440u,
+        0xCC01u, 0x0CC0u, 0x0D80u, 0xCD41u, 0x0F00u, 0xCFC1u, 0xCE81u, 0x0E40u,
+        0x0A00u, 0xCAC1u, 0xCB81u, 0x0B40u, 0xC901u, 0x09C0u, 0x0880u, 0xC841u,
+        0xD801u, 0x18C0u, 0x1980u, 0xD941u, 0x1B00u, 0xDBC1u, 0xDA81u, 0x1A40u,
+        0x1E00u, 0xDEC1u, 0xDF81u, 0x1F40u, 0xDD01u, 0x1DC0u, 0x1C80u, 0xDC41u,
+        0x1400u, 0xD4C1u, 0xD581u, 0x1540u, 0xD701u, 0x17C0u, 0x1680u, 0xD641u,
+        0xD201u, 0x12C0u, 0x1380u, 0xD341u, 0x1100u, 0xD1C1u, 0xD081u, 0x1040u,
+        0xF001u, 0x30C0u, 0x3180u, 0xF141u, 0x3300u, 0xF3C1u, 0xF281u, 0x3240u,
+        0x3600u, 0xF6C1u, 0xF781u, 0x3740u, 0xF501u, 0x35C0u, 0x3480u, 0xF441u,
+        0x3C00u, 0xFCC1u, 0xFD81u, 0x3D40u, 0xFF01u, 0x3FC0u, 0x3E80u, 0xFE41u,
+        0xFA01u, 0x3AC0u, 0x3B80u, 0xFB41u, 0x3900u, 0xF9C1u, 0xF881u, 0x3840u,
+        0x2800u, 0xE8C1u, 0xE981u, 0x2940u, 0xEB01u, 0x2BC0u, 0x2A80u, 0xEA41u,
+        0xEE01u, 0x2EC0u, 0x2F80u, 0xEF41u, 0x2D00u, 0xEDC1u, 0xEC81u, 0x2C40u,
+        0xE401u, 0x24C0u, 0x2580u, 0xE541u, 0x2700u, 0xE7C1u, 0xE681u, 0x2640u,
+        0x2200u, 0xE2C1u, 0xE381u, 0x2340u, 0xE101u, 0x21C0u, 0x2080u, 0xE041u,
+        0xA001u, 0x60C0u, 0x6180u, 0xA141u, 0x6300u, 0xA3C1u, 0xA281u, 0x6240u,
+        0x6600u, 0xA6C1u, 0xA781u, 0x6740u, 0xA501u, 0x65C0u, 0x6480u, 0xA441u,
+        0x6C00u, 0xACC1u, 0xAD81u, 0x6D40u, 0xAF01u, 0x6FC0u, 0x6E80u, 0xAE41u,
+        0xAA01u, 0x6AC0u, 0x6B80u, 0xAB41u, 0x6900u, 0xA9C1u, 0xA881u, 0x6840u,
+        0x7800u, 0xB8C1u, 0xB981u, 0x7940u, 0xBB01u, 0x7BC0u, 0x7A80u, 0xBA41u,
+        0xBE01u, 0x7EC0u, 0x7F80u, 0xBF41u, 0x7D00u, 0xBDC1u, 0xBC81u, 0x7C40u,
+        0xB401u, 0x74C0u, 0x7580u, 0xB541u, 0x7700u, 0xB7C1u, 0xB681u, 0x7640u,
+        0x7200u, 0xB2C1u, 0xB381u, 0x7340u, 0xB101u, 0x71C0u, 0x7080u, 0xB041u,
+        0x5000u, 0x90C1u, 0x9181u, 0x5140u, 0x9301u, 0x53C0u, 0x5280u, 0x9241u,
+        0x9601u, 0x56C0u, 0x5780u, 0x9741u, 0x5500u, 0x95C1u, 0x9481u, 0x5440u,
+        0x9C01u, 0x5CC0u, 0x5D80u, 0x9D41u, 0x5F00u, 0x9FC1u, 0x9E81u, 0x5E40u,
+        0x5A00u, 0x9AC1u, 0x9B81u, 0x5B40u, 0x9901u, 0x59C0u, 0x5880u, 0x9841u,
+        0x8801u, 0x48C0u, 0x4980u, 0x8941u, 0x4B00u, 0x8BC1u, 0x8A81u, 0x4A40u,
+        0x4E00u, 0x8EC1u, 0x8F81u, 0x4F40u, 0x8D01u, 0x4DC0u, 0x4C80u, 0x8C41u,
+        0x4400u, 0x84C1u, 0x8581u, 0x4540u, 0x8701u, 0x47C0u, 0x4680u, 0x8641u,
+        0x8201u, 0x42C0u, 0x4380u, 0x8341u, 0x4100u, 0x81C1u, 0x8081u, 0x4040u,
+    };
+    uint32_t crc = 0xFFFFu;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        crc = crc >> 8 ^ table[(crc ^ in[at]) & 0xFFu];
+    }
+#else
+    static const uint16_t table[16] = {
+        0x0000u, 0xCC01u, 0xD801u, 0x1400u, 0xF001u, 0x3C00u, 0x2800u, 0xE401u, 0xA001u, 0x6C00u, 0x7800u, 0xB401u, 0x5000u, 0x9C01u, 0x8801u, 0x4400u,
+    };
+    uint32_t crc = 0xFFFFu;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        crc ^= in[at];
+        crc = crc >> 4 ^ table[crc & 15u];
+        crc = crc >> 4 ^ table[crc & 15u];
+    }
+#endif
+    return (uint16_t)crc;
+}
+
+/** The two's complement of the sum of all bytes. */
+static inline uint8_t ck10_lrc(const uint8_t *in, size_t size)
+{
+    uint32_t sum = 0;
+    size_t at;
+    for (at = 0; at < size; at++) {
+        sum += in[at];
+    }
+    return (uint8_t)((0u - sum) & 0xFFu);
+}
+
+/* ---- Enums and codes ---- */
+
+/**
+ * Printed as CK10 異常代碼.
+ * Other values may occur.
+ * Note: What follows when a register is accessed against its attribute is called a communication error (2
+ * L247). In 1.4 that word stands for errors that get no answer at all; 02 is the nearest exception.
+ * Source: 1.4 L233
+ */
+typedef enum ck10_exception_code {
+    CK10_EXCEPTION_CODE_ILLEGAL_FUNCTION = 1, /**< 無效功能 The command is not supported. */
+    CK10_EXCEPTION_CODE_ILLEGAL_DATA_ADDRESS = 2, /**< 無效資料位置 The address is not allowed. */
+    CK10_EXCEPTION_CODE_ILLEGAL_DATA_VALUE = 3, /**< 無效資料值 The value is not allowed. */
+    CK10_EXCEPTION_CODE_DEVICE_FAILURE = 4 /**< 從站裝置錯誤 An error came up while the controller carried out the command. */
+} ck10_exception_code;
+
+/** Source: 2.1 L263 */
+typedef enum ck10_push_status {
+    CK10_PUSH_STATUS_NO_PUSH = 0, /**< 一般運動 An ordinary move. */
+    CK10_PUSH_STATUS_PUSHING = 1, /**< 推力運動中，但未偵測到工件 It pushes, and has not met the workpiece. */
+    CK10_PUSH_STATUS_HOLDING = 2, /**< 偵測到工件並保持推力 It has met the workpiece, and goes on pushing. */
+    CK10_PUSH_STATUS_MISSED = 3 /**< 推力過程中未偵測到工件 It has not met the workpiece. */
+} ck10_push_status;
+
+/** Whether a value is one of ck10_push_status. */
+static inline bool ck10_push_status_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(3)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * Every value but 0 switches the output on.
+ * Other values may occur.
+ * Source: 2.2 L281
+ */
+typedef enum ck10_output_switch {
+    CK10_OUTPUT_SWITCH_OFF = 0, /**< 停用 */
+    CK10_OUTPUT_SWITCH_ON = 1 /**< 啟用 */
+} ck10_output_switch;
+
+/**
+ * Printed as 報警形式.
+ * Other values may occur.
+ * Note: The list has names alone. What the alarms mean is taken from the flags of 3.1 of the same names and
+ * from the parameters 24 and 28; 7, 8 and 12 have no flag.
+ * Note: The alarms 1 to 6 are the bits 8 to 13 of 03E8h; 10 is bit 15, and 15 is bit 7.
+ * Source: 2.3 L301
+ */
+typedef enum ck10_alarm_code {
+    CK10_ALARM_CODE_NO_ALARM = 0, /**< 無警報 */
+    CK10_ALARM_CODE_OVERCURRENT = 1, /**< 過電流 */
+    CK10_ALARM_CODE_OVERSPEED = 2, /**< 過速度 */
+    CK10_ALARM_CODE_POSITION_TRACKING = 3, /**< 位置追蹤 */
+    CK10_ALARM_CODE_OVERLOAD = 4, /**< 過負載 */
+    CK10_ALARM_CODE_OVERHEAT = 5, /**< 過溫度 */
+    CK10_ALARM_CODE_BACK_EMF = 6, /**< 反電動勢 */
+    CK10_ALARM_CODE_MOTOR_CONNECTION = 7, /**< 馬達連結 */
+    CK10_ALARM_CODE_ENCODER_CONNECTION = 8, /**< 編碼器連結 */
+    CK10_ALARM_CODE_IN_POSITION_ERROR = 10, /**< 定位 */
+    CK10_ALARM_CODE_MEMORY = 12, /**< 記憶體裝置 */
+    CK10_ALARM_CODE_POSITION_OVERFLOW = 15 /**< 位置溢出 */
+} ck10_alarm_code;
+
+/**
+ * Note: The commands of a point count otherwise: the absolute ones come first.
+ * Source: 2.4 L311
+ */
+typedef enum ck10_move_kind {
+    CK10_MOVE_KIND_RELATIVE = 1, /**< 運動至指定的相對位置 By a distance. */
+    CK10_MOVE_KIND_ABSOLUTE = 2 /**< 運動至指定的絕對位置 To a position. */
+} ck10_move_kind;
+
+/** Whether a value is one of ck10_move_kind. */
+static inline bool ck10_move_kind_known(int64_t value)
+{
+    if (value >= INT64_C(1) && value <= INT64_C(2)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * Note: The homing direction and the motor direction count the other way round.
+ * Source: 2.4 L315
+ */
+typedef enum ck10_jog_direction {
+    CK10_JOG_DIRECTION_COUNTERCLOCKWISE = 0, /**< CCW */
+    CK10_JOG_DIRECTION_CLOCKWISE = 1 /**< CW */
+} ck10_jog_direction;
+
+/** Whether a value is one of ck10_jog_direction. */
+static inline bool ck10_jog_direction_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 2.4 L325 */
+typedef enum ck10_push_mode {
+    CK10_PUSH_MODE_STOP = 0, /**< 停止模式 It stops when it meets the workpiece. */
+    CK10_PUSH_MODE_GO_ON = 1 /**< 不停止模式 It does not stop. */
+} ck10_push_mode;
+
+/** Whether a value is one of ck10_push_mode. */
+static inline bool ck10_push_mode_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 2.4 L332 */
+typedef enum ck10_stop_kind {
+    CK10_STOP_KIND_IMMEDIATE = 0, /**< 立即停止 */
+    CK10_STOP_KIND_DECELERATED = 1 /**< 緩停止 */
+} ck10_stop_kind;
+
+/** Whether a value is one of ck10_stop_kind. */
+static inline bool ck10_stop_kind_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * Every value but 0 switches the drive on.
+ * Other values may occur.
+ * Source: 2.4 L333
+ */
+typedef enum ck10_servo_switch {
+    CK10_SERVO_SWITCH_OFF = 0, /**< 驅動停用 */
+    CK10_SERVO_SWITCH_ON = 1 /**< 驅動啟用 */
+} ck10_servo_switch;
+
+/** Source: 2.4 L338 */
+typedef enum ck10_point_table_command {
+    CK10_POINT_TABLE_COMMAND_START = 1, /**< 執行 "位置表開始行號" 指定值 Starts at the point that the register before it names. */
+    CK10_POINT_TABLE_COMMAND_START_SINGLE = 2, /**< 僅執行 "位置表開始行號" 指定值 Carries out that point alone. */
+    CK10_POINT_TABLE_COMMAND_NEXT = 3 /**< 執行當前位置表下一步 Goes on with the next step of the point table. */
+} ck10_point_table_command;
+
+/** Whether a value is one of ck10_point_table_command. */
+static inline bool ck10_point_table_command_known(int64_t value)
+{
+    if (value >= INT64_C(1) && value <= INT64_C(3)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * Other values may occur.
+ * Note: The row of the parameter prints 0 to 50000 as its range, which fits a number of pulses, and this list
+ * of codes beside it.
+ * Note: In the text of the manual, the last row of the list stands one column further left than the others.
+ * Source: 3.4 L713-722
+ */
+typedef enum ck10_pulses_per_turn {
+    CK10_PULSES_PER_TURN_MOTOR_SETTING = 0, /**< MDB 設定 The setting called MDB, which the manual does not explain. */
+    CK10_PULSES_PER_TURN_PULSES_500 = 1, /**< 500 */
+    CK10_PULSES_PER_TURN_PULSES_1000 = 2, /**< 1,000 */
+    CK10_PULSES_PER_TURN_PULSES_1600 = 3, /**< 1,600 */
+    CK10_PULSES_PER_TURN_PULSES_2000 = 4, /**< 2,000 */
+    CK10_PULSES_PER_TURN_PULSES_3200 = 5, /**< 3,200 */
+    CK10_PULSES_PER_TURN_PULSES_3600 = 6, /**< 3,600 */
+    CK10_PULSES_PER_TURN_PULSES_4000 = 7, /**< 4,000 */
+    CK10_PULSES_PER_TURN_PULSES_4800 = 8, /**< 4,800 */
+    CK10_PULSES_PER_TURN_PULSES_5000 = 9, /**< 5,000 */
+    CK10_PULSES_PER_TURN_PULSES_6400 = 10, /**< 6,400 */
+    CK10_PULSES_PER_TURN_PULSES_8000 = 11, /**< 8,000 */
+    CK10_PULSES_PER_TURN_PULSES_9600 = 12, /**< 9,600 */
+    CK10_PULSES_PER_TURN_PULSES_10000 = 13, /**< 10,000 */
+    CK10_PULSES_PER_TURN_PULSES_16000 = 14, /**< 16,000 */
+    CK10_PULSES_PER_TURN_PULSES_20000 = 15 /**< 20,000 */
+} ck10_pulses_per_turn;
+
+/** Source: 3.4 L735 */
+typedef enum ck10_soft_limit_stop {
+    CK10_SOFT_LIMIT_STOP_IMMEDIATE = 0, /**< 以緊急停止方式停下馬達 */
+    CK10_SOFT_LIMIT_STOP_DECELERATED = 1, /**< 以緩停止方式停下馬達 */
+    CK10_SOFT_LIMIT_STOP_NONE = 2 /**< 不使用軟體極限 The soft limits are not used. */
+} ck10_soft_limit_stop;
+
+/** Whether a value is one of ck10_soft_limit_stop. */
+static inline bool ck10_soft_limit_stop_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(2)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L736 */
+typedef enum ck10_hard_limit_stop {
+    CK10_HARD_LIMIT_STOP_IMMEDIATE = 0, /**< 以緊急停止方式停下馬達 */
+    CK10_HARD_LIMIT_STOP_DECELERATED = 1 /**< 以緩停止方式停下馬達 */
+} ck10_hard_limit_stop;
+
+/** Whether a value is one of ck10_hard_limit_stop. */
+static inline bool ck10_hard_limit_stop_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L741-749 */
+typedef enum ck10_homing_method {
+    CK10_HOMING_METHOD_ORIGIN_SENSOR = 0, /**< To the origin sensor, then back to it slowly. */
+    CK10_HOMING_METHOD_ORIGIN_SENSOR_AND_Z_PHASE = 1, /**< To the origin sensor, then slowly to the Z phase. */
+    CK10_HOMING_METHOD_LIMIT_SENSOR = 2, /**< To the limit sensor, and stop there at once. */
+    CK10_HOMING_METHOD_LIMIT_SENSOR_AND_Z_PHASE = 3, /**< To the limit sensor, then slowly to the Z phase. */
+    CK10_HOMING_METHOD_CURRENT_POSITION = 4, /**< The position where the motor is becomes the origin. */
+    CK10_HOMING_METHOD_Z_PHASE = 5, /**< Slowly to the Z phase. */
+    CK10_HOMING_METHOD_HARD_STOP = 6, /**< With limited torque against a hard stop, which becomes the origin. */
+    CK10_HOMING_METHOD_HARD_STOP_AND_Z_PHASE = 7 /**< With limited torque against a hard stop, then slowly to the Z phase. */
+} ck10_homing_method;
+
+/** Whether a value is one of ck10_homing_method. */
+static inline bool ck10_homing_method_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(7)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * Note: The jog direction counts the other way round.
+ * Source: 3.4 L751; 3.4 L796
+ */
+typedef enum ck10_rotation {
+    CK10_ROTATION_CLOCKWISE = 0, /**< CW */
+    CK10_ROTATION_COUNTERCLOCKWISE = 1 /**< CCW */
+} ck10_rotation;
+
+/** Whether a value is one of ck10_rotation. */
+static inline bool ck10_rotation_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L806 */
+typedef enum ck10_emergency_stop_mode {
+    CK10_EMERGENCY_STOP_MODE_FAST_STOP = 0, /**< 快速停止 */
+    CK10_EMERGENCY_STOP_MODE_FAST_STOP_SERVO_OFF = 1, /**< 快速停止，Servo OFF */
+    CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP = 2, /**< 減速停止 */
+    CK10_EMERGENCY_STOP_MODE_DECELERATED_STOP_SERVO_OFF = 3, /**< 減速停止，Servo OFF */
+    CK10_EMERGENCY_STOP_MODE_SERVO_OFF = 4 /**< Servo OFF */
+} ck10_emergency_stop_mode;
+
+/** Whether a value is one of ck10_emergency_stop_mode. */
+static inline bool ck10_emergency_stop_mode_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(4)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L807 */
+typedef enum ck10_emergency_brake_mode {
+    CK10_EMERGENCY_BRAKE_MODE_LOCKED = 0, /**< 鎖定煞車 */
+    CK10_EMERGENCY_BRAKE_MODE_RELEASED = 1 /**< 解鎖煞車 The brake is energised. */
+} ck10_emergency_brake_mode;
+
+/** Whether a value is one of ck10_emergency_brake_mode. */
+static inline bool ck10_emergency_brake_mode_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L808 */
+typedef enum ck10_operation_mode {
+    CK10_OPERATION_MODE_PULSE_AND_DIRECTION = 0, /**< 單脈衝模式 (Pulse/Dir) */
+    CK10_OPERATION_MODE_TWO_PULSES = 1, /**< 雙脈衝模式 (CCW/DIR) */
+    CK10_OPERATION_MODE_QUADRATURE = 2, /**< 正交模式 (A/B) */
+    CK10_OPERATION_MODE_PLUS_R = 3, /**< Plus-R 模式 */
+    CK10_OPERATION_MODE_MODBUS_RTU = 4, /**< MODBUS RTU 模式 */
+    CK10_OPERATION_MODE_MODBUS_ASCII = 5 /**< MODBUS ASC 模式 */
+} ck10_operation_mode;
+
+/** Whether a value is one of ck10_operation_mode. */
+static inline bool ck10_operation_mode_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(5)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L809 */
+typedef enum ck10_switch_function {
+    CK10_SWITCH_FUNCTION_NONE = 0, /**< 不使用 */
+    CK10_SWITCH_FUNCTION_RESET_ALARM = 1 /**< 警報重置 */
+} ck10_switch_function;
+
+/** Whether a value is one of ck10_switch_function. */
+static inline bool ck10_switch_function_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L810 */
+typedef enum ck10_baud_rate {
+    CK10_BAUD_RATE_BAUD_9600 = 0, /**< 9,600 */
+    CK10_BAUD_RATE_BAUD_19200 = 1, /**< 19,200 */
+    CK10_BAUD_RATE_BAUD_38400 = 2, /**< 38,400 */
+    CK10_BAUD_RATE_BAUD_57600 = 3, /**< 57,600 */
+    CK10_BAUD_RATE_BAUD_115200 = 4 /**< 115,200 */
+} ck10_baud_rate;
+
+/** Whether a value is one of ck10_baud_rate. */
+static inline bool ck10_baud_rate_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(4)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.4 L811; 3.4 L812 */
+typedef enum ck10_enabled {
+    CK10_ENABLED_DISABLED = 0, /**< 停用 */
+    CK10_ENABLED_ENABLED = 1 /**< 啟用 */
+} ck10_enabled;
+
+/** Whether a value is one of ck10_enabled. */
+static inline bool ck10_enabled_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 2.6 L438; 2.6 L455 */
+typedef enum ck10_polarity {
+    CK10_POLARITY_NORMAL = 0, /**< On is 1. */
+    CK10_POLARITY_INVERTED = 1 /**< On is 0. */
+} ck10_polarity;
+
+/** Whether a value is one of ck10_polarity. */
+static inline bool ck10_polarity_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 3.5 L819-832 */
+typedef enum ck10_point_command {
+    CK10_POINT_COMMAND_ABSOLUTE_LOW_SPEED = 0, /**< Abs Move low speed */
+    CK10_POINT_COMMAND_ABSOLUTE_HIGH_SPEED = 1, /**< Abs Move high speed */
+    CK10_POINT_COMMAND_ABSOLUTE_HIGH_SPEED_DECELERATED = 2, /**< Abs Move high speed with deceleration */
+    CK10_POINT_COMMAND_ABSOLUTE_ACCELERATED_AND_DECELERATED = 3, /**< Abs Move with acceleration and deceleration */
+    CK10_POINT_COMMAND_INCREMENTAL_LOW_SPEED = 4, /**< Inc Move low speed */
+    CK10_POINT_COMMAND_INCREMENTAL_HIGH_SPEED = 5, /**< Inc Move high speed */
+    CK10_POINT_COMMAND_INCREMENTAL_HIGH_SPEED_DECELERATED = 6, /**< Inc Move high speed with deceleration */
+    CK10_POINT_COMMAND_INCREMENTAL_ACCELERATED_AND_DECELERATED = 7, /**< Inc Move with acceleration and deceleration */
+    CK10_POINT_COMMAND_HOMING = 8, /**< Move to Origin */
+    CK10_POINT_COMMAND_CLEAR_POSITION = 9, /**< Clear Position */
+    CK10_POINT_COMMAND_PUSH_ABSOLUTE = 10, /**< Push Abs Move */
+    CK10_POINT_COMMAND_STOP = 11 /**< Stop */
+} ck10_point_command;
+
+/** Whether a value is one of ck10_point_command. */
+static inline bool ck10_point_command_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(11)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * When a point sets its outputs. The fourth value of the two bits is not printed.
+ * Source: 2.7 L589
+ */
+typedef enum ck10_output_moment {
+    CK10_OUTPUT_MOMENT_START = 0, /**< 開始動作時發出訊號 */
+    CK10_OUTPUT_MOMENT_END = 1, /**< 完成動作時發出訊號 */
+    CK10_OUTPUT_MOMENT_TRIGGER_POSITION = 2 /**< 到達 "觸發位置" 時發出訊號 */
+} ck10_output_moment;
+
+/** Whether a value is one of ck10_output_moment. */
+static inline bool ck10_output_moment_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(2)) {
+        return true;
+    }
+    return false;
+}
+
+/** Source: 2.7 L593; 3.5 L862 */
+typedef enum ck10_check_in_position {
+    CK10_CHECK_IN_POSITION_IGNORE = 0, /**< 忽略到位訊號 */
+    CK10_CHECK_IN_POSITION_WAIT = 1 /**< 等待到位訊號 */
+} ck10_check_in_position;
+
+/** Whether a value is one of ck10_check_in_position. */
+static inline bool ck10_check_in_position_known(int64_t value)
+{
+    if (value >= INT64_C(0) && value <= INT64_C(1)) {
+        return true;
+    }
+    return false;
+}
+
+/**
+ * What an input is for, by the mask of the signal. Each input has one function.
+ * Printed as IO 指派.
+ * Other values may occur.
+ * Note: Example of the manual: 00000002h assigns Limit- (2.6 L411, 419), 08000000h User IN 1 (3.2 L686).
+ * Source: 3.2 L670; 2.6 L411
+ */
+typedef uint32_t ck10_input_function;
+#define CK10_INPUT_FUNCTION_POSITIVE_LIMIT 0x00000001u /**< Limit+ */
+#define CK10_INPUT_FUNCTION_NEGATIVE_LIMIT 0x00000002u /**< Limit- */
+#define CK10_INPUT_FUNCTION_ORIGIN 0x00000004u /**< Origin */
+#define CK10_INPUT_FUNCTION_CLEAR_POSITION 0x00000008u /**< Clear Position */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_0 0x00000010u /**< PT A0 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_1 0x00000020u /**< PT A1 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_2 0x00000040u /**< PT A2 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_3 0x00000080u /**< PT A3 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_4 0x00000100u /**< PT A4 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_5_OR_USER_6 0x00000200u /**< PT A5 / User IN 6 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_6_OR_USER_7 0x00000400u /**< PT A6 / User IN 7 */
+#define CK10_INPUT_FUNCTION_POINT_ADDRESS_7_OR_USER_8 0x00000800u /**< PT A7 / User IN 8 */
+#define CK10_INPUT_FUNCTION_START_POINT_TABLE 0x00001000u /**< PT Start */
+#define CK10_INPUT_FUNCTION_STOP 0x00002000u /**< Stop */
+#define CK10_INPUT_FUNCTION_JOG_POSITIVE 0x00004000u /**< Jog+ */
+#define CK10_INPUT_FUNCTION_JOG_NEGATIVE 0x00008000u /**< Jog- */
+#define CK10_INPUT_FUNCTION_RESET_ALARM 0x00010000u /**< Alarm Reset */
+#define CK10_INPUT_FUNCTION_SERVO_ON 0x00020000u /**< Servo ON */
+#define CK10_INPUT_FUNCTION_START_HOMING 0x00080000u /**< Org Search */
+#define CK10_INPUT_FUNCTION_EMERGENCY_STOP 0x00200000u /**< E-stop */
+#define CK10_INPUT_FUNCTION_JUMP_0 0x00400000u /**< JPT Input 0 */
+#define CK10_INPUT_FUNCTION_JUMP_1 0x00800000u /**< JPT Input 1 */
+#define CK10_INPUT_FUNCTION_JUMP_2 0x01000000u /**< JPT input 2 */
+#define CK10_INPUT_FUNCTION_START_JUMP 0x02000000u /**< JPT Start */
+#define CK10_INPUT_FUNCTION_USER_0 0x04000000u /**< User IN 0 */
+#define CK10_INPUT_FUNCTION_USER_1 0x08000000u /**< User IN 1 */
+#define CK10_INPUT_FUNCTION_USER_2 0x10000000u /**< User IN 2 */
+#define CK10_INPUT_FUNCTION_USER_3 0x20000000u /**< User IN 3 */
+#define CK10_INPUT_FUNCTION_USER_4 0x40000000u /**< User IN 4 */
+#define CK10_INPUT_FUNCTION_USER_5 0x80000000u /**< User IN 5 */
+
+/**
+ * What an output is for, by the mask of the signal. Each output has one function.
+ * Printed as IO 指派.
+ * Other values may occur.
+ * Note: Example of the manual: 00080000h assigns User Out 4 (3.3 L706).
+ * Source: 3.3 L690; 2.6 L428
+ */
+typedef enum ck10_output_function {
+    CK10_OUTPUT_FUNCTION_COMPARE_OUTPUT = 1, /**< Compare Out */
+    CK10_OUTPUT_FUNCTION_IN_POSITION = 2, /**< Inposition */
+    CK10_OUTPUT_FUNCTION_ALARM = 4, /**< Alarm */
+    CK10_OUTPUT_FUNCTION_MOVING = 8, /**< Moving */
+    CK10_OUTPUT_FUNCTION_ACCELERATING_OR_DECELERATING = 16, /**< Acc/Dec */
+    CK10_OUTPUT_FUNCTION_ACKNOWLEDGE = 32, /**< ACK */
+    CK10_OUTPUT_FUNCTION_END = 64, /**< END */
+    CK10_OUTPUT_FUNCTION_ALARM_BLINK = 128, /**< AlarmBlink */
+    CK10_OUTPUT_FUNCTION_HOMING_COMPLETE = 256, /**< Origin Search OK */
+    CK10_OUTPUT_FUNCTION_SERVO_READY = 512, /**< Servo Ready */
+    CK10_OUTPUT_FUNCTION_POINT_OUTPUT_0 = 4096, /**< PT Output0 */
+    CK10_OUTPUT_FUNCTION_POINT_OUTPUT_1 = 8192, /**< PT Output1 */
+    CK10_OUTPUT_FUNCTION_POINT_OUTPUT_2 = 16384, /**< PT Output2 */
+    CK10_OUTPUT_FUNCTION_USER_0 = 32768, /**< User Out 0 */
+    CK10_OUTPUT_FUNCTION_USER_1 = 65536, /**< User Out 1 */
+    CK10_OUTPUT_FUNCTION_USER_2 = 131072, /**< User Out 2 */
+    CK10_OUTPUT_FUNCTION_USER_3 = 262144, /**< User Out 3 */
+    CK10_OUTPUT_FUNCTION_USER_4 = 524288, /**< User Out 4 */
+    CK10_OUTPUT_FUNCTION_USER_5 = 1048576, /**< User Out 5 */
+    CK10_OUTPUT_FUNCTION_USER_6 = 2097152, /**< User Out 6 */
+    CK10_OUTPUT_FUNCTION_USER_7 = 4194304, /**< User Out 7 */
+    CK10_OUTPUT_FUNCTION_USER_8 = 8388608 /**< User Out 8 */
+} ck10_output_function;
+
+/* ---- Words of flags ---- */
+
+/**
+ * The flags of 03E8h. The manual prints each as a mask.
+ * Printed as 狀態標誌定義.
+ * A word of 32 bits.
+ * Source: 3.1 L632
+ */
+typedef uint32_t ck10_motion_status;
+
+/**
+ * One error or more has come up.
+ * Printed as FFLAG_ERRORALL.
+ * Source: 3.1 L637
+ */
+#define CK10_MOTION_STATUS_ERROR_MASK 0x00000001u
+#define CK10_MOTION_STATUS_ERROR_SHIFT 0u
+static inline bool ck10_motion_status_error(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_ERROR_MASK) != 0;
+}
+
+/**
+ * The positive limit sensor is on.
+ * Printed as FFLAG_HWPOSILMT.
+ * Source: 3.1 L638
+ */
+#define CK10_MOTION_STATUS_POSITIVE_HARD_LIMIT_MASK 0x00000002u
+#define CK10_MOTION_STATUS_POSITIVE_HARD_LIMIT_SHIFT 1u
+static inline bool ck10_motion_status_positive_hard_limit(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_POSITIVE_HARD_LIMIT_MASK) != 0;
+}
+
+/**
+ * The negative limit sensor is on.
+ * Printed as FFLAG_HWNEGALMT.
+ * Source: 3.1 L639
+ */
+#define CK10_MOTION_STATUS_NEGATIVE_HARD_LIMIT_MASK 0x00000004u
+#define CK10_MOTION_STATUS_NEGATIVE_HARD_LIMIT_SHIFT 2u
+static inline bool ck10_motion_status_negative_hard_limit(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_NEGATIVE_HARD_LIMIT_MASK) != 0;
+}
+
+/**
+ * The position is beyond the positive soft limit.
+ * Printed as FFLAG_SWPOSILMT.
+ * Source: 3.1 L640
+ */
+#define CK10_MOTION_STATUS_POSITIVE_SOFT_LIMIT_MASK 0x00000008u
+#define CK10_MOTION_STATUS_POSITIVE_SOFT_LIMIT_SHIFT 3u
+static inline bool ck10_motion_status_positive_soft_limit(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_POSITIVE_SOFT_LIMIT_MASK) != 0;
+}
+
+/**
+ * The position is beyond the negative soft limit.
+ * Printed as FFLAG_SWNEGALMT.
+ * Source: 3.1 L641
+ */
+#define CK10_MOTION_STATUS_NEGATIVE_SOFT_LIMIT_MASK 0x00000010u
+#define CK10_MOTION_STATUS_NEGATIVE_SOFT_LIMIT_SHIFT 4u
+static inline bool ck10_motion_status_negative_soft_limit(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_NEGATIVE_SOFT_LIMIT_MASK) != 0;
+}
+
+/**
+ * The position error is greater than the overflow limit.
+ * Printed as FFLAG_ERRPOSOVERFLOW.
+ * Source: 3.1 L644
+ */
+#define CK10_MOTION_STATUS_POSITION_OVERFLOW_MASK 0x00000080u
+#define CK10_MOTION_STATUS_POSITION_OVERFLOW_SHIFT 7u
+static inline bool ck10_motion_status_position_overflow(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_POSITION_OVERFLOW_MASK) != 0;
+}
+
+/**
+ * Too much current.
+ * Printed as FFLAG_ERROVERCURRENT.
+ * Source: 3.1 L645
+ */
+#define CK10_MOTION_STATUS_OVERCURRENT_MASK 0x00000100u
+#define CK10_MOTION_STATUS_OVERCURRENT_SHIFT 8u
+static inline bool ck10_motion_status_overcurrent(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_OVERCURRENT_MASK) != 0;
+}
+
+/**
+ * The motor turns faster than 3300 rpm.
+ * Printed as FFLAG_ERROVERSPEED.
+ * Source: 3.1 L646
+ */
+#define CK10_MOTION_STATUS_OVERSPEED_MASK 0x00000200u
+#define CK10_MOTION_STATUS_OVERSPEED_SHIFT 9u
+static inline bool ck10_motion_status_overspeed(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_OVERSPEED_MASK) != 0;
+}
+
+/**
+ * The position error is greater than the tracking limit.
+ * Printed as FFLAG_ERRPOSTRACKING.
+ * Source: 3.1 L647
+ */
+#define CK10_MOTION_STATUS_POSITION_TRACKING_MASK 0x00000400u
+#define CK10_MOTION_STATUS_POSITION_TRACKING_SHIFT 10u
+static inline bool ck10_motion_status_position_tracking(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_POSITION_TRACKING_MASK) != 0;
+}
+
+/**
+ * The load has been greater than the motor can bear for more than 5 s.
+ * Printed as FFLAG_ERROVERLOAD.
+ * Source: 3.1 L648
+ */
+#define CK10_MOTION_STATUS_OVERLOAD_MASK 0x00000800u
+#define CK10_MOTION_STATUS_OVERLOAD_SHIFT 11u
+static inline bool ck10_motion_status_overload(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_OVERLOAD_MASK) != 0;
+}
+
+/**
+ * The inside of the controller is hotter than 85 degrees Celsius.
+ * Printed as FFLAG_ERROVERHEAT.
+ * Source: 3.1 L649
+ */
+#define CK10_MOTION_STATUS_OVERHEAT_MASK 0x00001000u
+#define CK10_MOTION_STATUS_OVERHEAT_SHIFT 12u
+static inline bool ck10_motion_status_overheat(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_OVERHEAT_MASK) != 0;
+}
+
+/**
+ * The voltage that the motor gives back is higher than 48 V.
+ * Printed as FFLAG_ERRBACKEMF.
+ * Source: 3.1 L650
+ */
+#define CK10_MOTION_STATUS_BACK_EMF_MASK 0x00002000u
+#define CK10_MOTION_STATUS_BACK_EMF_SHIFT 13u
+static inline bool ck10_motion_status_back_emf(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_BACK_EMF_MASK) != 0;
+}
+
+/**
+ * After the stop there was a position error for more than 3 s.
+ * Printed as FFLAG_ERRINPOSITION.
+ * Source: 3.1 L652
+ */
+#define CK10_MOTION_STATUS_IN_POSITION_ERROR_MASK 0x00008000u
+#define CK10_MOTION_STATUS_IN_POSITION_ERROR_SHIFT 15u
+static inline bool ck10_motion_status_in_position_error(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_IN_POSITION_ERROR_MASK) != 0;
+}
+
+/**
+ * The controller is in the emergency stop.
+ * Printed as FFLAG_EMGSTOP.
+ * Source: 3.1 L653
+ */
+#define CK10_MOTION_STATUS_EMERGENCY_STOP_MASK 0x00010000u
+#define CK10_MOTION_STATUS_EMERGENCY_STOP_SHIFT 16u
+static inline bool ck10_motion_status_emergency_stop(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_EMERGENCY_STOP_MASK) != 0;
+}
+
+/**
+ * The motor is coming to an ordinary stop.
+ * Printed as FFLAG_SLOWSTOP.
+ * Source: 3.1 L654
+ */
+#define CK10_MOTION_STATUS_SLOW_STOP_MASK 0x00020000u
+#define CK10_MOTION_STATUS_SLOW_STOP_SHIFT 17u
+static inline bool ck10_motion_status_slow_stop(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_SLOW_STOP_MASK) != 0;
+}
+
+/**
+ * The motor is homing.
+ * Printed as FFLAG_ORIGINRETURNING.
+ * Source: 3.1 L655
+ */
+#define CK10_MOTION_STATUS_HOMING_MASK 0x00040000u
+#define CK10_MOTION_STATUS_HOMING_SHIFT 18u
+static inline bool ck10_motion_status_homing(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_HOMING_MASK) != 0;
+}
+
+/**
+ * The motor is in position.
+ * Printed as FFLAG_INPOSITION.
+ * Source: 3.1 L656
+ */
+#define CK10_MOTION_STATUS_IN_POSITION_MASK 0x00080000u
+#define CK10_MOTION_STATUS_IN_POSITION_SHIFT 19u
+static inline bool ck10_motion_status_in_position(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_IN_POSITION_MASK) != 0;
+}
+
+/**
+ * The controller drives the motor.
+ * Printed as FFLAG_SERVOON.
+ * Source: 3.1 L657
+ */
+#define CK10_MOTION_STATUS_SERVO_ON_MASK 0x00100000u
+#define CK10_MOTION_STATUS_SERVO_ON_SHIFT 20u
+static inline bool ck10_motion_status_servo_on(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_SERVO_ON_MASK) != 0;
+}
+
+/**
+ * The alarm has been reset.
+ * Printed as FFLAG_ALARMRESET.
+ * Source: 3.1 L658
+ */
+#define CK10_MOTION_STATUS_ALARM_RESET_MASK 0x00200000u
+#define CK10_MOTION_STATUS_ALARM_RESET_SHIFT 21u
+static inline bool ck10_motion_status_alarm_reset(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_ALARM_RESET_MASK) != 0;
+}
+
+/**
+ * The point table has come to its end.
+ * Printed as FFLAG_PTSTOPPED.
+ * Source: 3.1 L659
+ */
+#define CK10_MOTION_STATUS_POINT_TABLE_STOPPED_MASK 0x00400000u
+#define CK10_MOTION_STATUS_POINT_TABLE_STOPPED_SHIFT 22u
+static inline bool ck10_motion_status_point_table_stopped(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_POINT_TABLE_STOPPED_MASK) != 0;
+}
+
+/**
+ * The origin sensor is on.
+ * Printed as FFLAG_ORIGINSENSOR.
+ * Source: 3.1 L660
+ */
+#define CK10_MOTION_STATUS_ORIGIN_SENSOR_MASK 0x00800000u
+#define CK10_MOTION_STATUS_ORIGIN_SENSOR_SHIFT 23u
+static inline bool ck10_motion_status_origin_sensor(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_ORIGIN_SENSOR_MASK) != 0;
+}
+
+/**
+ * The motor is at the Z phase of the encoder.
+ * Printed as FFLAG_ZPULSE.
+ * Source: 3.1 L661
+ */
+#define CK10_MOTION_STATUS_Z_PULSE_MASK 0x01000000u
+#define CK10_MOTION_STATUS_Z_PULSE_SHIFT 24u
+static inline bool ck10_motion_status_z_pulse(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_Z_PULSE_MASK) != 0;
+}
+
+/**
+ * Homing has been completed.
+ * Printed as FFLAG_ORIGINRETOK.
+ * Source: 3.1 L662
+ */
+#define CK10_MOTION_STATUS_HOMING_COMPLETE_MASK 0x02000000u
+#define CK10_MOTION_STATUS_HOMING_COMPLETE_SHIFT 25u
+static inline bool ck10_motion_status_homing_complete(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_HOMING_COMPLETE_MASK) != 0;
+}
+
+/**
+ * The direction of the move.
+ * Printed as FFLAG_MOTIONDIR.
+ * Note: Which direction is 1 is not printed.
+ * Source: 3.1 L663
+ */
+#define CK10_MOTION_STATUS_DIRECTION_MASK 0x04000000u
+#define CK10_MOTION_STATUS_DIRECTION_SHIFT 26u
+static inline bool ck10_motion_status_direction(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_DIRECTION_MASK) != 0;
+}
+
+/**
+ * The motor moves.
+ * Printed as FFLAG_MOTIONING.
+ * Source: 3.1 L664
+ */
+#define CK10_MOTION_STATUS_MOVING_MASK 0x08000000u
+#define CK10_MOTION_STATUS_MOVING_SHIFT 27u
+static inline bool ck10_motion_status_moving(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_MOVING_MASK) != 0;
+}
+
+/**
+ * The motor accelerates.
+ * Printed as FFLAG_MOTIONACCEL.
+ * Source: 3.1 L666
+ */
+#define CK10_MOTION_STATUS_ACCELERATING_MASK 0x20000000u
+#define CK10_MOTION_STATUS_ACCELERATING_SHIFT 29u
+static inline bool ck10_motion_status_accelerating(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_ACCELERATING_MASK) != 0;
+}
+
+/**
+ * The motor decelerates.
+ * Printed as FFLAG_MOTIONDECEL.
+ * Source: 3.1 L667
+ */
+#define CK10_MOTION_STATUS_DECELERATING_MASK 0x40000000u
+#define CK10_MOTION_STATUS_DECELERATING_SHIFT 30u
+static inline bool ck10_motion_status_decelerating(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_DECELERATING_MASK) != 0;
+}
+
+/**
+ * The motor moves at a constant speed.
+ * Printed as FFLAG_MOTIONCONST.
+ * Source: 3.1 L668
+ */
+#define CK10_MOTION_STATUS_CONSTANT_SPEED_MASK 0x80000000u
+#define CK10_MOTION_STATUS_CONSTANT_SPEED_SHIFT 31u
+static inline bool ck10_motion_status_constant_speed(uint32_t word)
+{
+    return (word & CK10_MOTION_STATUS_CONSTANT_SPEED_MASK) != 0;
+}
+
+/**
+ * The inputs of 03F2h. Each mask is also the value that assigns the signal to an input.
+ * Printed as 輸入位元定義.
+ * A word of 32 bits.
+ * Note: The masks of point address 5 to 7 are those of the user's inputs 6 to 8 too.
+ * Note: Eight inputs make the number of a point, which goes to 127 only.
+ * Source: 3.2 L670
+ */
+typedef uint32_t ck10_input_signals;
+
+/**
+ * Printed as Limit+.
+ * Source: 3.2 L675
+ */
+#define CK10_INPUT_SIGNALS_POSITIVE_LIMIT_MASK 0x00000001u
+#define CK10_INPUT_SIGNALS_POSITIVE_LIMIT_SHIFT 0u
+static inline bool ck10_input_signals_positive_limit(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POSITIVE_LIMIT_MASK) != 0;
+}
+
+/**
+ * Printed as Limit-.
+ * Source: 3.2 L676
+ */
+#define CK10_INPUT_SIGNALS_NEGATIVE_LIMIT_MASK 0x00000002u
+#define CK10_INPUT_SIGNALS_NEGATIVE_LIMIT_SHIFT 1u
+static inline bool ck10_input_signals_negative_limit(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_NEGATIVE_LIMIT_MASK) != 0;
+}
+
+/**
+ * Printed as Origin.
+ * Source: 3.2 L677
+ */
+#define CK10_INPUT_SIGNALS_ORIGIN_MASK 0x00000004u
+#define CK10_INPUT_SIGNALS_ORIGIN_SHIFT 2u
+static inline bool ck10_input_signals_origin(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_ORIGIN_MASK) != 0;
+}
+
+/**
+ * Printed as Clear Position.
+ * Source: 3.2 L678
+ */
+#define CK10_INPUT_SIGNALS_CLEAR_POSITION_MASK 0x00000008u
+#define CK10_INPUT_SIGNALS_CLEAR_POSITION_SHIFT 3u
+static inline bool ck10_input_signals_clear_position(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_CLEAR_POSITION_MASK) != 0;
+}
+
+/**
+ * Printed as PT A0.
+ * Source: 3.2 L679
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_0_MASK 0x00000010u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_0_SHIFT 4u
+static inline bool ck10_input_signals_point_address_0(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_0_MASK) != 0;
+}
+
+/**
+ * Printed as PT A1.
+ * Source: 3.2 L680
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_1_MASK 0x00000020u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_1_SHIFT 5u
+static inline bool ck10_input_signals_point_address_1(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_1_MASK) != 0;
+}
+
+/**
+ * Printed as PT A2.
+ * Source: 3.2 L681
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_2_MASK 0x00000040u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_2_SHIFT 6u
+static inline bool ck10_input_signals_point_address_2(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_2_MASK) != 0;
+}
+
+/**
+ * Printed as PT A3.
+ * Source: 3.2 L682
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_3_MASK 0x00000080u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_3_SHIFT 7u
+static inline bool ck10_input_signals_point_address_3(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_3_MASK) != 0;
+}
+
+/**
+ * Printed as PT A4.
+ * Source: 3.2 L675
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_4_MASK 0x00000100u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_4_SHIFT 8u
+static inline bool ck10_input_signals_point_address_4(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_4_MASK) != 0;
+}
+
+/**
+ * Printed as PT A5 / User IN 6.
+ * Source: 3.2 L676
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_5_OR_USER_6_MASK 0x00000200u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_5_OR_USER_6_SHIFT 9u
+static inline bool ck10_input_signals_point_address_5_or_user_6(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_5_OR_USER_6_MASK) != 0;
+}
+
+/**
+ * Printed as PT A6 / User IN 7.
+ * Source: 3.2 L677
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_6_OR_USER_7_MASK 0x00000400u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_6_OR_USER_7_SHIFT 10u
+static inline bool ck10_input_signals_point_address_6_or_user_7(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_6_OR_USER_7_MASK) != 0;
+}
+
+/**
+ * Printed as PT A7 / User IN 8.
+ * Source: 3.2 L678
+ */
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_7_OR_USER_8_MASK 0x00000800u
+#define CK10_INPUT_SIGNALS_POINT_ADDRESS_7_OR_USER_8_SHIFT 11u
+static inline bool ck10_input_signals_point_address_7_or_user_8(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_POINT_ADDRESS_7_OR_USER_8_MASK) != 0;
+}
+
+/**
+ * Printed as PT Start.
+ * Source: 3.2 L679
+ */
+#define CK10_INPUT_SIGNALS_START_POINT_TABLE_MASK 0x00001000u
+#define CK10_INPUT_SIGNALS_START_POINT_TABLE_SHIFT 12u
+static inline bool ck10_input_signals_start_point_table(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_START_POINT_TABLE_MASK) != 0;
+}
+
+/**
+ * Printed as Stop.
+ * Source: 3.2 L680
+ */
+#define CK10_INPUT_SIGNALS_STOP_MASK 0x00002000u
+#define CK10_INPUT_SIGNALS_STOP_SHIFT 13u
+static inline bool ck10_input_signals_stop(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_STOP_MASK) != 0;
+}
+
+/**
+ * Printed as Jog+.
+ * Source: 3.2 L681
+ */
+#define CK10_INPUT_SIGNALS_JOG_POSITIVE_MASK 0x00004000u
+#define CK10_INPUT_SIGNALS_JOG_POSITIVE_SHIFT 14u
+static inline bool ck10_input_signals_jog_positive(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_JOG_POSITIVE_MASK) != 0;
+}
+
+/**
+ * Printed as Jog-.
+ * Source: 3.2 L682
+ */
+#define CK10_INPUT_SIGNALS_JOG_NEGATIVE_MASK 0x00008000u
+#define CK10_INPUT_SIGNALS_JOG_NEGATIVE_SHIFT 15u
+static inline bool ck10_input_signals_jog_negative(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_JOG_NEGATIVE_MASK) != 0;
+}
+
+/**
+ * Printed as Alarm Reset.
+ * Source: 3.2 L675
+ */
+#define CK10_INPUT_SIGNALS_RESET_ALARM_MASK 0x00010000u
+#define CK10_INPUT_SIGNALS_RESET_ALARM_SHIFT 16u
+static inline bool ck10_input_signals_reset_alarm(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_RESET_ALARM_MASK) != 0;
+}
+
+/**
+ * Printed as Servo ON.
+ * Source: 3.2 L676
+ */
+#define CK10_INPUT_SIGNALS_SERVO_ON_MASK 0x00020000u
+#define CK10_INPUT_SIGNALS_SERVO_ON_SHIFT 17u
+static inline bool ck10_input_signals_servo_on(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_SERVO_ON_MASK) != 0;
+}
+
+/**
+ * Printed as Org Search.
+ * Source: 3.2 L678
+ */
+#define CK10_INPUT_SIGNALS_START_HOMING_MASK 0x00080000u
+#define CK10_INPUT_SIGNALS_START_HOMING_SHIFT 19u
+static inline bool ck10_input_signals_start_homing(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_START_HOMING_MASK) != 0;
+}
+
+/**
+ * Printed as E-stop.
+ * Source: 3.2 L680
+ */
+#define CK10_INPUT_SIGNALS_EMERGENCY_STOP_MASK 0x00200000u
+#define CK10_INPUT_SIGNALS_EMERGENCY_STOP_SHIFT 21u
+static inline bool ck10_input_signals_emergency_stop(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_EMERGENCY_STOP_MASK) != 0;
+}
+
+/**
+ * Printed as JPT Input 0.
+ * Source: 3.2 L681
+ */
+#define CK10_INPUT_SIGNALS_JUMP_0_MASK 0x00400000u
+#define CK10_INPUT_SIGNALS_JUMP_0_SHIFT 22u
+static inline bool ck10_input_signals_jump_0(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_JUMP_0_MASK) != 0;
+}
+
+/**
+ * Printed as JPT Input 1.
+ * Source: 3.2 L682
+ */
+#define CK10_INPUT_SIGNALS_JUMP_1_MASK 0x00800000u
+#define CK10_INPUT_SIGNALS_JUMP_1_SHIFT 23u
+static inline bool ck10_input_signals_jump_1(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_JUMP_1_MASK) != 0;
+}
+
+/**
+ * Printed as JPT input 2.
+ * Source: 3.2 L675
+ */
+#define CK10_INPUT_SIGNALS_JUMP_2_MASK 0x01000000u
+#define CK10_INPUT_SIGNALS_JUMP_2_SHIFT 24u
+static inline bool ck10_input_signals_jump_2(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_JUMP_2_MASK) != 0;
+}
+
+/**
+ * Printed as JPT Start.
+ * Source: 3.2 L676
+ */
+#define CK10_INPUT_SIGNALS_START_JUMP_MASK 0x02000000u
+#define CK10_INPUT_SIGNALS_START_JUMP_SHIFT 25u
+static inline bool ck10_input_signals_start_jump(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_START_JUMP_MASK) != 0;
+}
+
+/**
+ * Printed as User IN 0.
+ * Source: 3.2 L677
+ */
+#define CK10_INPUT_SIGNALS_USER_0_MASK 0x04000000u
+#define CK10_INPUT_SIGNALS_USER_0_SHIFT 26u
+static inline bool ck10_input_signals_user_0(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_USER_0_MASK) != 0;
+}
+
+/**
+ * Printed as User IN 1.
+ * Source: 3.2 L678
+ */
+#define CK10_INPUT_SIGNALS_USER_1_MASK 0x08000000u
+#define CK10_INPUT_SIGNALS_USER_1_SHIFT 27u
+static inline bool ck10_input_signals_user_1(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_USER_1_MASK) != 0;
+}
+
+/**
+ * Printed as User IN 2.
+ * Source: 3.2 L679
+ */
+#define CK10_INPUT_SIGNALS_USER_2_MASK 0x10000000u
+#define CK10_INPUT_SIGNALS_USER_2_SHIFT 28u
+static inline bool ck10_input_signals_user_2(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_USER_2_MASK) != 0;
+}
+
+/**
+ * Printed as User IN 3.
+ * Source: 3.2 L680
+ */
+#define CK10_INPUT_SIGNALS_USER_3_MASK 0x20000000u
+#define CK10_INPUT_SIGNALS_USER_3_SHIFT 29u
+static inline bool ck10_input_signals_user_3(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_USER_3_MASK) != 0;
+}
+
+/**
+ * Printed as User IN 4.
+ * Source: 3.2 L681
+ */
+#define CK10_INPUT_SIGNALS_USER_4_MASK 0x40000000u
+#define CK10_INPUT_SIGNALS_USER_4_SHIFT 30u
+static inline bool ck10_input_signals_user_4(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_USER_4_MASK) != 0;
+}
+
+/**
+ * Printed as User IN 5.
+ * Source: 3.2 L682
+ */
+#define CK10_INPUT_SIGNALS_USER_5_MASK 0x80000000u
+#define CK10_INPUT_SIGNALS_USER_5_SHIFT 31u
+static inline bool ck10_input_signals_user_5(uint32_t word)
+{
+    return (word & CK10_INPUT_SIGNALS_USER_5_MASK) != 0;
+}
+
+/**
+ * The outputs of 03F4h. Each mask is also the value that assigns the signal to an output.
+ * Printed as 輸出位元定義.
+ * A word of 32 bits.
+ * Source: 3.3 L690
+ */
+typedef uint32_t ck10_output_signals;
+
+/**
+ * Printed as Compare Out.
+ * Source: 3.3 L695
+ */
+#define CK10_OUTPUT_SIGNALS_COMPARE_OUTPUT_MASK 0x00000001u
+#define CK10_OUTPUT_SIGNALS_COMPARE_OUTPUT_SHIFT 0u
+static inline bool ck10_output_signals_compare_output(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_COMPARE_OUTPUT_MASK) != 0;
+}
+
+/**
+ * Printed as Inposition.
+ * Source: 3.3 L696
+ */
+#define CK10_OUTPUT_SIGNALS_IN_POSITION_MASK 0x00000002u
+#define CK10_OUTPUT_SIGNALS_IN_POSITION_SHIFT 1u
+static inline bool ck10_output_signals_in_position(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_IN_POSITION_MASK) != 0;
+}
+
+/**
+ * Printed as Alarm.
+ * Source: 3.3 L697
+ */
+#define CK10_OUTPUT_SIGNALS_ALARM_MASK 0x00000004u
+#define CK10_OUTPUT_SIGNALS_ALARM_SHIFT 2u
+static inline bool ck10_output_signals_alarm(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_ALARM_MASK) != 0;
+}
+
+/**
+ * Printed as Moving.
+ * Source: 3.3 L698
+ */
+#define CK10_OUTPUT_SIGNALS_MOVING_MASK 0x00000008u
+#define CK10_OUTPUT_SIGNALS_MOVING_SHIFT 3u
+static inline bool ck10_output_signals_moving(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_MOVING_MASK) != 0;
+}
+
+/**
+ * Printed as Acc/Dec.
+ * Source: 3.3 L699
+ */
+#define CK10_OUTPUT_SIGNALS_ACCELERATING_OR_DECELERATING_MASK 0x00000010u
+#define CK10_OUTPUT_SIGNALS_ACCELERATING_OR_DECELERATING_SHIFT 4u
+static inline bool ck10_output_signals_accelerating_or_decelerating(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_ACCELERATING_OR_DECELERATING_MASK) != 0;
+}
+
+/**
+ * Printed as ACK.
+ * Source: 3.3 L700
+ */
+#define CK10_OUTPUT_SIGNALS_ACKNOWLEDGE_MASK 0x00000020u
+#define CK10_OUTPUT_SIGNALS_ACKNOWLEDGE_SHIFT 5u
+static inline bool ck10_output_signals_acknowledge(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_ACKNOWLEDGE_MASK) != 0;
+}
+
+/**
+ * Printed as END.
+ * Source: 3.3 L701
+ */
+#define CK10_OUTPUT_SIGNALS_END_MASK 0x00000040u
+#define CK10_OUTPUT_SIGNALS_END_SHIFT 6u
+static inline bool ck10_output_signals_end(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_END_MASK) != 0;
+}
+
+/**
+ * Printed as AlarmBlink.
+ * Source: 3.3 L702
+ */
+#define CK10_OUTPUT_SIGNALS_ALARM_BLINK_MASK 0x00000080u
+#define CK10_OUTPUT_SIGNALS_ALARM_BLINK_SHIFT 7u
+static inline bool ck10_output_signals_alarm_blink(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_ALARM_BLINK_MASK) != 0;
+}
+
+/**
+ * Printed as Origin Search OK.
+ * Source: 3.3 L695
+ */
+#define CK10_OUTPUT_SIGNALS_HOMING_COMPLETE_MASK 0x00000100u
+#define CK10_OUTPUT_SIGNALS_HOMING_COMPLETE_SHIFT 8u
+static inline bool ck10_output_signals_homing_complete(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_HOMING_COMPLETE_MASK) != 0;
+}
+
+/**
+ * Printed as Servo Ready.
+ * Source: 3.3 L696
+ */
+#define CK10_OUTPUT_SIGNALS_SERVO_READY_MASK 0x00000200u
+#define CK10_OUTPUT_SIGNALS_SERVO_READY_SHIFT 9u
+static inline bool ck10_output_signals_servo_ready(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_SERVO_READY_MASK) != 0;
+}
+
+/**
+ * Printed as PT Output0.
+ * Source: 3.3 L699
+ */
+#define CK10_OUTPUT_SIGNALS_POINT_OUTPUT_0_MASK 0x00001000u
+#define CK10_OUTPUT_SIGNALS_POINT_OUTPUT_0_SHIFT 12u
+static inline bool ck10_output_signals_point_output_0(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_POINT_OUTPUT_0_MASK) != 0;
+}
+
+/**
+ * Printed as PT Output1.
+ * Source: 3.3 L700
+ */
+#define CK10_OUTPUT_SIGNALS_POINT_OUTPUT_1_MASK 0x00002000u
+#define CK10_OUTPUT_SIGNALS_POINT_OUTPUT_1_SHIFT 13u
+static inline bool ck10_output_signals_point_output_1(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_POINT_OUTPUT_1_MASK) != 0;
+}
+
+/**
+ * Printed as PT Output2.
+ * Source: 3.3 L701
+ */
+#define CK10_OUTPUT_SIGNALS_POINT_OUTPUT_2_MASK 0x00004000u
+#define CK10_OUTPUT_SIGNALS_POINT_OUTPUT_2_SHIFT 14u
+static inline bool ck10_output_signals_point_output_2(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_POINT_OUTPUT_2_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 0.
+ * Source: 3.3 L702
+ */
+#define CK10_OUTPUT_SIGNALS_USER_0_MASK 0x00008000u
+#define CK10_OUTPUT_SIGNALS_USER_0_SHIFT 15u
+static inline bool ck10_output_signals_user_0(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_0_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 1.
+ * Source: 3.3 L695
+ */
+#define CK10_OUTPUT_SIGNALS_USER_1_MASK 0x00010000u
+#define CK10_OUTPUT_SIGNALS_USER_1_SHIFT 16u
+static inline bool ck10_output_signals_user_1(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_1_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 2.
+ * Source: 3.3 L696
+ */
+#define CK10_OUTPUT_SIGNALS_USER_2_MASK 0x00020000u
+#define CK10_OUTPUT_SIGNALS_USER_2_SHIFT 17u
+static inline bool ck10_output_signals_user_2(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_2_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 3.
+ * Source: 3.3 L697
+ */
+#define CK10_OUTPUT_SIGNALS_USER_3_MASK 0x00040000u
+#define CK10_OUTPUT_SIGNALS_USER_3_SHIFT 18u
+static inline bool ck10_output_signals_user_3(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_3_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 4.
+ * Source: 3.3 L698
+ */
+#define CK10_OUTPUT_SIGNALS_USER_4_MASK 0x00080000u
+#define CK10_OUTPUT_SIGNALS_USER_4_SHIFT 19u
+static inline bool ck10_output_signals_user_4(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_4_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 5.
+ * Source: 3.3 L699
+ */
+#define CK10_OUTPUT_SIGNALS_USER_5_MASK 0x00100000u
+#define CK10_OUTPUT_SIGNALS_USER_5_SHIFT 20u
+static inline bool ck10_output_signals_user_5(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_5_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 6.
+ * Source: 3.3 L700
+ */
+#define CK10_OUTPUT_SIGNALS_USER_6_MASK 0x00200000u
+#define CK10_OUTPUT_SIGNALS_USER_6_SHIFT 21u
+static inline bool ck10_output_signals_user_6(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_6_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 7.
+ * Source: 3.3 L701
+ */
+#define CK10_OUTPUT_SIGNALS_USER_7_MASK 0x00400000u
+#define CK10_OUTPUT_SIGNALS_USER_7_SHIFT 22u
+static inline bool ck10_output_signals_user_7(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_7_MASK) != 0;
+}
+
+/**
+ * Printed as User Out 8.
+ * Source: 3.3 L702
+ */
+#define CK10_OUTPUT_SIGNALS_USER_8_MASK 0x00800000u
+#define CK10_OUTPUT_SIGNALS_USER_8_SHIFT 23u
+static inline bool ck10_output_signals_user_8(uint32_t word)
+{
+    return (word & CK10_OUTPUT_SIGNALS_USER_8_MASK) != 0;
+}
+
+/**
+ * Printed as USR_IN_ALL.
+ * A word of 16 bits.
+ * Source: 2.2 L270
+ */
+typedef uint16_t ck10_user_inputs;
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_0_MASK 0x0001u
+#define CK10_USER_INPUTS_USER_0_SHIFT 0u
+static inline bool ck10_user_inputs_user_0(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_0_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_1_MASK 0x0002u
+#define CK10_USER_INPUTS_USER_1_SHIFT 1u
+static inline bool ck10_user_inputs_user_1(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_1_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_2_MASK 0x0004u
+#define CK10_USER_INPUTS_USER_2_SHIFT 2u
+static inline bool ck10_user_inputs_user_2(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_2_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_3_MASK 0x0008u
+#define CK10_USER_INPUTS_USER_3_SHIFT 3u
+static inline bool ck10_user_inputs_user_3(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_3_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_4_MASK 0x0010u
+#define CK10_USER_INPUTS_USER_4_SHIFT 4u
+static inline bool ck10_user_inputs_user_4(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_4_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_5_MASK 0x0020u
+#define CK10_USER_INPUTS_USER_5_SHIFT 5u
+static inline bool ck10_user_inputs_user_5(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_5_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_6_MASK 0x0040u
+#define CK10_USER_INPUTS_USER_6_SHIFT 6u
+static inline bool ck10_user_inputs_user_6(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_6_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_7_MASK 0x0080u
+#define CK10_USER_INPUTS_USER_7_SHIFT 7u
+static inline bool ck10_user_inputs_user_7(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_7_MASK) != 0;
+}
+
+/** Source: 2.2 L270 */
+#define CK10_USER_INPUTS_USER_8_MASK 0x0100u
+#define CK10_USER_INPUTS_USER_8_SHIFT 8u
+static inline bool ck10_user_inputs_user_8(uint16_t word)
+{
+    return (word & CK10_USER_INPUTS_USER_8_MASK) != 0;
+}
+
+/**
+ * Printed as USR_OUT_ALL.
+ * A word of 16 bits.
+ * Source: 2.2 L280
+ */
+typedef uint16_t ck10_user_outputs;
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_0_MASK 0x0001u
+#define CK10_USER_OUTPUTS_USER_0_SHIFT 0u
+static inline bool ck10_user_outputs_user_0(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_0_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_1_MASK 0x0002u
+#define CK10_USER_OUTPUTS_USER_1_SHIFT 1u
+static inline bool ck10_user_outputs_user_1(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_1_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_2_MASK 0x0004u
+#define CK10_USER_OUTPUTS_USER_2_SHIFT 2u
+static inline bool ck10_user_outputs_user_2(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_2_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_3_MASK 0x0008u
+#define CK10_USER_OUTPUTS_USER_3_SHIFT 3u
+static inline bool ck10_user_outputs_user_3(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_3_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_4_MASK 0x0010u
+#define CK10_USER_OUTPUTS_USER_4_SHIFT 4u
+static inline bool ck10_user_outputs_user_4(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_4_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_5_MASK 0x0020u
+#define CK10_USER_OUTPUTS_USER_5_SHIFT 5u
+static inline bool ck10_user_outputs_user_5(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_5_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_6_MASK 0x0040u
+#define CK10_USER_OUTPUTS_USER_6_SHIFT 6u
+static inline bool ck10_user_outputs_user_6(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_6_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_7_MASK 0x0080u
+#define CK10_USER_OUTPUTS_USER_7_SHIFT 7u
+static inline bool ck10_user_outputs_user_7(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_7_MASK) != 0;
+}
+
+/** Source: 2.2 L280 */
+#define CK10_USER_OUTPUTS_USER_8_MASK 0x0100u
+#define CK10_USER_OUTPUTS_USER_8_SHIFT 8u
+static inline bool ck10_user_outputs_user_8(uint16_t word)
+{
+    return (word & CK10_USER_OUTPUTS_USER_8_MASK) != 0;
+}
+
+/**
+ * Which outputs a point sets, and when.
+ * Printed as PT 設定.
+ * A word of 16 bits.
+ * Note: 3.5 gives the whole number: 0, 8 and 16 set no output; 1 to 7 at the start, 9 to 15 at the end, 17 to
+ * 23 at the trigger position.
+ * Source: 2.7 L589; 3.5 L860
+ */
+typedef uint16_t ck10_point_output_setting;
+
+/**
+ * Printed as PT Output0.
+ * Source: 2.7 L589
+ */
+#define CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_0_MASK 0x0001u
+#define CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_0_SHIFT 0u
+static inline bool ck10_point_output_setting_point_output_0(uint16_t word)
+{
+    return (word & CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_0_MASK) != 0;
+}
+
+/**
+ * Printed as PT Output1.
+ * Source: 2.7 L589
+ */
+#define CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_1_MASK 0x0002u
+#define CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_1_SHIFT 1u
+static inline bool ck10_point_output_setting_point_output_1(uint16_t word)
+{
+    return (word & CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_1_MASK) != 0;
+}
+
+/**
+ * Printed as PT Output2.
+ * Source: 2.7 L589
+ */
+#define CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_2_MASK 0x0004u
+#define CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_2_SHIFT 2u
+static inline bool ck10_point_output_setting_point_output_2(uint16_t word)
+{
+    return (word & CK10_POINT_OUTPUT_SETTING_POINT_OUTPUT_2_MASK) != 0;
+}
+
+/**
+ * When the outputs come on.
+ * See output_moment.
+ * Source: 2.7 L589; 3.5 L860
+ */
+#define CK10_POINT_OUTPUT_SETTING_MOMENT_MASK 0x0018u
+#define CK10_POINT_OUTPUT_SETTING_MOMENT_SHIFT 3u
+static inline uint16_t ck10_point_output_setting_moment(uint16_t word)
+{
+    return (uint16_t)((word & CK10_POINT_OUTPUT_SETTING_MOMENT_MASK) >> CK10_POINT_OUTPUT_SETTING_MOMENT_SHIFT);
+}
+static inline uint16_t ck10_point_output_setting_with_moment(uint16_t word, uint16_t value)
+{
+    return (uint16_t)((word & (uint16_t)~CK10_POINT_OUTPUT_SETTING_MOMENT_MASK) | ((uint16_t)(value << CK10_POINT_OUTPUT_SETTING_MOMENT_SHIFT) & CK10_POINT_OUTPUT_SETTING_MOMENT_MASK));
+}
+
+/* ---- Records ---- */
+
+#define CK10_EXCEPTION_SIZE 1u
+/**
+ * The body of a reply that refuses a request.
+ * Source: 1.4 L225-229
+ */
+typedef struct ck10_exception {
+    /**
+     * Printed as 異常碼.
+     * See exception_code.
+     * Source: 1.4 L228
+     */
+    uint8_t exception_code;
+} ck10_exception;
+
+/**
+ * Writes ck10_exception: 1 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_exception_encode(const ck10_exception *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 1u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u8(out + 0, in->exception_code);
+    *length = 1u;
+    return CK10_OK;
+}
+
+/** Reads ck10_exception from exactly 1 bytes. */
+static inline ck10_codec_status ck10_exception_decode(const uint8_t *in, size_t length, ck10_exception *out)
+{
+    if (length < 1u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 1u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->exception_code = ck10_load_u8(in + 0);
+    return CK10_OK;
+}
+
+#define CK10_POINT_SIZE 64u
+/**
+ * One row of the point table, which the manual calls PT and position table.
+ * Printed as 位置表.
+ * Note: The manual prints the addresses of point 0, in decimal too: 10000 for 2710h to 10029 for 272Dh.
+ * Note: A field of two words is to be read and written with one request (2 L243).
+ * Note: For fields that do not say so, the manual does not print how to leave them empty.
+ * Source: 2.7 L575-600
+ */
+typedef struct ck10_point {
+    /**
+     * Where to, or how far, the point moves.
+     * Printed as 位置.
+     * One count is 1 pulse. Range: -2147483648..2147483647.
+     * Source: 2.7 L575; 3.5 L833
+     */
+    int32_t position;
+    /**
+     * The speed at which the move starts, and that of moves at low speed.
+     * Printed as 低速.
+     * One count is 1 pps. Range: 1..35000.
+     * Source: 2.7 L576; 3.5 L834
+     */
+    uint32_t low_speed;
+    /**
+     * The speed of the move.
+     * Printed as 高速.
+     * One count is 1 pps. Range: 1..500000.
+     * Note: The parameters 138Ah, 1394h and 13A4h allow up to 800000 pps.
+     * Source: 2.7 L577; 3.5 L835
+     */
+    uint32_t high_speed;
+    /**
+     * Printed as 加速時間.
+     * One count is 1 ms. Range: 1..9999.
+     * Source: 2.7 L578; 3.5 L836
+     */
+    uint16_t acceleration_time;
+    /**
+     * Printed as 減速時間.
+     * One count is 1 ms. Range: 1..9999.
+     * Source: 2.7 L579; 3.5 L837
+     */
+    uint16_t deceleration_time;
+    /**
+     * What the point does.
+     * Printed as 命令.
+     * Range: 0..11. See point_command. 65535 is ignored.
+     * Source: 2.7 L580; 3.5 L819
+     */
+    uint16_t command;
+    /**
+     * How long the controller waits before the next point; without a next point it does not.
+     * Printed as 等待時間.
+     * One count is 1 ms. Range: 0..60000.
+     * Note: Even with 0 it waits until the motor is in position or has stopped (3.5 L839).
+     * Source: 2.7 L581; 3.5 L838-839
+     */
+    uint16_t waiting_time;
+    /**
+     * The point that follows when this one is done: 0 to 127. 10000 plus its number: the jump is made at once when
+     * the input that starts jumps comes on.
+     * Printed as 跳轉編號.
+     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Note: 2.7 calls it JP Table No and Jump Table No as well; 3.5 calls the empty field that ends the table
+     * blank.
+     * Source: 2.7 L583; 3.5 L844-845
+     */
+    uint16_t jump_point;
+    /**
+     * The point that follows instead of the jump point if jump input 0 is on.
+     * Printed as JPT0.
+     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Note: In the text of 3.5, the second interval of each of the three fields stands on the row of the next one.
+     * Source: 2.7 L584; 3.5 L846-847
+     */
+    uint16_t jump_point_of_input_0;
+    /**
+     * The point that follows instead of the jump point if jump input 1 is on.
+     * Printed as JPT1.
+     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Source: 2.7 L585; 3.5 L847-849
+     */
+    uint16_t jump_point_of_input_1;
+    /**
+     * The point that follows instead of the jump point if jump input 2 is on.
+     * Printed as JPT2.
+     * Range: 0..127, 10000..10127. 65535 is ignored.
+     * Source: 2.7 L586; 3.5 L849-851
+     */
+    uint16_t jump_point_of_input_2;
+    /**
+     * How often the point is carried out before the loop jump, which then takes the place of the jump point.
+     * Printed as 循環計數.
+     * Range: 0..100.
+     * Source: 2.7 L587; 3.5 L857
+     */
+    uint16_t loop_count;
+    /**
+     * The point that follows the loop.
+     * Printed as Loop Jump Table No..
+     * Range: 0..127, 10000..10127.
+     * Source: 2.7 L588; 3.5 L858-859
+     */
+    uint16_t loop_jump_point;
+    /**
+     * Which outputs the point sets, and when.
+     * Printed as PT 設定.
+     * Range: 0..23. See point_output_setting.
+     * Source: 2.7 L589; 3.5 L860
+     */
+    uint16_t output_setting;
+    /**
+     * The point whose loop counter is cleared.
+     * Printed as 循環計數清除.
+     * Range: 0..127. 65535 is ignored.
+     * Source: 2.7 L592; 3.5 L861
+     */
+    uint16_t clear_loop_counter_of;
+    /**
+     * Whether the point is done only when the motor is in position.
+     * Printed as 到位檢查.
+     * Range: 0..1. See check_in_position.
+     * Source: 2.7 L593; 3.5 L862
+     */
+    uint16_t check_in_position;
+    /**
+     * Where the outputs come on, with an output setting of 17 to 23.
+     * Printed as 比較位置.
+     * One count is 1 pulse. Range: -2147483648..2147483647.
+     * Note: The output setting of 2.7 calls it trigger position too.
+     * Source: 2.7 L594; 3.5 L863
+     */
+    int32_t trigger_position;
+    /**
+     * How long the outputs stay on, with an output setting of 17 to 23.
+     * Printed as 比較輸出時間.
+     * One count is 1 ms. Range: 0..65535.
+     * Source: 2.7 L595; 3.5 L864
+     */
+    uint16_t trigger_time;
+    /**
+     * The torque of a push.
+     * Printed as 推力比.
+     * One count is 1 %. Range: 20..90.
+     * Source: 2.7 L596; 3.5 L865
+     */
+    uint16_t push_torque_ratio;
+    /**
+     * The speed of a push, at most 200 rpm.
+     * Printed as 推力速度.
+     * One count is 1 pps. Range: 1..33333.
+     * Note: 33333 pps are 200 rpm at 10000 pulses per turn; with fewer pulses they are more.
+     * Source: 2.7 L597; 3.5 L866
+     */
+    uint32_t push_speed;
+    /**
+     * The target of a push.
+     * Printed as 推力位置.
+     * One count is 1 pulse. Range: -2147483648..2147483647.
+     * Source: 2.7 L598; 3.5 L867
+     */
+    int32_t push_position;
+    /**
+     * 0 stops at the workpiece; 1 to 10000 do not stop.
+     * Printed as 推力模式.
+     * One count is 1 pulse. Range: 0..10000. 0 is stop_mode.
+     * Note: The register 07E6h of the same name knows 0 and 1 only. What the pulses count is not printed.
+     * Source: 2.7 L599; 3.5 L868
+     */
+    uint16_t push_mode;
+} ck10_point;
+
+/**
+ * Writes ck10_point: 64 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_point_encode(const ck10_point *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    if (capacity < 64u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u32_be(out + 0, (uint32_t)in->position);
+    if (!(in->low_speed >= 1u && in->low_speed <= 35000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out + 4, in->low_speed);
+    if (!(in->high_speed >= 1u && in->high_speed <= 500000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out + 8, in->high_speed);
+    if (!(in->acceleration_time >= 1u && in->acceleration_time <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 12, in->acceleration_time);
+    if (!(in->deceleration_time >= 1u && in->deceleration_time <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 14, in->deceleration_time);
+    if (!ck10_point_command_known((int64_t)in->command) && in->command != 65535u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!((in->command <= 11u) || (in->command == 65535u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 16, in->command);
+    if (!(in->waiting_time <= 60000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 18, in->waiting_time);
+    ck10_store_u16_be(out + 20, 0u);
+    if (!((in->jump_point <= 127u) || (in->jump_point >= 10000u && in->jump_point <= 10127u) || (in->jump_point == 65535u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 22, in->jump_point);
+    if (!((in->jump_point_of_input_0 <= 127u) || (in->jump_point_of_input_0 >= 10000u && in->jump_point_of_input_0 <= 10127u) || (in->jump_point_of_input_0 == 65535u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 24, in->jump_point_of_input_0);
+    if (!((in->jump_point_of_input_1 <= 127u) || (in->jump_point_of_input_1 >= 10000u && in->jump_point_of_input_1 <= 10127u) || (in->jump_point_of_input_1 == 65535u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 26, in->jump_point_of_input_1);
+    if (!((in->jump_point_of_input_2 <= 127u) || (in->jump_point_of_input_2 >= 10000u && in->jump_point_of_input_2 <= 10127u) || (in->jump_point_of_input_2 == 65535u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 28, in->jump_point_of_input_2);
+    if (!(in->loop_count <= 100u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 30, in->loop_count);
+    if (!((in->loop_jump_point <= 127u) || (in->loop_jump_point >= 10000u && in->loop_jump_point <= 10127u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 32, in->loop_jump_point);
+    if (!(in->output_setting <= 23u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 34, in->output_setting);
+    if (!((in->clear_loop_counter_of <= 127u) || (in->clear_loop_counter_of == 65535u))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 36, in->clear_loop_counter_of);
+    if (!ck10_check_in_position_known((int64_t)in->check_in_position)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(in->check_in_position <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 38, in->check_in_position);
+    ck10_store_u32_be(out + 40, (uint32_t)in->trigger_position);
+    ck10_store_u16_be(out + 44, in->trigger_time);
+    if (!(in->push_torque_ratio >= 20u && in->push_torque_ratio <= 90u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 46, in->push_torque_ratio);
+    if (!(in->push_speed >= 1u && in->push_speed <= 33333u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out + 48, in->push_speed);
+    ck10_store_u32_be(out + 52, (uint32_t)in->push_position);
+    if (!(in->push_mode <= 10000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 56, in->push_mode);
+    for (at = 0; at < 3u; at++) {
+        ck10_store_u16_be(out + 58u + at * 2u, 0u);
+    }
+    *length = 64u;
+    return CK10_OK;
+}
+
+/** Reads ck10_point from exactly 64 bytes. */
+static inline ck10_codec_status ck10_point_decode(const uint8_t *in, size_t length, ck10_point *out)
+{
+    if (length < 64u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 64u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->position = ck10_signed_32(ck10_load_u32_be(in + 0));
+    out->low_speed = ck10_load_u32_be(in + 4);
+    out->high_speed = ck10_load_u32_be(in + 8);
+    out->acceleration_time = ck10_load_u16_be(in + 12);
+    out->deceleration_time = ck10_load_u16_be(in + 14);
+    out->command = ck10_load_u16_be(in + 16);
+    if (!ck10_point_command_known((int64_t)out->command) && out->command != 65535u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    out->waiting_time = ck10_load_u16_be(in + 18);
+    out->jump_point = ck10_load_u16_be(in + 22);
+    out->jump_point_of_input_0 = ck10_load_u16_be(in + 24);
+    out->jump_point_of_input_1 = ck10_load_u16_be(in + 26);
+    out->jump_point_of_input_2 = ck10_load_u16_be(in + 28);
+    out->loop_count = ck10_load_u16_be(in + 30);
+    out->loop_jump_point = ck10_load_u16_be(in + 32);
+    out->output_setting = ck10_load_u16_be(in + 34);
+    out->clear_loop_counter_of = ck10_load_u16_be(in + 36);
+    out->check_in_position = ck10_load_u16_be(in + 38);
+    if (!ck10_check_in_position_known((int64_t)out->check_in_position)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    out->trigger_position = ck10_signed_32(ck10_load_u32_be(in + 40));
+    out->trigger_time = ck10_load_u16_be(in + 44);
+    out->push_torque_ratio = ck10_load_u16_be(in + 46);
+    out->push_speed = ck10_load_u32_be(in + 48);
+    out->push_position = ck10_signed_32(ck10_load_u32_be(in + 52));
+    out->push_mode = ck10_load_u16_be(in + 56);
+    return CK10_OK;
+}
+
+/* ---- Data of requests and responses ---- */
+
+/**
+ * Reads neighbouring registers.
+ * Printed as 0x03 讀取暫存器.
+ * Read holding registers.
+ * Note: How many registers one request may read is not printed; 125 are what a frame of Modbus has room for.
+ * Source: 1.3 L122-138
+ */
+#define CK10_READ_REGISTERS_CODE 3u
+
+#define CK10_READ_REGISTERS_REQUEST_SIZE 4u
+typedef struct ck10_read_registers_request {
+    /**
+     * Printed as Start add.
+     * Source: 1.3 L127
+     */
+    uint16_t address;
+    /**
+     * Printed as No of reg.
+     * Range: 1..125.
+     * Source: 1.3 L127, 130
+     */
+    uint16_t word_count;
+} ck10_read_registers_request;
+
+/**
+ * Writes ck10_read_registers_request: 4 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_read_registers_request_encode(const ck10_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 4u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u16_be(out + 0, in->address);
+    if (!(in->word_count >= 1u && in->word_count <= 125u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 2, in->word_count);
+    *length = 4u;
+    return CK10_OK;
+}
+
+/** Reads ck10_read_registers_request from exactly 4 bytes. */
+static inline ck10_codec_status ck10_read_registers_request_decode(const uint8_t *in, size_t length, ck10_read_registers_request *out)
+{
+    if (length < 4u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 4u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->address = ck10_load_u16_be(in + 0);
+    out->word_count = ck10_load_u16_be(in + 2);
+    return CK10_OK;
+}
+
+#define CK10_READ_REGISTERS_RESPONSE_SIZE 251u
+typedef struct ck10_read_registers_response {
+    /**
+     * Printed as Reg value.
+     * Source: 1.3 L135, 138
+     */
+    uint16_t values[125];
+    size_t values_count;
+} ck10_read_registers_response;
+
+/**
+ * Writes ck10_read_registers_response: 3 to 251 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_read_registers_response_encode(const ck10_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    if (in->values_count < 1u || in->values_count > 125u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    if (capacity < (1u + in->values_count * 2u)) {
+        return CK10_ERR_CAPACITY;
+    }
+    for (at = 0; at < in->values_count; at++) {
+        ck10_store_u16_be(out + 1u + at * 2u, in->values[at]);
+    }
+    if (in->values_count * 2u > 255u) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u8(out + 0, (uint8_t)(in->values_count * 2u));
+    *length = (1u + in->values_count * 2u);
+    return CK10_OK;
+}
+
+/** Reads ck10_read_registers_response from exactly 3 to 251 bytes. */
+static inline ck10_codec_status ck10_read_registers_response_decode(const uint8_t *in, size_t length, ck10_read_registers_response *out)
+{
+    size_t at;
+    if (length < 3u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 251u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    if ((length - 1u) % 2u != 0) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->values_count = (length - 1u) / 2u;
+    for (at = 0; at < out->values_count; at++) {
+        out->values[at] = ck10_load_u16_be(in + 1u + at * 2u);
+    }
+    if (ck10_load_u8(in + 0) != out->values_count * 2u) {
+        return CK10_ERR_WRONG_MEASURE;
+    }
+    return CK10_OK;
+}
+
+/**
+ * Writes one register. The response repeats the request.
+ * Printed as 0x06 寫入單一暫存器.
+ * Write one register.
+ * Source: 1.3 L140-158
+ */
+#define CK10_WRITE_REGISTER_CODE 6u
+
+#define CK10_WRITE_REGISTER_REQUEST_SIZE 4u
+typedef struct ck10_write_register_request {
+    /**
+     * Printed as Start add.
+     * Source: 1.3 L147
+     */
+    uint16_t address;
+    /**
+     * Printed as Value.
+     * Source: 1.3 L147, 150
+     */
+    uint16_t value;
+} ck10_write_register_request;
+
+/**
+ * Writes ck10_write_register_request: 4 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_write_register_request_encode(const ck10_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 4u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u16_be(out + 0, in->address);
+    ck10_store_u16_be(out + 2, in->value);
+    *length = 4u;
+    return CK10_OK;
+}
+
+/** Reads ck10_write_register_request from exactly 4 bytes. */
+static inline ck10_codec_status ck10_write_register_request_decode(const uint8_t *in, size_t length, ck10_write_register_request *out)
+{
+    if (length < 4u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 4u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->address = ck10_load_u16_be(in + 0);
+    out->value = ck10_load_u16_be(in + 2);
+    return CK10_OK;
+}
+
+#define CK10_WRITE_REGISTER_RESPONSE_SIZE 4u
+typedef struct ck10_write_register_response {
+    /**
+     * Printed as Start add.
+     * Source: 1.3 L155
+     */
+    uint16_t address;
+    /**
+     * Printed as Value.
+     * Source: 1.3 L155
+     */
+    uint16_t value;
+} ck10_write_register_response;
+
+/**
+ * Writes ck10_write_register_response: 4 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_write_register_response_encode(const ck10_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 4u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u16_be(out + 0, in->address);
+    ck10_store_u16_be(out + 2, in->value);
+    *length = 4u;
+    return CK10_OK;
+}
+
+/** Reads ck10_write_register_response from exactly 4 bytes. */
+static inline ck10_codec_status ck10_write_register_response_decode(const uint8_t *in, size_t length, ck10_write_register_response *out)
+{
+    if (length < 4u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 4u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->address = ck10_load_u16_be(in + 0);
+    out->value = ck10_load_u16_be(in + 2);
+    return CK10_OK;
+}
+
+/**
+ * Writes neighbouring registers. The response repeats the address and the number.
+ * Printed as 0x10 寫入多個暫存器.
+ * Write several registers.
+ * Note: How many registers one request may write is not printed; 123 are what a frame of Modbus has room for.
+ * Source: 1.3 L160-176
+ */
+#define CK10_WRITE_REGISTERS_CODE 16u
+
+#define CK10_WRITE_REGISTERS_REQUEST_SIZE 251u
+typedef struct ck10_write_registers_request {
+    /**
+     * Printed as Start add.
+     * Source: 1.3 L167
+     */
+    uint16_t address;
+    /**
+     * Printed as Val.
+     * Source: 1.3 L167
+     */
+    uint16_t values[123];
+    size_t values_count;
+} ck10_write_registers_request;
+
+/**
+ * Writes ck10_write_registers_request: 7 to 251 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_write_registers_request_encode(const ck10_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    if (in->values_count < 1u || in->values_count > 123u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    if (capacity < (5u + in->values_count * 2u)) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u16_be(out + 0, in->address);
+    for (at = 0; at < in->values_count; at++) {
+        ck10_store_u16_be(out + 5u + at * 2u, in->values[at]);
+    }
+    if (in->values_count > 123u) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out + 2, (uint16_t)(in->values_count));
+    if (in->values_count * 2u > 255u) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u8(out + 4, (uint8_t)(in->values_count * 2u));
+    *length = (5u + in->values_count * 2u);
+    return CK10_OK;
+}
+
+/** Reads ck10_write_registers_request from exactly 7 to 251 bytes. */
+static inline ck10_codec_status ck10_write_registers_request_decode(const uint8_t *in, size_t length, ck10_write_registers_request *out)
+{
+    size_t at;
+    if (length < 7u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 251u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    if ((length - 5u) % 2u != 0) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->values_count = (length - 5u) / 2u;
+    out->address = ck10_load_u16_be(in + 0);
+    for (at = 0; at < out->values_count; at++) {
+        out->values[at] = ck10_load_u16_be(in + 5u + at * 2u);
+    }
+    if (ck10_load_u16_be(in + 2) != out->values_count) {
+        return CK10_ERR_WRONG_MEASURE;
+    }
+    if (ck10_load_u8(in + 4) != out->values_count * 2u) {
+        return CK10_ERR_WRONG_MEASURE;
+    }
+    return CK10_OK;
+}
+
+#define CK10_WRITE_REGISTERS_RESPONSE_SIZE 4u
+typedef struct ck10_write_registers_response {
+    /**
+     * Printed as Start add.
+     * Source: 1.3 L173, 176
+     */
+    uint16_t address;
+    /**
+     * Printed as No of reg.
+     * Source: 1.3 L173, 176
+     */
+    uint16_t word_count;
+} ck10_write_registers_response;
+
+/**
+ * Writes ck10_write_registers_response: 4 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_write_registers_response_encode(const ck10_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 4u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u16_be(out + 0, in->address);
+    ck10_store_u16_be(out + 2, in->word_count);
+    *length = 4u;
+    return CK10_OK;
+}
+
+/** Reads ck10_write_registers_response from exactly 4 bytes. */
+static inline ck10_codec_status ck10_write_registers_response_decode(const uint8_t *in, size_t length, ck10_write_registers_response *out)
+{
+    if (length < 4u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 4u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    out->address = ck10_load_u16_be(in + 0);
+    out->word_count = ck10_load_u16_be(in + 2);
+    return CK10_OK;
+}
+
+/**
+ * Asks for the identity and the running state of the controller. CK10 always gives the same answer.
+ * Printed as 0x11 回報從站 ID.
+ * Report the device's identity.
+ * Source: 1.3 L178-194
+ */
+#define CK10_REPORT_SERVER_ID_CODE 17u
+
+#define CK10_REPORT_SERVER_ID_REQUEST_SIZE 0u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes ck10_report_server_id_request: 0 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_report_server_id_request_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    (void)out;
+    (void)capacity;
+    *length = 0;
+    return CK10_OK;
+}
+
+/** Reads ck10_report_server_id_request from exactly 0 bytes. */
+static inline ck10_codec_status ck10_report_server_id_request_decode(const uint8_t *in, size_t length)
+{
+    (void)in;
+    if (length > 0u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    return CK10_OK;
+}
+
+#define CK10_REPORT_SERVER_ID_RESPONSE_SIZE 3u
+/** There is nothing to give: no struct is needed. */
+
+/**
+ * Writes ck10_report_server_id_response: 3 bytes.
+ * Length receives how many bytes were written.
+ */
+static inline ck10_codec_status ck10_report_server_id_response_encode(uint8_t *out, size_t capacity, size_t *length)
+{
+    if (capacity < 3u) {
+        return CK10_ERR_CAPACITY;
+    }
+    ck10_store_u8(out + 0, 2u);
+    ck10_store_u8(out + 1, 104u);
+    ck10_store_u8(out + 2, 255u);
+    *length = 3u;
+    return CK10_OK;
+}
+
+/** Reads ck10_report_server_id_response from exactly 3 bytes. */
+static inline ck10_codec_status ck10_report_server_id_response_decode(const uint8_t *in, size_t length)
+{
+    if (length < 3u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (length > 3u) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    if (ck10_load_u8(in + 0) != 2u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    if (ck10_load_u8(in + 1) != 104u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    if (ck10_load_u8(in + 2) != 255u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/* ---- Registers ---- */
+
+/**
+ * Printed as AxisStartSpd 運動起始速度.
+ * Read and write. 2 words must be accessed in one request. The same as start_speed.
+ * One count is 1 pps.
+ * Source: 2.4 L306
+ */
+#define CK10_REG_AXIS_START_SPEED_ADDRESS 0x07D0u
+#define CK10_REG_AXIS_START_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as AxisAccTime 運動加速時間.
+ * Read and write. The same as acceleration_time.
+ * One count is 1 ms.
+ * Note: One word here, two at 138Eh: the value is the same, its width is not.
+ * Source: 2.4 L307
+ */
+#define CK10_REG_AXIS_ACCELERATION_TIME_ADDRESS 0x07D2u
+#define CK10_REG_AXIS_ACCELERATION_TIME_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_acceleration_time_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_acceleration_time_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as AxisDecTime 運動減速時間.
+ * Read and write. The same as deceleration_time.
+ * One count is 1 ms.
+ * Note: One word here, two at 1390h.
+ * Source: 2.4 L308
+ */
+#define CK10_REG_AXIS_DECELERATION_TIME_ADDRESS 0x07D3u
+#define CK10_REG_AXIS_DECELERATION_TIME_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_deceleration_time_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_deceleration_time_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed of the move that 07D8h starts.
+ * Printed as AxisMoveSpd 運動速度.
+ * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the speeds of 3.4 are in pps, and 138Ah limits them.
+ * Source: 2.4 L309
+ */
+#define CK10_REG_AXIS_MOVE_SPEED_ADDRESS 0x07D4u
+#define CK10_REG_AXIS_MOVE_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_move_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_move_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Where to, or how far, 07D8h moves.
+ * Printed as SetDistPos 運動位置或距離.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.4 L310
+ */
+#define CK10_REG_TARGET_POSITION_OR_DISTANCE_ADDRESS 0x07D6u
+#define CK10_REG_TARGET_POSITION_OR_DISTANCE_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_target_position_or_distance_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Writing starts a move. Reading gives the kind of the last one.
+ * Printed as MoveTypeTrg 運動類型.
+ * Read and write. Writing starts an action.
+ * See move_kind.
+ * Note: What is read must not be written back: it would start the last kind of move again.
+ * Source: 2.4 L311
+ */
+#define CK10_REG_START_MOVE_ADDRESS 0x07D8u
+#define CK10_REG_START_MOVE_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    if (!ck10_move_kind_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_move_encode(uint16_t value, uint8_t *out)
+{
+    if (!ck10_move_kind_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as JogAccDecTime 吋動加減速時間.
+ * Read and write. The same as jog_acceleration_time.
+ * One count is 1 ms.
+ * Note: One word here, two at 1398h.
+ * Source: 2.4 L312
+ */
+#define CK10_REG_AXIS_JOG_ACCELERATION_TIME_ADDRESS 0x07D9u
+#define CK10_REG_AXIS_JOG_ACCELERATION_TIME_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_jog_acceleration_time_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as JogStartSpd 吋動起始速度.
+ * Read and write. 2 words must be accessed in one request. The same as jog_start_speed.
+ * One count is 1 pps.
+ * Source: 2.4 L313
+ */
+#define CK10_REG_AXIS_JOG_START_SPEED_ADDRESS 0x07DAu
+#define CK10_REG_AXIS_JOG_START_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_jog_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as JogSpd 吋動速度.
+ * Read and write. 2 words must be accessed in one request. The same as jog_speed.
+ * One count is 1 pps.
+ * Source: 2.4 L314
+ */
+#define CK10_REG_AXIS_JOG_SPEED_ADDRESS 0x07DCu
+#define CK10_REG_AXIS_JOG_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_jog_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_axis_jog_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as JogDir 吋動方向.
+ * Read and write.
+ * See jog_direction.
+ * Note: 0 is counterclockwise here; in the parameters 13ACh and 13BAh, 0 is clockwise.
+ * Source: 2.4 L315
+ */
+#define CK10_REG_JOG_DIRECTION_ADDRESS 0x07DEu
+#define CK10_REG_JOG_DIRECTION_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_direction_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    if (!ck10_jog_direction_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_direction_encode(uint16_t value, uint8_t *out)
+{
+    if (!ck10_jog_direction_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 starts to jog. Reading gives 0.
+ * Printed as JogTrg.
+ * Read and write. Writing starts an action.
+ * Source: 2.4 L316
+ */
+#define CK10_REG_START_JOG_ADDRESS 0x07DFu
+#define CK10_REG_START_JOG_WORDS 1u
+#define CK10_REG_START_JOG_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_jog_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_jog_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * The speed at which the move before the push starts.
+ * Printed as PushPosStSpd 位置運動起始速度.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.4 L321
+ */
+#define CK10_REG_PUSH_START_SPEED_ADDRESS 0x07E0u
+#define CK10_REG_PUSH_START_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed of the move before the push.
+ * Printed as PushPosSpd 位置運動速度.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.4 L322
+ */
+#define CK10_REG_PUSH_MOVE_SPEED_ADDRESS 0x07E2u
+#define CK10_REG_PUSH_MOVE_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_move_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_move_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as PushPosAcc 位置運動加速時間.
+ * Read and write.
+ * Source: 2.4 L323
+ */
+#define CK10_REG_PUSH_ACCELERATION_TIME_ADDRESS 0x07E4u
+#define CK10_REG_PUSH_ACCELERATION_TIME_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_acceleration_time_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_acceleration_time_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as PushPosDec 位置運動減速時間.
+ * Read and write.
+ * Source: 2.4 L324
+ */
+#define CK10_REG_PUSH_DECELERATION_TIME_ADDRESS 0x07E5u
+#define CK10_REG_PUSH_DECELERATION_TIME_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_deceleration_time_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_deceleration_time_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as PushMod 偵測到工件時動作.
+ * Read and write.
+ * See push_mode.
+ * Note: The same field of a point counts otherwise: 0 stops, 1 to 10000 do not.
+ * Source: 2.4 L325
+ */
+#define CK10_REG_PUSH_MODE_ADDRESS 0x07E6u
+#define CK10_REG_PUSH_MODE_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_mode_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    if (!ck10_push_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_mode_encode(uint16_t value, uint8_t *out)
+{
+    if (!ck10_push_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as PushRatio 推力運動扭力輸出比.
+ * Read and write.
+ * Note: Neither unit nor range is printed; the same quantity of a point is in %, 20 to 90 (3.5 L865).
+ * Source: 2.4 L326
+ */
+#define CK10_REG_PUSH_TORQUE_RATIO_ADDRESS 0x07E7u
+#define CK10_REG_PUSH_TORQUE_RATIO_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_torque_ratio_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_torque_ratio_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as PushSpd 推力運動速度.
+ * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the same quantity of a point is in pps, 1 to 33333 (3.5 L866).
+ * Source: 2.4 L327
+ */
+#define CK10_REG_PUSH_SPEED_ADDRESS 0x07E8u
+#define CK10_REG_PUSH_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_speed_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Where the push begins, after the move to it.
+ * Printed as PushStartPos 推力運動起始座標.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.4 L328
+ */
+#define CK10_REG_PUSH_START_POSITION_ADDRESS 0x07EAu
+#define CK10_REG_PUSH_START_POSITION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_start_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Where the push ends at the latest.
+ * Printed as PushEndPos 推力運動結束座標.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.4 L329
+ */
+#define CK10_REG_PUSH_END_POSITION_ADDRESS 0x07ECu
+#define CK10_REG_PUSH_END_POSITION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_end_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_end_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 starts the push motion. Reading gives 0.
+ * Printed as DoPushMotion 開始推力運動.
+ * Read and write. Writing starts an action.
+ * Source: 2.4 L330
+ */
+#define CK10_REG_START_PUSH_MOTION_ADDRESS 0x07EEu
+#define CK10_REG_START_PUSH_MOTION_WORDS 1u
+#define CK10_REG_START_PUSH_MOTION_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_push_motion_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 starts homing in the way that the parameters 13A4h to 13B0h define. Reading gives 0.
+ * Printed as MoveOrigin 開始回原點.
+ * Read and write. Writing starts an action.
+ * Source: 2.4 L331
+ */
+#define CK10_REG_START_HOMING_ADDRESS 0x07EFu
+#define CK10_REG_START_HOMING_WORDS 1u
+#define CK10_REG_START_HOMING_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_homing_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * Writing stops the move. Reading gives 0.
+ * Printed as MoveStop 停止當前運動.
+ * Read and write. Writing starts an action.
+ * See stop_kind.
+ * Note: What is read must not be written back: 0 stops at once.
+ * Source: 2.4 L332
+ */
+#define CK10_REG_STOP_ADDRESS 0x07F0u
+#define CK10_REG_STOP_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    if (!ck10_stop_kind_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_stop_encode(uint16_t value, uint8_t *out)
+{
+    if (!ck10_stop_kind_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether the motor is driven.
+ * Printed as ServoOn 馬達驅動啟用或停用.
+ * Read and write.
+ * See servo_switch.
+ * Source: 2.4 L333
+ */
+#define CK10_REG_SERVO_ADDRESS 0x07F1u
+#define CK10_REG_SERVO_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_servo_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_servo_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 sets the commanded and the actual position to 0. Reading gives 0.
+ * Printed as ClrPos 命令位置及實際位置歸零.
+ * Read and write. Writing starts an action.
+ * Source: 2.4 L334
+ */
+#define CK10_REG_CLEAR_POSITION_ADDRESS 0x07F2u
+#define CK10_REG_CLEAR_POSITION_WORDS 1u
+#define CK10_REG_CLEAR_POSITION_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_clear_position_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_clear_position_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 clears the alarm, and ends an emergency stop. Reading gives 0.
+ * Printed as RstAlarm 警報狀態.
+ * Read and write. Writing starts an action.
+ * Source: 2.4 L335
+ */
+#define CK10_REG_RESET_ALARM_ADDRESS 0x07F3u
+#define CK10_REG_RESET_ALARM_WORDS 1u
+#define CK10_REG_RESET_ALARM_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reset_alarm_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reset_alarm_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 stores the point table of the memory, 2710h to 370Fh, in flash, 4E20h to 5E1Fh. Reading gives 0.
+ * Printed as SavePT.
+ * Read and write. Writing starts an action.
+ * Note: 2.7 calls the register PosTableWriteROM.
+ * Source: 2.4 L336
+ */
+#define CK10_REG_SAVE_POINT_TABLE_ADDRESS 0x07F5u
+#define CK10_REG_SAVE_POINT_TABLE_WORDS 1u
+#define CK10_REG_SAVE_POINT_TABLE_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_point_table_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_point_table_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * The point with which 07F7h starts.
+ * Printed as PtNoToStart 位置表執行行號.
+ * Read and write.
+ * Note: No range is printed; the points are 0 to 127.
+ * Source: 2.4 L337
+ */
+#define CK10_REG_START_POINT_ADDRESS 0x07F6u
+#define CK10_REG_START_POINT_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_point_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Writing starts the point table, one point of it, or the next step.
+ * Printed as DoPT.
+ * Read and write. Writing starts an action.
+ * See point_table_command.
+ * Note: What reading gives is not printed.
+ * Source: 2.4 L338
+ */
+#define CK10_REG_RUN_POINT_TABLE_ADDRESS 0x07F7u
+#define CK10_REG_RUN_POINT_TABLE_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    if (!ck10_point_table_command_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_run_point_table_encode(uint16_t value, uint8_t *out)
+{
+    if (!ck10_point_table_command_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Writing 1 stores all parameters of the memory, 1388h to 1431h, in flash, 1450h to 14F9h. Reading gives 0.
+ * Printed as SaveAllParam.
+ * Read and write. Writing starts an action.
+ * Source: 2.6 L356
+ */
+#define CK10_REG_SAVE_ALL_PARAMETERS_ADDRESS 0x07F4u
+#define CK10_REG_SAVE_ALL_PARAMETERS_WORDS 1u
+#define CK10_REG_SAVE_ALL_PARAMETERS_VALUE 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_all_parameters_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 1u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_all_parameters_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 1u);
+    return CK10_OK;
+}
+
+/**
+ * The absolute position of the first pulse.
+ * Printed as CmpStPos 輸出脈衝之起始位置.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.5 L345
+ */
+#define CK10_REG_COMPARE_START_POSITION_ADDRESS 0x07F8u
+#define CK10_REG_COMPARE_START_POSITION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_start_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_start_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * The distance from pulse to pulse.
+ * Printed as CmpPeriod 輸出脈衝之區間.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.5 L346
+ */
+#define CK10_REG_COMPARE_PERIOD_ADDRESS 0x07FAu
+#define CK10_REG_COMPARE_PERIOD_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_period_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_period_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How long a pulse is.
+ * Printed as CmpPlsWidth 脈衝長度.
+ * Read and write.
+ * One count is 1 ms. Range: 1..1000.
+ * Source: 2.5 L347
+ */
+#define CK10_REG_COMPARE_PULSE_WIDTH_ADDRESS 0x07FCu
+#define CK10_REG_COMPARE_PULSE_WIDTH_WORDS 1u
+#define CK10_REG_COMPARE_PULSE_WIDTH_MIN 1u
+#define CK10_REG_COMPARE_PULSE_WIDTH_MAX 1000u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_pulse_width_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_pulse_width_encode(uint16_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 1000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The compare output is in use.
+ * Printed as CmpEnable.
+ * Read and write.
+ * Source: 2.5 L348
+ */
+#define CK10_REG_COMPARE_ENABLE_ADDRESS 0x07FDu
+#define CK10_REG_COMPARE_ENABLE_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_enable_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_enable_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Whether it really is.
+ * Printed as CmpStat.
+ * Read only.
+ * Source: 2.5 L349
+ */
+#define CK10_REG_COMPARE_ACTIVE_ADDRESS 0x07FEu
+#define CK10_REG_COMPARE_ACTIVE_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_active_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_compare_active_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * The model of the controller: CK10 answers 104, as its identity does in function 11h.
+ * Printed as MODEL_ID 控制器型號 ID.
+ * Read only. 2 words must be accessed in one request.
+ * Source: 2.8 L623
+ */
+#define CK10_REG_MODEL_ID_ADDRESS 0x0834u
+#define CK10_REG_MODEL_ID_WORDS 2u
+#define CK10_REG_MODEL_ID_VALUE 104u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_model_id_decode(const uint8_t *in)
+{
+    if (ck10_load_u32_be(in) != 104u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_model_id_encode(uint8_t *out)
+{
+    ck10_store_u32_be(out, 104u);
+    return CK10_OK;
+}
+
+/**
+ * The hardware of the controller: CK10 answers 31.
+ * Printed as HW_TYPE 控制器硬體 ID.
+ * Read only.
+ * Source: 2.8 L624
+ */
+#define CK10_REG_HARDWARE_TYPE_ADDRESS 0x0836u
+#define CK10_REG_HARDWARE_TYPE_WORDS 1u
+#define CK10_REG_HARDWARE_TYPE_VALUE 31u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_hardware_type_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 31u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_hardware_type_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 31u);
+    return CK10_OK;
+}
+
+/**
+ * Printed as FW_VER 韌體版本.
+ * Read only.
+ * Note: How the number is to be read is not printed.
+ * Source: 2.8 L625
+ */
+#define CK10_REG_FIRMWARE_VERSION_ADDRESS 0x0837u
+#define CK10_REG_FIRMWARE_VERSION_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_firmware_version_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_firmware_version_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How often the controller has been switched on.
+ * Printed as NO_PWR_CYCLE 電源週期總數.
+ * Read only. 2 words must be accessed in one request.
+ * Source: 2.8 L626
+ */
+#define CK10_REG_POWER_CYCLES_ADDRESS 0x0838u
+#define CK10_REG_POWER_CYCLES_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_power_cycles_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_power_cycles_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The turns that the controller has made in all.
+ * Printed as TURN_TOTAL 控制器總轉動數.
+ * Read only. 4 words must be accessed in one request.
+ * One count is 1 rev.
+ * Source: 2.8 L627
+ */
+#define CK10_REG_TURNS_TOTAL_ADDRESS 0x083Au
+#define CK10_REG_TURNS_TOTAL_WORDS 4u
+
+/** Reads its value from the 8 bytes of its words. */
+static inline ck10_codec_status ck10_reg_turns_total_decode(const uint8_t *in, uint64_t *out)
+{
+    *out = ck10_load_u64_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 8 bytes of its words. */
+static inline ck10_codec_status ck10_reg_turns_total_encode(uint64_t value, uint8_t *out)
+{
+    ck10_store_u64_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The turns since it was switched on.
+ * Printed as TURN_CURPWR 送電後轉動數.
+ * Read only. 4 words must be accessed in one request.
+ * One count is 1 rev.
+ * Source: 2.8 L628
+ */
+#define CK10_REG_TURNS_SINCE_POWER_ON_ADDRESS 0x083Eu
+#define CK10_REG_TURNS_SINCE_POWER_ON_WORDS 4u
+
+/** Reads its value from the 8 bytes of its words. */
+static inline ck10_codec_status ck10_reg_turns_since_power_on_decode(const uint8_t *in, uint64_t *out)
+{
+    *out = ck10_load_u64_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 8 bytes of its words. */
+static inline ck10_codec_status ck10_reg_turns_since_power_on_encode(uint64_t value, uint8_t *out)
+{
+    ck10_store_u64_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The pulses of one turn. Changing it switches the servo off.
+ * Printed as 解析度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse/rev. Range: 0..50000. See pulses_per_turn.
+ * Source: 2.6 L364; 3.4 L713
+ */
+#define CK10_REG_RESOLUTION_ADDRESS 0x1388u
+#define CK10_REG_RESOLUTION_WORDS 2u
+#define CK10_REG_RESOLUTION_NUMBER 0u
+#define CK10_REG_RESOLUTION_MIN 0u
+#define CK10_REG_RESOLUTION_MAX 50000u
+#define CK10_REG_RESOLUTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_resolution_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_resolution_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 50000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The greatest speed of a move.
+ * Printed as 軸最大速度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pps. Range: 1..800000.
+ * Note: The resolution limits it further: 500000 pps at 10000 pulses per turn, 800000 pps at 16000. At 20000
+ * the same 3000 rpm would be more than the greatest value.
+ * Source: 2.6 L365; 3.4 L723
+ */
+#define CK10_REG_MAXIMUM_SPEED_ADDRESS 0x138Au
+#define CK10_REG_MAXIMUM_SPEED_WORDS 2u
+#define CK10_REG_MAXIMUM_SPEED_NUMBER 1u
+#define CK10_REG_MAXIMUM_SPEED_MIN 1u
+#define CK10_REG_MAXIMUM_SPEED_MAX 800000u
+#define CK10_REG_MAXIMUM_SPEED_DEFAULT 500000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_maximum_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_maximum_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 800000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed at which a move starts.
+ * Printed as 軸起始速度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pps. Range: 1..35000.
+ * Source: 2.6 L366; 3.4 L724
+ */
+#define CK10_REG_START_SPEED_ADDRESS 0x138Cu
+#define CK10_REG_START_SPEED_WORDS 2u
+#define CK10_REG_START_SPEED_NUMBER 2u
+#define CK10_REG_START_SPEED_MIN 1u
+#define CK10_REG_START_SPEED_MAX 35000u
+#define CK10_REG_START_SPEED_DEFAULT 1u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 35000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The acceleration time of a move.
+ * Printed as 軸加速時間.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L367; 3.4 L725
+ */
+#define CK10_REG_ACCELERATION_TIME_ADDRESS 0x138Eu
+#define CK10_REG_ACCELERATION_TIME_WORDS 2u
+#define CK10_REG_ACCELERATION_TIME_NUMBER 3u
+#define CK10_REG_ACCELERATION_TIME_MIN 1u
+#define CK10_REG_ACCELERATION_TIME_MAX 9999u
+#define CK10_REG_ACCELERATION_TIME_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_acceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_acceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The deceleration time of a move.
+ * Printed as 軸減速時間.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L368; 3.4 L726
+ */
+#define CK10_REG_DECELERATION_TIME_ADDRESS 0x1390u
+#define CK10_REG_DECELERATION_TIME_WORDS 2u
+#define CK10_REG_DECELERATION_TIME_NUMBER 4u
+#define CK10_REG_DECELERATION_TIME_MIN 1u
+#define CK10_REG_DECELERATION_TIME_MAX 9999u
+#define CK10_REG_DECELERATION_TIME_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_deceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_deceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 100.
+ * Source: 2.6 L369; 3.4 L727
+ */
+#define CK10_REG_RESERVED_5_ADDRESS 0x1392u
+#define CK10_REG_RESERVED_5_WORDS 2u
+#define CK10_REG_RESERVED_5_NUMBER 5u
+#define CK10_REG_RESERVED_5_MIN 100u
+#define CK10_REG_RESERVED_5_MAX 100u
+#define CK10_REG_RESERVED_5_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_5_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_5_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value == 100u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed of jogging.
+ * Printed as 吋動速度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pps. Range: 1..800000.
+ * Source: 2.6 L370; 3.4 L728
+ */
+#define CK10_REG_JOG_SPEED_ADDRESS 0x1394u
+#define CK10_REG_JOG_SPEED_WORDS 2u
+#define CK10_REG_JOG_SPEED_NUMBER 6u
+#define CK10_REG_JOG_SPEED_MIN 1u
+#define CK10_REG_JOG_SPEED_MAX 800000u
+#define CK10_REG_JOG_SPEED_DEFAULT 5000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 800000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed at which jogging starts.
+ * Printed as 吋動起始速度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pps. Range: 1..35000.
+ * Source: 2.6 L371; 3.4 L729
+ */
+#define CK10_REG_JOG_START_SPEED_ADDRESS 0x1396u
+#define CK10_REG_JOG_START_SPEED_WORDS 2u
+#define CK10_REG_JOG_START_SPEED_NUMBER 7u
+#define CK10_REG_JOG_START_SPEED_MIN 1u
+#define CK10_REG_JOG_START_SPEED_MAX 35000u
+#define CK10_REG_JOG_START_SPEED_DEFAULT 1u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 35000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The acceleration and deceleration time of jogging.
+ * Printed as 吋動加減速時間.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L372; 3.4 L730
+ */
+#define CK10_REG_JOG_ACCELERATION_TIME_ADDRESS 0x1398u
+#define CK10_REG_JOG_ACCELERATION_TIME_WORDS 2u
+#define CK10_REG_JOG_ACCELERATION_TIME_NUMBER 8u
+#define CK10_REG_JOG_ACCELERATION_TIME_MIN 1u
+#define CK10_REG_JOG_ACCELERATION_TIME_MAX 9999u
+#define CK10_REG_JOG_ACCELERATION_TIME_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_acceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_jog_acceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The greatest position that a move may reach.
+ * Printed as 軟體正極限.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L373; 3.4 L731
+ */
+#define CK10_REG_POSITIVE_SOFT_LIMIT_ADDRESS 0x139Au
+#define CK10_REG_POSITIVE_SOFT_LIMIT_WORDS 2u
+#define CK10_REG_POSITIVE_SOFT_LIMIT_NUMBER 9u
+#define CK10_REG_POSITIVE_SOFT_LIMIT_MIN (-2147483647 - 1)
+#define CK10_REG_POSITIVE_SOFT_LIMIT_MAX 2147483647
+#define CK10_REG_POSITIVE_SOFT_LIMIT_DEFAULT 2147483647
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_positive_soft_limit_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_positive_soft_limit_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * The least position that a move may reach.
+ * Printed as 軟體負極限.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L374; 3.4 L732
+ */
+#define CK10_REG_NEGATIVE_SOFT_LIMIT_ADDRESS 0x139Cu
+#define CK10_REG_NEGATIVE_SOFT_LIMIT_WORDS 2u
+#define CK10_REG_NEGATIVE_SOFT_LIMIT_NUMBER 10u
+#define CK10_REG_NEGATIVE_SOFT_LIMIT_MIN (-2147483647 - 1)
+#define CK10_REG_NEGATIVE_SOFT_LIMIT_MAX 2147483647
+#define CK10_REG_NEGATIVE_SOFT_LIMIT_DEFAULT (-2147483647 - 1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_negative_soft_limit_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_negative_soft_limit_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * How the motor stops at a soft limit.
+ * Printed as 軟體極限停止方法.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..2. See soft_limit_stop.
+ * Source: 2.6 L380; 3.4 L735
+ */
+#define CK10_REG_SOFT_LIMIT_STOP_ADDRESS 0x139Eu
+#define CK10_REG_SOFT_LIMIT_STOP_WORDS 2u
+#define CK10_REG_SOFT_LIMIT_STOP_NUMBER 11u
+#define CK10_REG_SOFT_LIMIT_STOP_MIN 0u
+#define CK10_REG_SOFT_LIMIT_STOP_MAX 2u
+#define CK10_REG_SOFT_LIMIT_STOP_DEFAULT 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_soft_limit_stop_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_soft_limit_stop_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_soft_limit_stop_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 2u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How the motor stops at a limit sensor.
+ * Printed as 硬體極限停止方法.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See hard_limit_stop.
+ * Source: 2.6 L381; 3.4 L736
+ */
+#define CK10_REG_HARD_LIMIT_STOP_ADDRESS 0x13A0u
+#define CK10_REG_HARD_LIMIT_STOP_WORDS 2u
+#define CK10_REG_HARD_LIMIT_STOP_NUMBER 12u
+#define CK10_REG_HARD_LIMIT_STOP_MIN 0u
+#define CK10_REG_HARD_LIMIT_STOP_MAX 1u
+#define CK10_REG_HARD_LIMIT_STOP_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_hard_limit_stop_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_hard_limit_stop_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_hard_limit_stop_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1.
+ * Source: 2.6 L382; 3.4 L737
+ */
+#define CK10_REG_RESERVED_13_ADDRESS 0x13A2u
+#define CK10_REG_RESERVED_13_WORDS 2u
+#define CK10_REG_RESERVED_13_NUMBER 13u
+#define CK10_REG_RESERVED_13_MIN 0u
+#define CK10_REG_RESERVED_13_MAX 1u
+#define CK10_REG_RESERVED_13_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_13_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_13_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed until the origin is found.
+ * Printed as 原點速度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pps. Range: 1..800000.
+ * Source: 2.6 L383; 3.4 L738
+ */
+#define CK10_REG_HOMING_SPEED_ADDRESS 0x13A4u
+#define CK10_REG_HOMING_SPEED_WORDS 2u
+#define CK10_REG_HOMING_SPEED_NUMBER 14u
+#define CK10_REG_HOMING_SPEED_MIN 1u
+#define CK10_REG_HOMING_SPEED_MAX 800000u
+#define CK10_REG_HOMING_SPEED_DEFAULT 5000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 800000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed back to the origin once it is found.
+ * Printed as 原點搜尋速度.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pps. Range: 1..80000.
+ * Note: Its greatest value is a tenth of that of the other speeds.
+ * Source: 2.6 L384; 3.4 L739
+ */
+#define CK10_REG_HOMING_SEARCH_SPEED_ADDRESS 0x13A6u
+#define CK10_REG_HOMING_SEARCH_SPEED_WORDS 2u
+#define CK10_REG_HOMING_SEARCH_SPEED_NUMBER 15u
+#define CK10_REG_HOMING_SEARCH_SPEED_MIN 1u
+#define CK10_REG_HOMING_SEARCH_SPEED_MAX 80000u
+#define CK10_REG_HOMING_SEARCH_SPEED_DEFAULT 1000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_search_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_search_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 80000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The acceleration and deceleration time of homing.
+ * Printed as 原點加減速時間.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L385; 3.4 L740
+ */
+#define CK10_REG_HOMING_ACCELERATION_TIME_ADDRESS 0x13A8u
+#define CK10_REG_HOMING_ACCELERATION_TIME_WORDS 2u
+#define CK10_REG_HOMING_ACCELERATION_TIME_NUMBER 16u
+#define CK10_REG_HOMING_ACCELERATION_TIME_MIN 1u
+#define CK10_REG_HOMING_ACCELERATION_TIME_MAX 9999u
+#define CK10_REG_HOMING_ACCELERATION_TIME_DEFAULT 50u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_acceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_acceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 原點方法.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..7. See homing_method.
+ * Note: The limits and the default stand on the row of method 3 in the text of the manual.
+ * Source: 2.6 L386; 3.4 L741, 745
+ */
+#define CK10_REG_HOMING_METHOD_ADDRESS 0x13AAu
+#define CK10_REG_HOMING_METHOD_WORDS 2u
+#define CK10_REG_HOMING_METHOD_NUMBER 17u
+#define CK10_REG_HOMING_METHOD_MIN 0u
+#define CK10_REG_HOMING_METHOD_MAX 7u
+#define CK10_REG_HOMING_METHOD_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_method_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_homing_method_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_homing_method_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 7u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 原點方向.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See rotation.
+ * Note: 0 is clockwise here; in the jog direction 07DEh, 0 is counterclockwise.
+ * Source: 2.6 L387; 3.4 L751
+ */
+#define CK10_REG_HOMING_DIRECTION_ADDRESS 0x13ACu
+#define CK10_REG_HOMING_DIRECTION_WORDS 2u
+#define CK10_REG_HOMING_DIRECTION_NUMBER 18u
+#define CK10_REG_HOMING_DIRECTION_MIN 0u
+#define CK10_REG_HOMING_DIRECTION_MAX 1u
+#define CK10_REG_HOMING_DIRECTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_direction_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_direction_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_rotation_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How far the motor moves on from the origin before the position is set.
+ * Printed as 原點偏位.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L388; 3.4 L752
+ */
+#define CK10_REG_HOMING_OFFSET_ADDRESS 0x13AEu
+#define CK10_REG_HOMING_OFFSET_WORDS 2u
+#define CK10_REG_HOMING_OFFSET_NUMBER 19u
+#define CK10_REG_HOMING_OFFSET_MIN (-2147483647 - 1)
+#define CK10_REG_HOMING_OFFSET_MAX 2147483647
+#define CK10_REG_HOMING_OFFSET_DEFAULT 0
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_offset_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_offset_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * The value that the commanded and the actual position get at the origin.
+ * Printed as 設為原點.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L389; 3.4 L753
+ */
+#define CK10_REG_ORIGIN_POSITION_ADDRESS 0x13B0u
+#define CK10_REG_ORIGIN_POSITION_WORDS 2u
+#define CK10_REG_ORIGIN_POSITION_NUMBER 20u
+#define CK10_REG_ORIGIN_POSITION_MIN (-2147483647 - 1)
+#define CK10_REG_ORIGIN_POSITION_MAX 2147483647
+#define CK10_REG_ORIGIN_POSITION_DEFAULT 0
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_origin_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_origin_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1.
+ * Source: 2.6 L390; 3.4 L756
+ */
+#define CK10_REG_RESERVED_21_ADDRESS 0x13B2u
+#define CK10_REG_RESERVED_21_WORDS 2u
+#define CK10_REG_RESERVED_21_NUMBER 21u
+#define CK10_REG_RESERVED_21_MIN 0u
+#define CK10_REG_RESERVED_21_MAX 1u
+#define CK10_REG_RESERVED_21_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_21_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_21_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How the motor answers to its load when it stops: a relative value, not the gain of the drive. Which
+ * constants it stands for is in the table of gains.
+ * Printed as 位置迴路增益.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..63.
+ * Note: Small values stop fast and are sensitive, great ones slow and insensitive. Start with 0, go up until
+ * the motor is steady, then change it by one or two steps.
+ * Source: 2.6 L391; 3.4 L757
+ */
+#define CK10_REG_POSITION_LOOP_GAIN_ADDRESS 0x13B4u
+#define CK10_REG_POSITION_LOOP_GAIN_WORDS 2u
+#define CK10_REG_POSITION_LOOP_GAIN_NUMBER 22u
+#define CK10_REG_POSITION_LOOP_GAIN_MIN 0u
+#define CK10_REG_POSITION_LOOP_GAIN_MAX 63u
+#define CK10_REG_POSITION_LOOP_GAIN_DEFAULT 4u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_position_loop_gain_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_position_loop_gain_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 63u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The position error up to which the motor counts as in position after a move. 0 to 63 choose the fast answer,
+ * 64 to 127 the exact one; both stand for an error of 0 to 63.
+ * Printed as 定位值.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..127.
+ * Source: 2.6 L392; 3.4 L793
+ */
+#define CK10_REG_IN_POSITION_RANGE_ADDRESS 0x13B6u
+#define CK10_REG_IN_POSITION_RANGE_WORDS 2u
+#define CK10_REG_IN_POSITION_RANGE_NUMBER 23u
+#define CK10_REG_IN_POSITION_RANGE_MIN 0u
+#define CK10_REG_IN_POSITION_RANGE_MAX 127u
+#define CK10_REG_IN_POSITION_RANGE_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_in_position_range_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_in_position_range_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 127u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * A greater position error while moving gives an alarm and switches the motor off.
+ * Printed as 位置追蹤限制.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse. Range: 1..134217727.
+ * Source: 2.6 L393; 3.4 L795
+ */
+#define CK10_REG_TRACKING_LIMIT_ADDRESS 0x13B8u
+#define CK10_REG_TRACKING_LIMIT_WORDS 2u
+#define CK10_REG_TRACKING_LIMIT_NUMBER 24u
+#define CK10_REG_TRACKING_LIMIT_MIN 1u
+#define CK10_REG_TRACKING_LIMIT_MAX 134217727u
+#define CK10_REG_TRACKING_LIMIT_DEFAULT 2500u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_tracking_limit_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_tracking_limit_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 134217727u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Which way the motor turns on a move.
+ * Printed as 馬達方向.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See rotation.
+ * Note: 0 is clockwise here; in the jog direction 07DEh, 0 is counterclockwise.
+ * Source: 2.6 L394; 3.4 L796
+ */
+#define CK10_REG_MOTOR_DIRECTION_ADDRESS 0x13BAu
+#define CK10_REG_MOTOR_DIRECTION_WORDS 2u
+#define CK10_REG_MOTOR_DIRECTION_NUMBER 25u
+#define CK10_REG_MOTOR_DIRECTION_MIN 0u
+#define CK10_REG_MOTOR_DIRECTION_MAX 1u
+#define CK10_REG_MOTOR_DIRECTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motor_direction_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motor_direction_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_rotation_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1.
+ * Source: 2.6 L395; 3.4 L797
+ */
+#define CK10_REG_RESERVED_26_ADDRESS 0x13BCu
+#define CK10_REG_RESERVED_26_WORDS 2u
+#define CK10_REG_RESERVED_26_NUMBER 26u
+#define CK10_REG_RESERVED_26_MIN 0u
+#define CK10_REG_RESERVED_26_MAX 1u
+#define CK10_REG_RESERVED_26_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_26_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_26_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The torque at which the motor stops when homing against a stop.
+ * Printed as 原點扭力比.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 %. Range: 20..90.
+ * Source: 2.6 L396; 3.4 L798
+ */
+#define CK10_REG_HOMING_TORQUE_RATIO_ADDRESS 0x13BEu
+#define CK10_REG_HOMING_TORQUE_RATIO_WORDS 2u
+#define CK10_REG_HOMING_TORQUE_RATIO_NUMBER 27u
+#define CK10_REG_HOMING_TORQUE_RATIO_MIN 20u
+#define CK10_REG_HOMING_TORQUE_RATIO_MAX 90u
+#define CK10_REG_HOMING_TORQUE_RATIO_DEFAULT 50u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_torque_ratio_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_homing_torque_ratio_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 20u && value <= 90u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * A greater position error at rest, with the servo on, gives an alarm and switches the motor off.
+ * Printed as 位置錯誤溢出限制.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 pulse. Range: 1..134217727.
+ * Source: 2.6 L397; 3.4 L799
+ */
+#define CK10_REG_POSITION_OVERFLOW_LIMIT_ADDRESS 0x13C0u
+#define CK10_REG_POSITION_OVERFLOW_LIMIT_WORDS 2u
+#define CK10_REG_POSITION_OVERFLOW_LIMIT_NUMBER 28u
+#define CK10_REG_POSITION_OVERFLOW_LIMIT_MIN 1u
+#define CK10_REG_POSITION_OVERFLOW_LIMIT_MAX 134217727u
+#define CK10_REG_POSITION_OVERFLOW_LIMIT_DEFAULT 2500u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_position_overflow_limit_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_position_overflow_limit_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 134217727u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 1 ms. Range: 10..5000.
+ * Source: 2.6 L398; 3.4 L800
+ */
+#define CK10_REG_RESERVED_29_ADDRESS 0x13C2u
+#define CK10_REG_RESERVED_29_WORDS 2u
+#define CK10_REG_RESERVED_29_NUMBER 29u
+#define CK10_REG_RESERVED_29_MIN 10u
+#define CK10_REG_RESERVED_29_MAX 5000u
+#define CK10_REG_RESERVED_29_DEFAULT 200u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_29_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_reserved_29_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 10u && value <= 5000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The current while moving, as a share of the motor's rated one.
+ * Printed as 運行電流.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 10 %. Range: 5..15.
+ * Note: A greater current heats the motor more. The controller gives at most 4.8 A.
+ * Source: 2.6 L399; 3.4 L801
+ */
+#define CK10_REG_RUN_CURRENT_ADDRESS 0x13C4u
+#define CK10_REG_RUN_CURRENT_WORDS 2u
+#define CK10_REG_RUN_CURRENT_NUMBER 30u
+#define CK10_REG_RUN_CURRENT_MIN 5u
+#define CK10_REG_RUN_CURRENT_MAX 15u
+#define CK10_REG_RUN_CURRENT_DEFAULT 10u
+#define CK10_REG_RUN_CURRENT_SCALE_NUMERATOR INT64_C(10)
+#define CK10_REG_RUN_CURRENT_SCALE_DENOMINATOR INT64_C(1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_run_current_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_run_current_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 5u && value <= 15u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * A current that is added while accelerating, for acceleration times that would else be too short.
+ * Printed as 起動電流.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 50 %. Range: 0..7.
+ * Note: A greater current heats the motor more. The controller gives at most 4.8 A. Example of the manual: a
+ * motor of 0.67 A, run current 10, boost current 1: 0.67 A + 50 % of 0.67 A is about 1.00 A.
+ * Source: 2.6 L400; 3.4 L804
+ */
+#define CK10_REG_BOOST_CURRENT_ADDRESS 0x13C6u
+#define CK10_REG_BOOST_CURRENT_WORDS 2u
+#define CK10_REG_BOOST_CURRENT_NUMBER 31u
+#define CK10_REG_BOOST_CURRENT_MIN 0u
+#define CK10_REG_BOOST_CURRENT_MAX 7u
+#define CK10_REG_BOOST_CURRENT_DEFAULT 0u
+#define CK10_REG_BOOST_CURRENT_SCALE_NUMERATOR INT64_C(50)
+#define CK10_REG_BOOST_CURRENT_SCALE_DENOMINATOR INT64_C(1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_boost_current_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_boost_current_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 7u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The current from 0.1 s after the motor has stopped.
+ * Printed as 停止電流.
+ * Read and write. 2 words must be accessed in one request.
+ * One count is 10 %. Range: 2..10.
+ * Note: A greater current heats the motor more.
+ * Source: 2.6 L401; 3.4 L805
+ */
+#define CK10_REG_STOP_CURRENT_ADDRESS 0x13C8u
+#define CK10_REG_STOP_CURRENT_WORDS 2u
+#define CK10_REG_STOP_CURRENT_NUMBER 32u
+#define CK10_REG_STOP_CURRENT_MIN 2u
+#define CK10_REG_STOP_CURRENT_MAX 10u
+#define CK10_REG_STOP_CURRENT_DEFAULT 5u
+#define CK10_REG_STOP_CURRENT_SCALE_NUMERATOR INT64_C(10)
+#define CK10_REG_STOP_CURRENT_SCALE_DENOMINATOR INT64_C(1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_stop_current_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_stop_current_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 2u && value <= 10u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What the emergency stop input does.
+ * Printed as 緊急停止模式.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..4. See emergency_stop_mode.
+ * Source: 2.6 L402; 3.4 L806
+ */
+#define CK10_REG_EMERGENCY_STOP_MODE_ADDRESS 0x13CAu
+#define CK10_REG_EMERGENCY_STOP_MODE_WORDS 2u
+#define CK10_REG_EMERGENCY_STOP_MODE_NUMBER 33u
+#define CK10_REG_EMERGENCY_STOP_MODE_MIN 0u
+#define CK10_REG_EMERGENCY_STOP_MODE_MAX 4u
+#define CK10_REG_EMERGENCY_STOP_MODE_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_stop_mode_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_emergency_stop_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_emergency_stop_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 4u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What the brake does in the emergency stop.
+ * Printed as 緊急剎車模式.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See emergency_brake_mode.
+ * Source: 2.6 L403; 3.4 L807
+ */
+#define CK10_REG_EMERGENCY_BRAKE_MODE_ADDRESS 0x13CCu
+#define CK10_REG_EMERGENCY_BRAKE_MODE_WORDS 2u
+#define CK10_REG_EMERGENCY_BRAKE_MODE_NUMBER 34u
+#define CK10_REG_EMERGENCY_BRAKE_MODE_MIN 0u
+#define CK10_REG_EMERGENCY_BRAKE_MODE_MAX 1u
+#define CK10_REG_EMERGENCY_BRAKE_MODE_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_brake_mode_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_emergency_brake_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_emergency_brake_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How the controller gets its commands.
+ * Printed as 操作模式.
+ * Read and write. A change takes effect after a restart. 2 words must be accessed in one request.
+ * Range: 0..5. See operation_mode.
+ * Note: Modbus needs 4 or 5; the controller is delivered with 3.
+ * Source: 2.6 L404; 3.4 L808
+ */
+#define CK10_REG_OPERATION_MODE_ADDRESS 0x13CEu
+#define CK10_REG_OPERATION_MODE_WORDS 2u
+#define CK10_REG_OPERATION_MODE_NUMBER 35u
+#define CK10_REG_OPERATION_MODE_MIN 0u
+#define CK10_REG_OPERATION_MODE_MAX 5u
+#define CK10_REG_OPERATION_MODE_DEFAULT 3u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_operation_mode_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_operation_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_operation_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 5u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What the switch SW3 of the controller does.
+ * Printed as 切換開關功能.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See switch_function.
+ * Source: 2.6 L405; 3.4 L809
+ */
+#define CK10_REG_SWITCH_FUNCTION_ADDRESS 0x13D0u
+#define CK10_REG_SWITCH_FUNCTION_WORDS 2u
+#define CK10_REG_SWITCH_FUNCTION_NUMBER 36u
+#define CK10_REG_SWITCH_FUNCTION_MIN 0u
+#define CK10_REG_SWITCH_FUNCTION_MAX 1u
+#define CK10_REG_SWITCH_FUNCTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_switch_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_switch_function_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_switch_function_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed of the line.
+ * Printed as 鮑率.
+ * Read and write. A change takes effect after a restart. 2 words must be accessed in one request.
+ * Range: 0..4. See baud_rate.
+ * Source: 2.6 L406; 3.4 L810
+ */
+#define CK10_REG_BAUD_RATE_ADDRESS 0x13D2u
+#define CK10_REG_BAUD_RATE_WORDS 2u
+#define CK10_REG_BAUD_RATE_NUMBER 37u
+#define CK10_REG_BAUD_RATE_MIN 0u
+#define CK10_REG_BAUD_RATE_MAX 4u
+#define CK10_REG_BAUD_RATE_DEFAULT 4u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_baud_rate_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_baud_rate_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_baud_rate_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 4u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether the position and the number of the point are kept when the power goes.
+ * Printed as 儲存位置 / 位置表.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See enabled.
+ * Note: The position that is kept may not be the actual one.
+ * Source: 2.6 L407; 3.4 L811
+ */
+#define CK10_REG_SAVE_POSITION_ADDRESS 0x13D4u
+#define CK10_REG_SAVE_POSITION_WORDS 2u
+#define CK10_REG_SAVE_POSITION_NUMBER 38u
+#define CK10_REG_SAVE_POSITION_MIN 0u
+#define CK10_REG_SAVE_POSITION_MAX 1u
+#define CK10_REG_SAVE_POSITION_DEFAULT 1u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_position_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_enabled_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether the LED blinks the number of the motor, which makes the start some seconds longer.
+ * Printed as 顯示馬達編號.
+ * Read and write. 2 words must be accessed in one request.
+ * Range: 0..1. See enabled.
+ * Source: 2.6 L408; 3.4 L812
+ */
+#define CK10_REG_SHOW_MOTOR_NUMBER_ADDRESS 0x13D6u
+#define CK10_REG_SHOW_MOTOR_NUMBER_WORDS 2u
+#define CK10_REG_SHOW_MOTOR_NUMBER_NUMBER 39u
+#define CK10_REG_SHOW_MOTOR_NUMBER_MIN 0u
+#define CK10_REG_SHOW_MOTOR_NUMBER_MAX 1u
+#define CK10_REG_SHOW_MOTOR_NUMBER_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_show_motor_number_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_show_motor_number_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_enabled_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The manual calls it reserved.
+ * Printed as IO 指派 旗標.
+ * Read and write. 2 words must be accessed in one request.
+ * Source: 2.6 L410
+ */
+#define CK10_REG_ASSIGNMENT_FLAGS_ADDRESS 0x13D8u
+#define CK10_REG_ASSIGNMENT_FLAGS_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_assignment_flags_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_assignment_flags_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 1 is for.
+ * Printed as IO 指派 IN1.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L411
+ */
+#define CK10_REG_INPUT_1_FUNCTION_ADDRESS 0x13DAu
+#define CK10_REG_INPUT_1_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_1_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_1_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 2 is for.
+ * Printed as IO 指派 IN2.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L412
+ */
+#define CK10_REG_INPUT_2_FUNCTION_ADDRESS 0x13DCu
+#define CK10_REG_INPUT_2_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_2_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_2_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 3 is for.
+ * Printed as IO 指派 IN3.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L413
+ */
+#define CK10_REG_INPUT_3_FUNCTION_ADDRESS 0x13DEu
+#define CK10_REG_INPUT_3_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_3_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_3_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 4 is for.
+ * Printed as IO 指派 IN4.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L419
+ */
+#define CK10_REG_INPUT_4_FUNCTION_ADDRESS 0x13E0u
+#define CK10_REG_INPUT_4_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_4_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_4_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 5 is for.
+ * Printed as IO 指派 IN5.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L420
+ */
+#define CK10_REG_INPUT_5_FUNCTION_ADDRESS 0x13E2u
+#define CK10_REG_INPUT_5_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_5_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_5_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 6 is for.
+ * Printed as IO 指派 IN6.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L421
+ */
+#define CK10_REG_INPUT_6_FUNCTION_ADDRESS 0x13E4u
+#define CK10_REG_INPUT_6_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_6_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_6_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 7 is for.
+ * Printed as IO 指派 IN7.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L422
+ */
+#define CK10_REG_INPUT_7_FUNCTION_ADDRESS 0x13E6u
+#define CK10_REG_INPUT_7_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_7_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_7_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 8 is for.
+ * Printed as IO 指派 IN8.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L423
+ */
+#define CK10_REG_INPUT_8_FUNCTION_ADDRESS 0x13E8u
+#define CK10_REG_INPUT_8_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_8_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_8_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 9 is for.
+ * Printed as IO 指派 IN9.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L424
+ */
+#define CK10_REG_INPUT_9_FUNCTION_ADDRESS 0x13EAu
+#define CK10_REG_INPUT_9_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_9_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_9_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 10 is for.
+ * Printed as IO 指派 IN10.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L425
+ */
+#define CK10_REG_INPUT_10_FUNCTION_ADDRESS 0x13ECu
+#define CK10_REG_INPUT_10_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_10_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_10_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 11 is for.
+ * Printed as IO 指派 IN11.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L426
+ */
+#define CK10_REG_INPUT_11_FUNCTION_ADDRESS 0x13EEu
+#define CK10_REG_INPUT_11_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_11_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_11_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 12 is for.
+ * Printed as IO 指派 IN12.
+ * Read and write. 2 words must be accessed in one request.
+ * See input_function.
+ * Source: 2.6 L427
+ */
+#define CK10_REG_INPUT_12_FUNCTION_ADDRESS 0x13F0u
+#define CK10_REG_INPUT_12_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_12_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_12_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 1 is for.
+ * Printed as IO 指派 OUT1.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L428
+ */
+#define CK10_REG_OUTPUT_1_FUNCTION_ADDRESS 0x13F2u
+#define CK10_REG_OUTPUT_1_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_1_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_1_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 2 is for.
+ * Printed as IO 指派 OUT2.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L429
+ */
+#define CK10_REG_OUTPUT_2_FUNCTION_ADDRESS 0x13F4u
+#define CK10_REG_OUTPUT_2_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_2_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_2_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 3 is for.
+ * Printed as IO 指派 OUT3.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L430
+ */
+#define CK10_REG_OUTPUT_3_FUNCTION_ADDRESS 0x13F6u
+#define CK10_REG_OUTPUT_3_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_3_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_3_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 4 is for.
+ * Printed as IO 指派 OUT4.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L431
+ */
+#define CK10_REG_OUTPUT_4_FUNCTION_ADDRESS 0x13F8u
+#define CK10_REG_OUTPUT_4_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_4_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_4_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 5 is for.
+ * Printed as IO 指派 OUT5.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L432
+ */
+#define CK10_REG_OUTPUT_5_FUNCTION_ADDRESS 0x13FAu
+#define CK10_REG_OUTPUT_5_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_5_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_5_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 6 is for.
+ * Printed as IO 指派 OUT6.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L433
+ */
+#define CK10_REG_OUTPUT_6_FUNCTION_ADDRESS 0x13FCu
+#define CK10_REG_OUTPUT_6_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_6_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_6_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 7 is for.
+ * Printed as IO 指派 OUT7.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L434
+ */
+#define CK10_REG_OUTPUT_7_FUNCTION_ADDRESS 0x13FEu
+#define CK10_REG_OUTPUT_7_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_7_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_7_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 8 is for.
+ * Printed as IO 指派 OUT8.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L435
+ */
+#define CK10_REG_OUTPUT_8_FUNCTION_ADDRESS 0x1400u
+#define CK10_REG_OUTPUT_8_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_8_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_8_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 9 is for.
+ * Printed as IO 指派 OUT9.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L436
+ */
+#define CK10_REG_OUTPUT_9_FUNCTION_ADDRESS 0x1402u
+#define CK10_REG_OUTPUT_9_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_9_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_9_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 10 is for.
+ * Printed as IO 指派 OUT10.
+ * Read and write. 2 words must be accessed in one request.
+ * See output_function.
+ * Source: 2.6 L437
+ */
+#define CK10_REG_OUTPUT_10_FUNCTION_ADDRESS 0x1404u
+#define CK10_REG_OUTPUT_10_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_10_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_10_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 1 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN1.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L438
+ */
+#define CK10_REG_INPUT_1_POLARITY_ADDRESS 0x1406u
+#define CK10_REG_INPUT_1_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_1_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_1_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 2 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN2.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L439
+ */
+#define CK10_REG_INPUT_2_POLARITY_ADDRESS 0x1408u
+#define CK10_REG_INPUT_2_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_2_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_2_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 3 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN3.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L440
+ */
+#define CK10_REG_INPUT_3_POLARITY_ADDRESS 0x140Au
+#define CK10_REG_INPUT_3_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_3_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_3_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 4 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN4.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L441
+ */
+#define CK10_REG_INPUT_4_POLARITY_ADDRESS 0x140Cu
+#define CK10_REG_INPUT_4_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_4_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_4_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 5 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN5.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L442
+ */
+#define CK10_REG_INPUT_5_POLARITY_ADDRESS 0x140Eu
+#define CK10_REG_INPUT_5_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_5_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_5_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 6 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN6.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L443
+ */
+#define CK10_REG_INPUT_6_POLARITY_ADDRESS 0x1410u
+#define CK10_REG_INPUT_6_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_6_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_6_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 7 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN7.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L444
+ */
+#define CK10_REG_INPUT_7_POLARITY_ADDRESS 0x1412u
+#define CK10_REG_INPUT_7_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_7_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_7_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 8 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN8.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L445
+ */
+#define CK10_REG_INPUT_8_POLARITY_ADDRESS 0x1414u
+#define CK10_REG_INPUT_8_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_8_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_8_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 9 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN9.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L446
+ */
+#define CK10_REG_INPUT_9_POLARITY_ADDRESS 0x1416u
+#define CK10_REG_INPUT_9_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_9_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_9_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 10 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN10.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L447
+ */
+#define CK10_REG_INPUT_10_POLARITY_ADDRESS 0x1418u
+#define CK10_REG_INPUT_10_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_10_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_10_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 11 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN11.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L448
+ */
+#define CK10_REG_INPUT_11_POLARITY_ADDRESS 0x141Au
+#define CK10_REG_INPUT_11_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_11_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_11_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 12 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN12.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L449
+ */
+#define CK10_REG_INPUT_12_POLARITY_ADDRESS 0x141Cu
+#define CK10_REG_INPUT_12_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_12_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_input_12_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 1 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT1.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L455
+ */
+#define CK10_REG_OUTPUT_1_POLARITY_ADDRESS 0x141Eu
+#define CK10_REG_OUTPUT_1_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_1_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_1_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 2 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT2.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L456
+ */
+#define CK10_REG_OUTPUT_2_POLARITY_ADDRESS 0x1420u
+#define CK10_REG_OUTPUT_2_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_2_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_2_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 3 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT3.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L457
+ */
+#define CK10_REG_OUTPUT_3_POLARITY_ADDRESS 0x1422u
+#define CK10_REG_OUTPUT_3_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_3_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_3_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 4 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT4.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L458
+ */
+#define CK10_REG_OUTPUT_4_POLARITY_ADDRESS 0x1424u
+#define CK10_REG_OUTPUT_4_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_4_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_4_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 5 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT5.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L459
+ */
+#define CK10_REG_OUTPUT_5_POLARITY_ADDRESS 0x1426u
+#define CK10_REG_OUTPUT_5_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_5_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_5_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 6 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT6.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L460
+ */
+#define CK10_REG_OUTPUT_6_POLARITY_ADDRESS 0x1428u
+#define CK10_REG_OUTPUT_6_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_6_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_6_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 7 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT7.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L461
+ */
+#define CK10_REG_OUTPUT_7_POLARITY_ADDRESS 0x142Au
+#define CK10_REG_OUTPUT_7_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_7_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_7_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 8 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT8.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L462
+ */
+#define CK10_REG_OUTPUT_8_POLARITY_ADDRESS 0x142Cu
+#define CK10_REG_OUTPUT_8_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_8_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_8_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 9 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT9.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L463
+ */
+#define CK10_REG_OUTPUT_9_POLARITY_ADDRESS 0x142Eu
+#define CK10_REG_OUTPUT_9_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_9_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_9_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 10 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT10.
+ * Read and write. 2 words must be accessed in one request.
+ * See polarity.
+ * Source: 2.6 L464
+ */
+#define CK10_REG_OUTPUT_10_POLARITY_ADDRESS 0x1430u
+#define CK10_REG_OUTPUT_10_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_10_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_output_10_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The pulses of one turn. Changing it switches the servo off.
+ * Printed as 解析度.
+ * Read only. 2 words must be accessed in one request. A copy of resolution.
+ * One count is 1 pulse/rev. Range: 0..50000. See pulses_per_turn.
+ * Source: 2.6 L472
+ */
+#define CK10_REG_FLASH_RESOLUTION_ADDRESS 0x1450u
+#define CK10_REG_FLASH_RESOLUTION_WORDS 2u
+#define CK10_REG_FLASH_RESOLUTION_MIN 0u
+#define CK10_REG_FLASH_RESOLUTION_MAX 50000u
+#define CK10_REG_FLASH_RESOLUTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_resolution_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_resolution_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 50000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The greatest speed of a move.
+ * Printed as 軸最大速度.
+ * Read only. 2 words must be accessed in one request. A copy of maximum_speed.
+ * One count is 1 pps. Range: 1..800000.
+ * Source: 2.6 L473
+ */
+#define CK10_REG_FLASH_MAXIMUM_SPEED_ADDRESS 0x1452u
+#define CK10_REG_FLASH_MAXIMUM_SPEED_WORDS 2u
+#define CK10_REG_FLASH_MAXIMUM_SPEED_MIN 1u
+#define CK10_REG_FLASH_MAXIMUM_SPEED_MAX 800000u
+#define CK10_REG_FLASH_MAXIMUM_SPEED_DEFAULT 500000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_maximum_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_maximum_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 800000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed at which a move starts.
+ * Printed as 軸起始速度.
+ * Read only. 2 words must be accessed in one request. A copy of start_speed.
+ * One count is 1 pps. Range: 1..35000.
+ * Source: 2.6 L474
+ */
+#define CK10_REG_FLASH_START_SPEED_ADDRESS 0x1454u
+#define CK10_REG_FLASH_START_SPEED_WORDS 2u
+#define CK10_REG_FLASH_START_SPEED_MIN 1u
+#define CK10_REG_FLASH_START_SPEED_MAX 35000u
+#define CK10_REG_FLASH_START_SPEED_DEFAULT 1u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 35000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The acceleration time of a move.
+ * Printed as 軸加速時間.
+ * Read only. 2 words must be accessed in one request. A copy of acceleration_time.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L475
+ */
+#define CK10_REG_FLASH_ACCELERATION_TIME_ADDRESS 0x1456u
+#define CK10_REG_FLASH_ACCELERATION_TIME_WORDS 2u
+#define CK10_REG_FLASH_ACCELERATION_TIME_MIN 1u
+#define CK10_REG_FLASH_ACCELERATION_TIME_MAX 9999u
+#define CK10_REG_FLASH_ACCELERATION_TIME_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_acceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_acceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The deceleration time of a move.
+ * Printed as 軸減速時間.
+ * Read only. 2 words must be accessed in one request. A copy of deceleration_time.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L476
+ */
+#define CK10_REG_FLASH_DECELERATION_TIME_ADDRESS 0x1458u
+#define CK10_REG_FLASH_DECELERATION_TIME_WORDS 2u
+#define CK10_REG_FLASH_DECELERATION_TIME_MIN 1u
+#define CK10_REG_FLASH_DECELERATION_TIME_MAX 9999u
+#define CK10_REG_FLASH_DECELERATION_TIME_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_deceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_deceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read only. 2 words must be accessed in one request. A copy of reserved_5.
+ * Range: 100.
+ * Source: 2.6 L477
+ */
+#define CK10_REG_FLASH_RESERVED_5_ADDRESS 0x145Au
+#define CK10_REG_FLASH_RESERVED_5_WORDS 2u
+#define CK10_REG_FLASH_RESERVED_5_MIN 100u
+#define CK10_REG_FLASH_RESERVED_5_MAX 100u
+#define CK10_REG_FLASH_RESERVED_5_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_5_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_5_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value == 100u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed of jogging.
+ * Printed as 吋動速度.
+ * Read only. 2 words must be accessed in one request. A copy of jog_speed.
+ * One count is 1 pps. Range: 1..800000.
+ * Source: 2.6 L478
+ */
+#define CK10_REG_FLASH_JOG_SPEED_ADDRESS 0x145Cu
+#define CK10_REG_FLASH_JOG_SPEED_WORDS 2u
+#define CK10_REG_FLASH_JOG_SPEED_MIN 1u
+#define CK10_REG_FLASH_JOG_SPEED_MAX 800000u
+#define CK10_REG_FLASH_JOG_SPEED_DEFAULT 5000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_jog_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_jog_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 800000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed at which jogging starts.
+ * Printed as 吋動起始速度.
+ * Read only. 2 words must be accessed in one request. A copy of jog_start_speed.
+ * One count is 1 pps. Range: 1..35000.
+ * Source: 2.6 L479
+ */
+#define CK10_REG_FLASH_JOG_START_SPEED_ADDRESS 0x145Eu
+#define CK10_REG_FLASH_JOG_START_SPEED_WORDS 2u
+#define CK10_REG_FLASH_JOG_START_SPEED_MIN 1u
+#define CK10_REG_FLASH_JOG_START_SPEED_MAX 35000u
+#define CK10_REG_FLASH_JOG_START_SPEED_DEFAULT 1u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_jog_start_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_jog_start_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 35000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The acceleration and deceleration time of jogging.
+ * Printed as 吋動加減速時間.
+ * Read only. 2 words must be accessed in one request. A copy of jog_acceleration_time.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L480
+ */
+#define CK10_REG_FLASH_JOG_ACCELERATION_TIME_ADDRESS 0x1460u
+#define CK10_REG_FLASH_JOG_ACCELERATION_TIME_WORDS 2u
+#define CK10_REG_FLASH_JOG_ACCELERATION_TIME_MIN 1u
+#define CK10_REG_FLASH_JOG_ACCELERATION_TIME_MAX 9999u
+#define CK10_REG_FLASH_JOG_ACCELERATION_TIME_DEFAULT 100u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_jog_acceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The greatest position that a move may reach.
+ * Printed as 軟體正極限.
+ * Read only. 2 words must be accessed in one request. A copy of positive_soft_limit.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L481
+ */
+#define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_ADDRESS 0x1462u
+#define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_WORDS 2u
+#define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_MIN (-2147483647 - 1)
+#define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_MAX 2147483647
+#define CK10_REG_FLASH_POSITIVE_SOFT_LIMIT_DEFAULT 2147483647
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_positive_soft_limit_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * The least position that a move may reach.
+ * Printed as 軟體負極限.
+ * Read only. 2 words must be accessed in one request. A copy of negative_soft_limit.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L482
+ */
+#define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_ADDRESS 0x1464u
+#define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_WORDS 2u
+#define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_MIN (-2147483647 - 1)
+#define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_MAX 2147483647
+#define CK10_REG_FLASH_NEGATIVE_SOFT_LIMIT_DEFAULT (-2147483647 - 1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_negative_soft_limit_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * How the motor stops at a soft limit.
+ * Printed as 軟體極限停止方法.
+ * Read only. 2 words must be accessed in one request. A copy of soft_limit_stop.
+ * Range: 0..2. See soft_limit_stop.
+ * Source: 2.6 L483
+ */
+#define CK10_REG_FLASH_SOFT_LIMIT_STOP_ADDRESS 0x1466u
+#define CK10_REG_FLASH_SOFT_LIMIT_STOP_WORDS 2u
+#define CK10_REG_FLASH_SOFT_LIMIT_STOP_MIN 0u
+#define CK10_REG_FLASH_SOFT_LIMIT_STOP_MAX 2u
+#define CK10_REG_FLASH_SOFT_LIMIT_STOP_DEFAULT 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_soft_limit_stop_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_soft_limit_stop_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 2u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How the motor stops at a limit sensor.
+ * Printed as 硬體極限停止方法.
+ * Read only. 2 words must be accessed in one request. A copy of hard_limit_stop.
+ * Range: 0..1. See hard_limit_stop.
+ * Source: 2.6 L484
+ */
+#define CK10_REG_FLASH_HARD_LIMIT_STOP_ADDRESS 0x1468u
+#define CK10_REG_FLASH_HARD_LIMIT_STOP_WORDS 2u
+#define CK10_REG_FLASH_HARD_LIMIT_STOP_MIN 0u
+#define CK10_REG_FLASH_HARD_LIMIT_STOP_MAX 1u
+#define CK10_REG_FLASH_HARD_LIMIT_STOP_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_hard_limit_stop_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_hard_limit_stop_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read only. 2 words must be accessed in one request. A copy of reserved_13.
+ * Range: 0..1.
+ * Source: 2.6 L485
+ */
+#define CK10_REG_FLASH_RESERVED_13_ADDRESS 0x146Au
+#define CK10_REG_FLASH_RESERVED_13_WORDS 2u
+#define CK10_REG_FLASH_RESERVED_13_MIN 0u
+#define CK10_REG_FLASH_RESERVED_13_MAX 1u
+#define CK10_REG_FLASH_RESERVED_13_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_13_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_13_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed until the origin is found.
+ * Printed as 原點速度.
+ * Read only. 2 words must be accessed in one request. A copy of homing_speed.
+ * One count is 1 pps. Range: 1..800000.
+ * Source: 2.6 L486
+ */
+#define CK10_REG_FLASH_HOMING_SPEED_ADDRESS 0x146Cu
+#define CK10_REG_FLASH_HOMING_SPEED_WORDS 2u
+#define CK10_REG_FLASH_HOMING_SPEED_MIN 1u
+#define CK10_REG_FLASH_HOMING_SPEED_MAX 800000u
+#define CK10_REG_FLASH_HOMING_SPEED_DEFAULT 5000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 800000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed back to the origin once it is found.
+ * Printed as 原點搜尋速度.
+ * Read only. 2 words must be accessed in one request. A copy of homing_search_speed.
+ * One count is 1 pps. Range: 1..80000.
+ * Source: 2.6 L487
+ */
+#define CK10_REG_FLASH_HOMING_SEARCH_SPEED_ADDRESS 0x146Eu
+#define CK10_REG_FLASH_HOMING_SEARCH_SPEED_WORDS 2u
+#define CK10_REG_FLASH_HOMING_SEARCH_SPEED_MIN 1u
+#define CK10_REG_FLASH_HOMING_SEARCH_SPEED_MAX 80000u
+#define CK10_REG_FLASH_HOMING_SEARCH_SPEED_DEFAULT 1000u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_search_speed_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_search_speed_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 80000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The acceleration and deceleration time of homing.
+ * Printed as 原點加減速時間.
+ * Read only. 2 words must be accessed in one request. A copy of homing_acceleration_time.
+ * One count is 1 ms. Range: 1..9999.
+ * Source: 2.6 L488
+ */
+#define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_ADDRESS 0x1470u
+#define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_WORDS 2u
+#define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_MIN 1u
+#define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_MAX 9999u
+#define CK10_REG_FLASH_HOMING_ACCELERATION_TIME_DEFAULT 50u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_acceleration_time_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 9999u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 原點方法.
+ * Read only. 2 words must be accessed in one request. A copy of homing_method.
+ * Range: 0..7. See homing_method.
+ * Source: 2.6 L489
+ */
+#define CK10_REG_FLASH_HOMING_METHOD_ADDRESS 0x1472u
+#define CK10_REG_FLASH_HOMING_METHOD_WORDS 2u
+#define CK10_REG_FLASH_HOMING_METHOD_MIN 0u
+#define CK10_REG_FLASH_HOMING_METHOD_MAX 7u
+#define CK10_REG_FLASH_HOMING_METHOD_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_method_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_homing_method_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_homing_method_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 7u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 原點方向.
+ * Read only. 2 words must be accessed in one request. A copy of homing_direction.
+ * Range: 0..1. See rotation.
+ * Source: 2.6 L490
+ */
+#define CK10_REG_FLASH_HOMING_DIRECTION_ADDRESS 0x1474u
+#define CK10_REG_FLASH_HOMING_DIRECTION_WORDS 2u
+#define CK10_REG_FLASH_HOMING_DIRECTION_MIN 0u
+#define CK10_REG_FLASH_HOMING_DIRECTION_MAX 1u
+#define CK10_REG_FLASH_HOMING_DIRECTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_direction_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_rotation_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How far the motor moves on from the origin before the position is set.
+ * Printed as 原點偏位.
+ * Read only. 2 words must be accessed in one request. A copy of homing_offset.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L491
+ */
+#define CK10_REG_FLASH_HOMING_OFFSET_ADDRESS 0x1476u
+#define CK10_REG_FLASH_HOMING_OFFSET_WORDS 2u
+#define CK10_REG_FLASH_HOMING_OFFSET_MIN (-2147483647 - 1)
+#define CK10_REG_FLASH_HOMING_OFFSET_MAX 2147483647
+#define CK10_REG_FLASH_HOMING_OFFSET_DEFAULT 0
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_offset_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_offset_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * The value that the commanded and the actual position get at the origin.
+ * Printed as 設為原點.
+ * Read only. 2 words must be accessed in one request. A copy of origin_position.
+ * One count is 1 pulse. Range: -2147483648..2147483647.
+ * Source: 2.6 L492
+ */
+#define CK10_REG_FLASH_ORIGIN_POSITION_ADDRESS 0x1478u
+#define CK10_REG_FLASH_ORIGIN_POSITION_WORDS 2u
+#define CK10_REG_FLASH_ORIGIN_POSITION_MIN (-2147483647 - 1)
+#define CK10_REG_FLASH_ORIGIN_POSITION_MAX 2147483647
+#define CK10_REG_FLASH_ORIGIN_POSITION_DEFAULT 0
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_origin_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_origin_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read only. 2 words must be accessed in one request. A copy of reserved_21.
+ * Range: 0..1.
+ * Source: 2.6 L496
+ */
+#define CK10_REG_FLASH_RESERVED_21_ADDRESS 0x147Au
+#define CK10_REG_FLASH_RESERVED_21_WORDS 2u
+#define CK10_REG_FLASH_RESERVED_21_MIN 0u
+#define CK10_REG_FLASH_RESERVED_21_MAX 1u
+#define CK10_REG_FLASH_RESERVED_21_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_21_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_21_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How the motor answers to its load when it stops: a relative value, not the gain of the drive. Which
+ * constants it stands for is in the table of gains.
+ * Printed as 位置迴路增益.
+ * Read only. 2 words must be accessed in one request. A copy of position_loop_gain.
+ * Range: 0..63.
+ * Source: 2.6 L497
+ */
+#define CK10_REG_FLASH_POSITION_LOOP_GAIN_ADDRESS 0x147Cu
+#define CK10_REG_FLASH_POSITION_LOOP_GAIN_WORDS 2u
+#define CK10_REG_FLASH_POSITION_LOOP_GAIN_MIN 0u
+#define CK10_REG_FLASH_POSITION_LOOP_GAIN_MAX 63u
+#define CK10_REG_FLASH_POSITION_LOOP_GAIN_DEFAULT 4u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_position_loop_gain_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_position_loop_gain_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 63u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The position error up to which the motor counts as in position after a move. 0 to 63 choose the fast answer,
+ * 64 to 127 the exact one; both stand for an error of 0 to 63.
+ * Printed as 定位值.
+ * Read only. 2 words must be accessed in one request. A copy of in_position_range.
+ * Range: 0..127.
+ * Source: 2.6 L498
+ */
+#define CK10_REG_FLASH_IN_POSITION_RANGE_ADDRESS 0x147Eu
+#define CK10_REG_FLASH_IN_POSITION_RANGE_WORDS 2u
+#define CK10_REG_FLASH_IN_POSITION_RANGE_MIN 0u
+#define CK10_REG_FLASH_IN_POSITION_RANGE_MAX 127u
+#define CK10_REG_FLASH_IN_POSITION_RANGE_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_in_position_range_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_in_position_range_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 127u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * A greater position error while moving gives an alarm and switches the motor off.
+ * Printed as 位置追蹤限制.
+ * Read only. 2 words must be accessed in one request. A copy of tracking_limit.
+ * One count is 1 pulse. Range: 1..134217727.
+ * Source: 2.6 L499
+ */
+#define CK10_REG_FLASH_TRACKING_LIMIT_ADDRESS 0x1480u
+#define CK10_REG_FLASH_TRACKING_LIMIT_WORDS 2u
+#define CK10_REG_FLASH_TRACKING_LIMIT_MIN 1u
+#define CK10_REG_FLASH_TRACKING_LIMIT_MAX 134217727u
+#define CK10_REG_FLASH_TRACKING_LIMIT_DEFAULT 2500u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_tracking_limit_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_tracking_limit_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 134217727u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Which way the motor turns on a move.
+ * Printed as 馬達方向.
+ * Read only. 2 words must be accessed in one request. A copy of motor_direction.
+ * Range: 0..1. See rotation.
+ * Source: 2.6 L500
+ */
+#define CK10_REG_FLASH_MOTOR_DIRECTION_ADDRESS 0x1482u
+#define CK10_REG_FLASH_MOTOR_DIRECTION_WORDS 2u
+#define CK10_REG_FLASH_MOTOR_DIRECTION_MIN 0u
+#define CK10_REG_FLASH_MOTOR_DIRECTION_MAX 1u
+#define CK10_REG_FLASH_MOTOR_DIRECTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_motor_direction_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_rotation_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_rotation_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read only. 2 words must be accessed in one request. A copy of reserved_26.
+ * Range: 0..1.
+ * Source: 2.6 L501
+ */
+#define CK10_REG_FLASH_RESERVED_26_ADDRESS 0x1484u
+#define CK10_REG_FLASH_RESERVED_26_WORDS 2u
+#define CK10_REG_FLASH_RESERVED_26_MIN 0u
+#define CK10_REG_FLASH_RESERVED_26_MAX 1u
+#define CK10_REG_FLASH_RESERVED_26_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_26_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_26_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The torque at which the motor stops when homing against a stop.
+ * Printed as 原點扭力比.
+ * Read only. 2 words must be accessed in one request. A copy of homing_torque_ratio.
+ * One count is 1 %. Range: 20..90.
+ * Source: 2.6 L502
+ */
+#define CK10_REG_FLASH_HOMING_TORQUE_RATIO_ADDRESS 0x1486u
+#define CK10_REG_FLASH_HOMING_TORQUE_RATIO_WORDS 2u
+#define CK10_REG_FLASH_HOMING_TORQUE_RATIO_MIN 20u
+#define CK10_REG_FLASH_HOMING_TORQUE_RATIO_MAX 90u
+#define CK10_REG_FLASH_HOMING_TORQUE_RATIO_DEFAULT 50u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_homing_torque_ratio_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 20u && value <= 90u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * A greater position error at rest, with the servo on, gives an alarm and switches the motor off.
+ * Printed as 位置錯誤溢出限制.
+ * Read only. 2 words must be accessed in one request. A copy of position_overflow_limit.
+ * One count is 1 pulse. Range: 1..134217727.
+ * Source: 2.6 L503
+ */
+#define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_ADDRESS 0x1488u
+#define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_WORDS 2u
+#define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_MIN 1u
+#define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_MAX 134217727u
+#define CK10_REG_FLASH_POSITION_OVERFLOW_LIMIT_DEFAULT 2500u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_position_overflow_limit_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 1u && value <= 134217727u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as 保留.
+ * Read only. 2 words must be accessed in one request. A copy of reserved_29.
+ * One count is 1 ms. Range: 10..5000.
+ * Source: 2.6 L504
+ */
+#define CK10_REG_FLASH_RESERVED_29_ADDRESS 0x148Au
+#define CK10_REG_FLASH_RESERVED_29_WORDS 2u
+#define CK10_REG_FLASH_RESERVED_29_MIN 10u
+#define CK10_REG_FLASH_RESERVED_29_MAX 5000u
+#define CK10_REG_FLASH_RESERVED_29_DEFAULT 200u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_29_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_reserved_29_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 10u && value <= 5000u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The current while moving, as a share of the motor's rated one.
+ * Printed as 運行電流.
+ * Read only. 2 words must be accessed in one request. A copy of run_current.
+ * One count is 10 %. Range: 5..15.
+ * Source: 2.6 L505
+ */
+#define CK10_REG_FLASH_RUN_CURRENT_ADDRESS 0x148Cu
+#define CK10_REG_FLASH_RUN_CURRENT_WORDS 2u
+#define CK10_REG_FLASH_RUN_CURRENT_MIN 5u
+#define CK10_REG_FLASH_RUN_CURRENT_MAX 15u
+#define CK10_REG_FLASH_RUN_CURRENT_DEFAULT 10u
+#define CK10_REG_FLASH_RUN_CURRENT_SCALE_NUMERATOR INT64_C(10)
+#define CK10_REG_FLASH_RUN_CURRENT_SCALE_DENOMINATOR INT64_C(1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_run_current_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_run_current_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 5u && value <= 15u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * A current that is added while accelerating, for acceleration times that would else be too short.
+ * Printed as 起動電流.
+ * Read only. 2 words must be accessed in one request. A copy of boost_current.
+ * One count is 50 %. Range: 0..7.
+ * Source: 2.6 L506
+ */
+#define CK10_REG_FLASH_BOOST_CURRENT_ADDRESS 0x148Eu
+#define CK10_REG_FLASH_BOOST_CURRENT_WORDS 2u
+#define CK10_REG_FLASH_BOOST_CURRENT_MIN 0u
+#define CK10_REG_FLASH_BOOST_CURRENT_MAX 7u
+#define CK10_REG_FLASH_BOOST_CURRENT_DEFAULT 0u
+#define CK10_REG_FLASH_BOOST_CURRENT_SCALE_NUMERATOR INT64_C(50)
+#define CK10_REG_FLASH_BOOST_CURRENT_SCALE_DENOMINATOR INT64_C(1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_boost_current_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_boost_current_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value <= 7u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The current from 0.1 s after the motor has stopped.
+ * Printed as 停止電流.
+ * Read only. 2 words must be accessed in one request. A copy of stop_current.
+ * One count is 10 %. Range: 2..10.
+ * Source: 2.6 L507
+ */
+#define CK10_REG_FLASH_STOP_CURRENT_ADDRESS 0x1490u
+#define CK10_REG_FLASH_STOP_CURRENT_WORDS 2u
+#define CK10_REG_FLASH_STOP_CURRENT_MIN 2u
+#define CK10_REG_FLASH_STOP_CURRENT_MAX 10u
+#define CK10_REG_FLASH_STOP_CURRENT_DEFAULT 5u
+#define CK10_REG_FLASH_STOP_CURRENT_SCALE_NUMERATOR INT64_C(10)
+#define CK10_REG_FLASH_STOP_CURRENT_SCALE_DENOMINATOR INT64_C(1)
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_stop_current_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_stop_current_encode(uint32_t value, uint8_t *out)
+{
+    if (!(value >= 2u && value <= 10u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What the emergency stop input does.
+ * Printed as 緊急停止模式.
+ * Read only. 2 words must be accessed in one request. A copy of emergency_stop_mode.
+ * Range: 0..4. See emergency_stop_mode.
+ * Source: 2.6 L508
+ */
+#define CK10_REG_FLASH_EMERGENCY_STOP_MODE_ADDRESS 0x1492u
+#define CK10_REG_FLASH_EMERGENCY_STOP_MODE_WORDS 2u
+#define CK10_REG_FLASH_EMERGENCY_STOP_MODE_MIN 0u
+#define CK10_REG_FLASH_EMERGENCY_STOP_MODE_MAX 4u
+#define CK10_REG_FLASH_EMERGENCY_STOP_MODE_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_emergency_stop_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_emergency_stop_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 4u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What the brake does in the emergency stop.
+ * Printed as 緊急剎車模式.
+ * Read only. 2 words must be accessed in one request. A copy of emergency_brake_mode.
+ * Range: 0..1. See emergency_brake_mode.
+ * Source: 2.6 L509
+ */
+#define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_ADDRESS 0x1494u
+#define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_WORDS 2u
+#define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_MIN 0u
+#define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_MAX 1u
+#define CK10_REG_FLASH_EMERGENCY_BRAKE_MODE_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_emergency_brake_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_emergency_brake_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * How the controller gets its commands.
+ * Printed as 操作模式.
+ * Read only. 2 words must be accessed in one request. A copy of operation_mode.
+ * Range: 0..5. See operation_mode.
+ * Source: 2.6 L510
+ */
+#define CK10_REG_FLASH_OPERATION_MODE_ADDRESS 0x1496u
+#define CK10_REG_FLASH_OPERATION_MODE_WORDS 2u
+#define CK10_REG_FLASH_OPERATION_MODE_MIN 0u
+#define CK10_REG_FLASH_OPERATION_MODE_MAX 5u
+#define CK10_REG_FLASH_OPERATION_MODE_DEFAULT 3u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_operation_mode_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_operation_mode_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_operation_mode_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 5u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What the switch SW3 of the controller does.
+ * Printed as 切換開關功能.
+ * Read only. 2 words must be accessed in one request. A copy of switch_function.
+ * Range: 0..1. See switch_function.
+ * Source: 2.6 L511
+ */
+#define CK10_REG_FLASH_SWITCH_FUNCTION_ADDRESS 0x1498u
+#define CK10_REG_FLASH_SWITCH_FUNCTION_WORDS 2u
+#define CK10_REG_FLASH_SWITCH_FUNCTION_MIN 0u
+#define CK10_REG_FLASH_SWITCH_FUNCTION_MAX 1u
+#define CK10_REG_FLASH_SWITCH_FUNCTION_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_switch_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_switch_function_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_switch_function_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The speed of the line.
+ * Printed as 鮑率.
+ * Read only. 2 words must be accessed in one request. A copy of baud_rate.
+ * Range: 0..4. See baud_rate.
+ * Source: 2.6 L512
+ */
+#define CK10_REG_FLASH_BAUD_RATE_ADDRESS 0x149Au
+#define CK10_REG_FLASH_BAUD_RATE_WORDS 2u
+#define CK10_REG_FLASH_BAUD_RATE_MIN 0u
+#define CK10_REG_FLASH_BAUD_RATE_MAX 4u
+#define CK10_REG_FLASH_BAUD_RATE_DEFAULT 4u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_baud_rate_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_baud_rate_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_baud_rate_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 4u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether the position and the number of the point are kept when the power goes.
+ * Printed as 儲存位置 / 位置表.
+ * Read only. 2 words must be accessed in one request. A copy of save_position.
+ * Range: 0..1. See enabled.
+ * Source: 2.6 L513
+ */
+#define CK10_REG_FLASH_SAVE_POSITION_ADDRESS 0x149Cu
+#define CK10_REG_FLASH_SAVE_POSITION_WORDS 2u
+#define CK10_REG_FLASH_SAVE_POSITION_MIN 0u
+#define CK10_REG_FLASH_SAVE_POSITION_MAX 1u
+#define CK10_REG_FLASH_SAVE_POSITION_DEFAULT 1u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_save_position_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_enabled_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether the LED blinks the number of the motor, which makes the start some seconds longer.
+ * Printed as 顯示馬達編號.
+ * Read only. 2 words must be accessed in one request. A copy of show_motor_number.
+ * Range: 0..1. See enabled.
+ * Source: 2.6 L514
+ */
+#define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_ADDRESS 0x149Eu
+#define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_WORDS 2u
+#define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_MIN 0u
+#define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_MAX 1u
+#define CK10_REG_FLASH_SHOW_MOTOR_NUMBER_DEFAULT 0u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_show_motor_number_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_enabled_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_enabled_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    if (!(value <= 1u)) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The manual calls it reserved.
+ * Printed as IO 指派旗標.
+ * Read only. 2 words must be accessed in one request. A copy of assignment_flags.
+ * Source: 2.6 L516
+ */
+#define CK10_REG_FLASH_ASSIGNMENT_FLAGS_ADDRESS 0x14A0u
+#define CK10_REG_FLASH_ASSIGNMENT_FLAGS_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_assignment_flags_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_assignment_flags_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 1 is for.
+ * Printed as IO 指派 IN1.
+ * Read only. 2 words must be accessed in one request. A copy of input_1_function.
+ * See input_function.
+ * Source: 2.6 L517
+ */
+#define CK10_REG_FLASH_INPUT_1_FUNCTION_ADDRESS 0x14A2u
+#define CK10_REG_FLASH_INPUT_1_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_1_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_1_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 2 is for.
+ * Printed as IO 指派 IN2.
+ * Read only. 2 words must be accessed in one request. A copy of input_2_function.
+ * See input_function.
+ * Source: 2.6 L518
+ */
+#define CK10_REG_FLASH_INPUT_2_FUNCTION_ADDRESS 0x14A4u
+#define CK10_REG_FLASH_INPUT_2_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_2_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_2_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 3 is for.
+ * Printed as IO 指派 IN3.
+ * Read only. 2 words must be accessed in one request. A copy of input_3_function.
+ * See input_function.
+ * Source: 2.6 L519
+ */
+#define CK10_REG_FLASH_INPUT_3_FUNCTION_ADDRESS 0x14A6u
+#define CK10_REG_FLASH_INPUT_3_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_3_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_3_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 4 is for.
+ * Printed as IO 指派 IN4.
+ * Read only. 2 words must be accessed in one request. A copy of input_4_function.
+ * See input_function.
+ * Source: 2.6 L520
+ */
+#define CK10_REG_FLASH_INPUT_4_FUNCTION_ADDRESS 0x14A8u
+#define CK10_REG_FLASH_INPUT_4_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_4_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_4_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 5 is for.
+ * Printed as IO 指派 IN5.
+ * Read only. 2 words must be accessed in one request. A copy of input_5_function.
+ * See input_function.
+ * Source: 2.6 L521
+ */
+#define CK10_REG_FLASH_INPUT_5_FUNCTION_ADDRESS 0x14AAu
+#define CK10_REG_FLASH_INPUT_5_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_5_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_5_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 6 is for.
+ * Printed as IO 指派 IN6.
+ * Read only. 2 words must be accessed in one request. A copy of input_6_function.
+ * See input_function.
+ * Source: 2.6 L522
+ */
+#define CK10_REG_FLASH_INPUT_6_FUNCTION_ADDRESS 0x14ACu
+#define CK10_REG_FLASH_INPUT_6_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_6_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_6_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 7 is for.
+ * Printed as IO 指派 IN7.
+ * Read only. 2 words must be accessed in one request. A copy of input_7_function.
+ * See input_function.
+ * Source: 2.6 L523
+ */
+#define CK10_REG_FLASH_INPUT_7_FUNCTION_ADDRESS 0x14AEu
+#define CK10_REG_FLASH_INPUT_7_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_7_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_7_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 8 is for.
+ * Printed as IO 指派 IN8.
+ * Read only. 2 words must be accessed in one request. A copy of input_8_function.
+ * See input_function.
+ * Source: 2.6 L524
+ */
+#define CK10_REG_FLASH_INPUT_8_FUNCTION_ADDRESS 0x14B0u
+#define CK10_REG_FLASH_INPUT_8_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_8_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_8_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 9 is for.
+ * Printed as IO 指派 IN9.
+ * Read only. 2 words must be accessed in one request. A copy of input_9_function.
+ * See input_function.
+ * Source: 2.6 L525
+ */
+#define CK10_REG_FLASH_INPUT_9_FUNCTION_ADDRESS 0x14B2u
+#define CK10_REG_FLASH_INPUT_9_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_9_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_9_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 10 is for.
+ * Printed as IO 指派 IN10.
+ * Read only. 2 words must be accessed in one request. A copy of input_10_function.
+ * See input_function.
+ * Source: 2.6 L526
+ */
+#define CK10_REG_FLASH_INPUT_10_FUNCTION_ADDRESS 0x14B4u
+#define CK10_REG_FLASH_INPUT_10_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_10_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_10_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 11 is for.
+ * Printed as IO 指派 IN11.
+ * Read only. 2 words must be accessed in one request. A copy of input_11_function.
+ * See input_function.
+ * Source: 2.6 L527
+ */
+#define CK10_REG_FLASH_INPUT_11_FUNCTION_ADDRESS 0x14B6u
+#define CK10_REG_FLASH_INPUT_11_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_11_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_11_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What input 12 is for.
+ * Printed as IO 指派 IN12.
+ * Read only. 2 words must be accessed in one request. A copy of input_12_function.
+ * See input_function.
+ * Source: 2.6 L528
+ */
+#define CK10_REG_FLASH_INPUT_12_FUNCTION_ADDRESS 0x14B8u
+#define CK10_REG_FLASH_INPUT_12_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_12_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_12_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 1 is for.
+ * Printed as IO 指派 OUT1.
+ * Read only. 2 words must be accessed in one request. A copy of output_1_function.
+ * See output_function.
+ * Source: 2.6 L529
+ */
+#define CK10_REG_FLASH_OUTPUT_1_FUNCTION_ADDRESS 0x14BAu
+#define CK10_REG_FLASH_OUTPUT_1_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_1_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_1_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 2 is for.
+ * Printed as IO 指派 OUT2.
+ * Read only. 2 words must be accessed in one request. A copy of output_2_function.
+ * See output_function.
+ * Source: 2.6 L530
+ */
+#define CK10_REG_FLASH_OUTPUT_2_FUNCTION_ADDRESS 0x14BCu
+#define CK10_REG_FLASH_OUTPUT_2_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_2_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_2_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 3 is for.
+ * Printed as IO 指派 OUT3.
+ * Read only. 2 words must be accessed in one request. A copy of output_3_function.
+ * See output_function.
+ * Source: 2.6 L531
+ */
+#define CK10_REG_FLASH_OUTPUT_3_FUNCTION_ADDRESS 0x14BEu
+#define CK10_REG_FLASH_OUTPUT_3_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_3_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_3_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 4 is for.
+ * Printed as IO 指派 OUT4.
+ * Read only. 2 words must be accessed in one request. A copy of output_4_function.
+ * See output_function.
+ * Source: 2.6 L535
+ */
+#define CK10_REG_FLASH_OUTPUT_4_FUNCTION_ADDRESS 0x14C0u
+#define CK10_REG_FLASH_OUTPUT_4_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_4_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_4_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 5 is for.
+ * Printed as IO 指派 OUT5.
+ * Read only. 2 words must be accessed in one request. A copy of output_5_function.
+ * See output_function.
+ * Source: 2.6 L536
+ */
+#define CK10_REG_FLASH_OUTPUT_5_FUNCTION_ADDRESS 0x14C2u
+#define CK10_REG_FLASH_OUTPUT_5_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_5_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_5_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 6 is for.
+ * Printed as IO 指派 OUT6.
+ * Read only. 2 words must be accessed in one request. A copy of output_6_function.
+ * See output_function.
+ * Source: 2.6 L537
+ */
+#define CK10_REG_FLASH_OUTPUT_6_FUNCTION_ADDRESS 0x14C4u
+#define CK10_REG_FLASH_OUTPUT_6_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_6_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_6_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 7 is for.
+ * Printed as IO 指派 OUT7.
+ * Read only. 2 words must be accessed in one request. A copy of output_7_function.
+ * See output_function.
+ * Source: 2.6 L538
+ */
+#define CK10_REG_FLASH_OUTPUT_7_FUNCTION_ADDRESS 0x14C6u
+#define CK10_REG_FLASH_OUTPUT_7_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_7_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_7_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 8 is for.
+ * Printed as IO 指派 OUT8.
+ * Read only. 2 words must be accessed in one request. A copy of output_8_function.
+ * See output_function.
+ * Source: 2.6 L539
+ */
+#define CK10_REG_FLASH_OUTPUT_8_FUNCTION_ADDRESS 0x14C8u
+#define CK10_REG_FLASH_OUTPUT_8_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_8_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_8_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 9 is for.
+ * Printed as IO 指派 OUT9.
+ * Read only. 2 words must be accessed in one request. A copy of output_9_function.
+ * See output_function.
+ * Source: 2.6 L540
+ */
+#define CK10_REG_FLASH_OUTPUT_9_FUNCTION_ADDRESS 0x14CAu
+#define CK10_REG_FLASH_OUTPUT_9_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_9_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_9_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * What output 10 is for.
+ * Printed as IO 指派 OUT10.
+ * Read only. 2 words must be accessed in one request. A copy of output_10_function.
+ * See output_function.
+ * Source: 2.6 L541
+ */
+#define CK10_REG_FLASH_OUTPUT_10_FUNCTION_ADDRESS 0x14CCu
+#define CK10_REG_FLASH_OUTPUT_10_FUNCTION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_10_function_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_10_function_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 1 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN1.
+ * Read only. 2 words must be accessed in one request. A copy of input_1_polarity.
+ * See polarity.
+ * Source: 2.6 L542
+ */
+#define CK10_REG_FLASH_INPUT_1_POLARITY_ADDRESS 0x14CEu
+#define CK10_REG_FLASH_INPUT_1_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_1_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_1_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 2 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN2.
+ * Read only. 2 words must be accessed in one request. A copy of input_2_polarity.
+ * See polarity.
+ * Source: 2.6 L543
+ */
+#define CK10_REG_FLASH_INPUT_2_POLARITY_ADDRESS 0x14D0u
+#define CK10_REG_FLASH_INPUT_2_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_2_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_2_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 3 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN3.
+ * Read only. 2 words must be accessed in one request. A copy of input_3_polarity.
+ * See polarity.
+ * Source: 2.6 L544
+ */
+#define CK10_REG_FLASH_INPUT_3_POLARITY_ADDRESS 0x14D2u
+#define CK10_REG_FLASH_INPUT_3_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_3_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_3_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 4 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN4.
+ * Read only. 2 words must be accessed in one request. A copy of input_4_polarity.
+ * See polarity.
+ * Source: 2.6 L545
+ */
+#define CK10_REG_FLASH_INPUT_4_POLARITY_ADDRESS 0x14D4u
+#define CK10_REG_FLASH_INPUT_4_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_4_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_4_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 5 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN5.
+ * Read only. 2 words must be accessed in one request. A copy of input_5_polarity.
+ * See polarity.
+ * Source: 2.6 L546
+ */
+#define CK10_REG_FLASH_INPUT_5_POLARITY_ADDRESS 0x14D6u
+#define CK10_REG_FLASH_INPUT_5_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_5_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_5_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 6 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN6.
+ * Read only. 2 words must be accessed in one request. A copy of input_6_polarity.
+ * See polarity.
+ * Source: 2.6 L547
+ */
+#define CK10_REG_FLASH_INPUT_6_POLARITY_ADDRESS 0x14D8u
+#define CK10_REG_FLASH_INPUT_6_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_6_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_6_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 7 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN7.
+ * Read only. 2 words must be accessed in one request. A copy of input_7_polarity.
+ * See polarity.
+ * Source: 2.6 L548
+ */
+#define CK10_REG_FLASH_INPUT_7_POLARITY_ADDRESS 0x14DAu
+#define CK10_REG_FLASH_INPUT_7_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_7_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_7_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 8 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN8.
+ * Read only. 2 words must be accessed in one request. A copy of input_8_polarity.
+ * See polarity.
+ * Source: 2.6 L549
+ */
+#define CK10_REG_FLASH_INPUT_8_POLARITY_ADDRESS 0x14DCu
+#define CK10_REG_FLASH_INPUT_8_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_8_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_8_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 9 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN9.
+ * Read only. 2 words must be accessed in one request. A copy of input_9_polarity.
+ * See polarity.
+ * Source: 2.6 L550
+ */
+#define CK10_REG_FLASH_INPUT_9_POLARITY_ADDRESS 0x14DEu
+#define CK10_REG_FLASH_INPUT_9_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_9_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_9_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 10 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN10.
+ * Read only. 2 words must be accessed in one request. A copy of input_10_polarity.
+ * See polarity.
+ * Source: 2.6 L551
+ */
+#define CK10_REG_FLASH_INPUT_10_POLARITY_ADDRESS 0x14E0u
+#define CK10_REG_FLASH_INPUT_10_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_10_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_10_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 11 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN11.
+ * Read only. 2 words must be accessed in one request. A copy of input_11_polarity.
+ * See polarity.
+ * Source: 2.6 L552
+ */
+#define CK10_REG_FLASH_INPUT_11_POLARITY_ADDRESS 0x14E2u
+#define CK10_REG_FLASH_INPUT_11_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_11_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_11_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether input 12 is 1 when it is on or when it is off.
+ * Printed as IO 極性 IN12.
+ * Read only. 2 words must be accessed in one request. A copy of input_12_polarity.
+ * See polarity.
+ * Source: 2.6 L553
+ */
+#define CK10_REG_FLASH_INPUT_12_POLARITY_ADDRESS 0x14E4u
+#define CK10_REG_FLASH_INPUT_12_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_12_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_input_12_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 1 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT1.
+ * Read only. 2 words must be accessed in one request. A copy of output_1_polarity.
+ * See polarity.
+ * Source: 2.6 L554
+ */
+#define CK10_REG_FLASH_OUTPUT_1_POLARITY_ADDRESS 0x14E6u
+#define CK10_REG_FLASH_OUTPUT_1_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_1_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_1_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 2 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT2.
+ * Read only. 2 words must be accessed in one request. A copy of output_2_polarity.
+ * See polarity.
+ * Source: 2.6 L555
+ */
+#define CK10_REG_FLASH_OUTPUT_2_POLARITY_ADDRESS 0x14E8u
+#define CK10_REG_FLASH_OUTPUT_2_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_2_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_2_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 3 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT3.
+ * Read only. 2 words must be accessed in one request. A copy of output_3_polarity.
+ * See polarity.
+ * Source: 2.6 L556
+ */
+#define CK10_REG_FLASH_OUTPUT_3_POLARITY_ADDRESS 0x14EAu
+#define CK10_REG_FLASH_OUTPUT_3_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_3_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_3_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 4 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT4.
+ * Read only. 2 words must be accessed in one request. A copy of output_4_polarity.
+ * See polarity.
+ * Source: 2.6 L557
+ */
+#define CK10_REG_FLASH_OUTPUT_4_POLARITY_ADDRESS 0x14ECu
+#define CK10_REG_FLASH_OUTPUT_4_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_4_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_4_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 5 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT5.
+ * Read only. 2 words must be accessed in one request. A copy of output_5_polarity.
+ * See polarity.
+ * Source: 2.6 L558
+ */
+#define CK10_REG_FLASH_OUTPUT_5_POLARITY_ADDRESS 0x14EEu
+#define CK10_REG_FLASH_OUTPUT_5_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_5_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_5_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 6 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT6.
+ * Read only. 2 words must be accessed in one request. A copy of output_6_polarity.
+ * See polarity.
+ * Source: 2.6 L559
+ */
+#define CK10_REG_FLASH_OUTPUT_6_POLARITY_ADDRESS 0x14F0u
+#define CK10_REG_FLASH_OUTPUT_6_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_6_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_6_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 7 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT7.
+ * Read only. 2 words must be accessed in one request. A copy of output_7_polarity.
+ * See polarity.
+ * Source: 2.6 L560
+ */
+#define CK10_REG_FLASH_OUTPUT_7_POLARITY_ADDRESS 0x14F2u
+#define CK10_REG_FLASH_OUTPUT_7_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_7_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_7_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 8 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT8.
+ * Read only. 2 words must be accessed in one request. A copy of output_8_polarity.
+ * See polarity.
+ * Source: 2.6 L561
+ */
+#define CK10_REG_FLASH_OUTPUT_8_POLARITY_ADDRESS 0x14F4u
+#define CK10_REG_FLASH_OUTPUT_8_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_8_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_8_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 9 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT9.
+ * Read only. 2 words must be accessed in one request. A copy of output_9_polarity.
+ * See polarity.
+ * Source: 2.6 L562
+ */
+#define CK10_REG_FLASH_OUTPUT_9_POLARITY_ADDRESS 0x14F6u
+#define CK10_REG_FLASH_OUTPUT_9_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_9_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_9_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Whether output 10 is on when its signal is 1 or when it is 0.
+ * Printed as IO 極性 OUT10.
+ * Read only. 2 words must be accessed in one request. A copy of output_10_polarity.
+ * See polarity.
+ * Source: 2.6 L563
+ */
+#define CK10_REG_FLASH_OUTPUT_10_POLARITY_ADDRESS 0x14F8u
+#define CK10_REG_FLASH_OUTPUT_10_POLARITY_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_10_polarity_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    if (!ck10_polarity_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_flash_output_10_polarity_encode(uint32_t value, uint8_t *out)
+{
+    if (!ck10_polarity_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The state of the controller and of its move, as the flags of 3.1.
+ * Printed as MotionStatus 運動狀態.
+ * Read only. 2 words must be accessed in one request.
+ * See motion_status.
+ * Source: 2.1 L254
+ */
+#define CK10_REG_MOTION_STATUS_ADDRESS 0x03E8u
+#define CK10_REG_MOTION_STATUS_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motion_status_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motion_status_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as ActPos 實際位置.
+ * Read only. 2 words must be accessed in one request.
+ * Note: No unit is printed; the limits of 3.4 and the points of 2.7 are in pulses.
+ * Source: 2.1 L255
+ */
+#define CK10_REG_ACTUAL_POSITION_ADDRESS 0x03EAu
+#define CK10_REG_ACTUAL_POSITION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_actual_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as CmdPos 命令位置.
+ * Read only. 2 words must be accessed in one request.
+ * Source: 2.1 L256
+ */
+#define CK10_REG_COMMAND_POSITION_ADDRESS 0x03ECu
+#define CK10_REG_COMMAND_POSITION_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_command_position_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_command_position_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as Velocity 速度.
+ * Read only. 2 words must be accessed in one request.
+ * Note: No unit is printed; the speeds of 3.4 are in pps.
+ * Source: 2.1 L257
+ */
+#define CK10_REG_SPEED_ADDRESS 0x03EEu
+#define CK10_REG_SPEED_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_speed_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * How far the actual position is from the commanded one.
+ * Printed as PosError 位置錯誤.
+ * Read only. 2 words must be accessed in one request.
+ * Source: 2.1 L258
+ */
+#define CK10_REG_POSITION_ERROR_ADDRESS 0x03F0u
+#define CK10_REG_POSITION_ERROR_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_position_error_decode(const uint8_t *in, int32_t *out)
+{
+    *out = ck10_signed_32(ck10_load_u32_be(in));
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_position_error_encode(int32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, (uint32_t)value);
+    return CK10_OK;
+}
+
+/**
+ * All inputs, the user's and those of the controller.
+ * Printed as InputAll 輸入端口值.
+ * Read only. 2 words must be accessed in one request.
+ * See input_signals.
+ * Source: 2.1 L259
+ */
+#define CK10_REG_INPUTS_ADDRESS 0x03F2u
+#define CK10_REG_INPUTS_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_inputs_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_inputs_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * All outputs, the user's and those of the controller.
+ * Printed as OutputAll 輸出端口值.
+ * Read only. 2 words must be accessed in one request.
+ * See output_signals.
+ * Source: 2.1 L260
+ */
+#define CK10_REG_OUTPUTS_ADDRESS 0x03F4u
+#define CK10_REG_OUTPUTS_WORDS 2u
+
+/** Reads its value from the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_outputs_decode(const uint8_t *in, uint32_t *out)
+{
+    *out = ck10_load_u32_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 4 bytes of its words. */
+static inline ck10_codec_status ck10_reg_outputs_encode(uint32_t value, uint8_t *out)
+{
+    ck10_store_u32_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The number of the point that is being carried out.
+ * Printed as CurPtNo 當前位置表號碼.
+ * Read only.
+ * Source: 2.1 L261
+ */
+#define CK10_REG_CURRENT_POINT_ADDRESS 0x03F6u
+#define CK10_REG_CURRENT_POINT_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_current_point_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_current_point_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The point table is being carried out.
+ * Printed as PT Status 位置表狀態.
+ * Read only.
+ * Source: 2.1 L262
+ */
+#define CK10_REG_POINT_TABLE_RUNNING_ADDRESS 0x03F7u
+#define CK10_REG_POINT_TABLE_RUNNING_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_point_table_running_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_point_table_running_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as PushStatus 推力運動狀態.
+ * Read only.
+ * See push_status.
+ * Source: 2.1 L263
+ */
+#define CK10_REG_PUSH_STATUS_ADDRESS 0x03F8u
+#define CK10_REG_PUSH_STATUS_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_status_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    if (!ck10_push_status_known((int64_t)*out)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_push_status_encode(uint16_t value, uint8_t *out)
+{
+    if (!ck10_push_status_known((int64_t)value)) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as CurAlarm 當前警報號碼.
+ * Read only.
+ * See alarm_code.
+ * Source: 2.1 L264
+ */
+#define CK10_REG_CURRENT_ALARM_ADDRESS 0x03F9u
+#define CK10_REG_CURRENT_ALARM_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_current_alarm_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_current_alarm_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Which motor is set; what the numbers stand for is not printed.
+ * Printed as MotorID 馬達 ID.
+ * Read only.
+ * Source: 2.1 L265
+ */
+#define CK10_REG_MOTOR_ID_ADDRESS 0x03FAu
+#define CK10_REG_MOTOR_ID_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motor_id_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_motor_id_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * The inputs that are assigned to the user, all in one word.
+ * Printed as USR_IN_ALL 使用者 IN0~IN8.
+ * Read only.
+ * See user_inputs.
+ * Source: 2.2 L270
+ */
+#define CK10_REG_USER_INPUTS_ADDRESS 0x0406u
+#define CK10_REG_USER_INPUTS_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_inputs_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_inputs_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN0 使用者 IN0.
+ * Read only.
+ * Source: 2.2 L271
+ */
+#define CK10_REG_USER_INPUT_0_ADDRESS 0x0407u
+#define CK10_REG_USER_INPUT_0_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_0_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_0_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN1 使用者 IN1.
+ * Read only.
+ * Source: 2.2 L272
+ */
+#define CK10_REG_USER_INPUT_1_ADDRESS 0x0408u
+#define CK10_REG_USER_INPUT_1_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_1_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_1_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN2 使用者 IN2.
+ * Read only.
+ * Source: 2.2 L273
+ */
+#define CK10_REG_USER_INPUT_2_ADDRESS 0x0409u
+#define CK10_REG_USER_INPUT_2_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_2_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_2_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN3 使用者 IN3.
+ * Read only.
+ * Source: 2.2 L274
+ */
+#define CK10_REG_USER_INPUT_3_ADDRESS 0x040Au
+#define CK10_REG_USER_INPUT_3_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_3_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_3_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN4 使用者 IN4.
+ * Read only.
+ * Source: 2.2 L275
+ */
+#define CK10_REG_USER_INPUT_4_ADDRESS 0x040Bu
+#define CK10_REG_USER_INPUT_4_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_4_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_4_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN5 使用者 IN5.
+ * Read only.
+ * Source: 2.2 L276
+ */
+#define CK10_REG_USER_INPUT_5_ADDRESS 0x040Cu
+#define CK10_REG_USER_INPUT_5_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_5_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_5_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN6 使用者 IN6.
+ * Read only.
+ * Source: 2.2 L277
+ */
+#define CK10_REG_USER_INPUT_6_ADDRESS 0x040Du
+#define CK10_REG_USER_INPUT_6_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_6_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_6_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN7 使用者 IN7.
+ * Read only.
+ * Source: 2.2 L278
+ */
+#define CK10_REG_USER_INPUT_7_ADDRESS 0x040Eu
+#define CK10_REG_USER_INPUT_7_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_7_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_7_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_IN8 使用者 IN8.
+ * Read only.
+ * Source: 2.2 L279
+ */
+#define CK10_REG_USER_INPUT_8_ADDRESS 0x040Fu
+#define CK10_REG_USER_INPUT_8_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_8_decode(const uint8_t *in, bool *out)
+{
+    if (ck10_load_u16_be(in) > 1u) {
+        return CK10_ERR_UNKNOWN_VALUE;
+    }
+    *out = ck10_load_u16_be(in) == 1u;
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_input_8_encode(bool value, uint8_t *out)
+{
+    ck10_store_u16_be(out, (uint16_t)(value ? 1 : 0));
+    return CK10_OK;
+}
+
+/**
+ * The outputs that are assigned to the user, all in one word.
+ * Printed as USR_OUT_ALL 使用者 OUT.
+ * Read and write.
+ * See user_outputs.
+ * Source: 2.2 L280
+ */
+#define CK10_REG_USER_OUTPUTS_ADDRESS 0x0410u
+#define CK10_REG_USER_OUTPUTS_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_outputs_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_outputs_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT0 使用者 OUT0.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L281
+ */
+#define CK10_REG_USER_OUTPUT_0_ADDRESS 0x0411u
+#define CK10_REG_USER_OUTPUT_0_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_0_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_0_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT1 使用者 OUT1.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L282
+ */
+#define CK10_REG_USER_OUTPUT_1_ADDRESS 0x0412u
+#define CK10_REG_USER_OUTPUT_1_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_1_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_1_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT2 使用者 OUT2.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L283
+ */
+#define CK10_REG_USER_OUTPUT_2_ADDRESS 0x0413u
+#define CK10_REG_USER_OUTPUT_2_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_2_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_2_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT3 使用者 OUT3.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L284
+ */
+#define CK10_REG_USER_OUTPUT_3_ADDRESS 0x0414u
+#define CK10_REG_USER_OUTPUT_3_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_3_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_3_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT4 使用者 OUT4.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L285
+ */
+#define CK10_REG_USER_OUTPUT_4_ADDRESS 0x0415u
+#define CK10_REG_USER_OUTPUT_4_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_4_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_4_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT5 使用者 OUT5.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L286
+ */
+#define CK10_REG_USER_OUTPUT_5_ADDRESS 0x0416u
+#define CK10_REG_USER_OUTPUT_5_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_5_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_5_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT6 使用者 OUT6.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L287
+ */
+#define CK10_REG_USER_OUTPUT_6_ADDRESS 0x0417u
+#define CK10_REG_USER_OUTPUT_6_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_6_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_6_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT7 使用者 OUT7.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L288
+ */
+#define CK10_REG_USER_OUTPUT_7_ADDRESS 0x0418u
+#define CK10_REG_USER_OUTPUT_7_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_7_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_7_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Printed as USR_OUT8 使用者 OUT8.
+ * Read and write.
+ * See output_switch.
+ * Source: 2.2 L289
+ */
+#define CK10_REG_USER_OUTPUT_8_ADDRESS 0x0419u
+#define CK10_REG_USER_OUTPUT_8_WORDS 1u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_8_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_user_output_8_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/**
+ * Writing FFFFh clears the history.
+ * Printed as ALM_CLR 清除警報記錄.
+ * Write only. Writing starts an action.
+ * Source: 2.3 L294
+ */
+#define CK10_REG_CLEAR_ALARM_HISTORY_ADDRESS 0x0423u
+#define CK10_REG_CLEAR_ALARM_HISTORY_WORDS 1u
+#define CK10_REG_CLEAR_ALARM_HISTORY_VALUE 65535u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_clear_alarm_history_decode(const uint8_t *in)
+{
+    if (ck10_load_u16_be(in) != 65535u) {
+        return CK10_ERR_WRONG_CONST;
+    }
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_clear_alarm_history_encode(uint8_t *out)
+{
+    ck10_store_u16_be(out, 65535u);
+    return CK10_OK;
+}
+
+/**
+ * The alarms that were, the oldest first.
+ * Printed as ALM_LOG 警報記錄.
+ * Read only.
+ * See alarm_code.
+ * Note: The manual prints the elements 0, 1, 28 and 29 (0424h, 0425h, 0440h, 0441h; 1060, 1061, 1088, 1089),
+ * and dots for those between.
+ * Note: Number 0 is the earliest alarm, so the latest one is not at a fixed place.
+ * Source: 2.3 L295-299
+ */
+#define CK10_REG_ALARM_HISTORY_ADDRESS 0x0424u
+#define CK10_REG_ALARM_HISTORY_WORDS 1u
+#define CK10_REG_ALARM_HISTORY_COUNT 30u
+#define CK10_REG_ALARM_HISTORY_STRIDE 1u
+#define CK10_REG_ALARM_HISTORY_FIRST 0u
+
+/** Reads its value from the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_alarm_history_decode(const uint8_t *in, uint16_t *out)
+{
+    *out = ck10_load_u16_be(in);
+    return CK10_OK;
+}
+
+/** Writes its value to the 2 bytes of its words. */
+static inline ck10_codec_status ck10_reg_alarm_history_encode(uint16_t value, uint8_t *out)
+{
+    ck10_store_u16_be(out, value);
+    return CK10_OK;
+}
+
+/** The address of alarm_history by its number; a number that there is not is refused. */
+static inline ck10_codec_status ck10_reg_alarm_history_at(uint32_t number, uint16_t *address)
+{
+    if (number - CK10_REG_ALARM_HISTORY_FIRST >= CK10_REG_ALARM_HISTORY_COUNT) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    *address = (uint16_t)(CK10_REG_ALARM_HISTORY_ADDRESS + (number - CK10_REG_ALARM_HISTORY_FIRST) * CK10_REG_ALARM_HISTORY_STRIDE);
+    return CK10_OK;
+}
+
+/* ---- Tables of records ---- */
+
+/**
+ * Point n begins at 2710h + 20h * n. 07F5h stores the table in flash.
+ * Printed as 位置表記憶體.
+ * Its elements are ck10_point.
+ * Read and write.
+ * Note: Wrong data may lead to wrong moves.
+ * Note: Decimal addresses are printed for the points 0, 1, 2 and 127: 10000, 10032, 10064 and 14064.
+ * Source: 2.7 L572-607
+ */
+#define CK10_TABLE_POINTS_ADDRESS 0x2710u
+#define CK10_TABLE_POINTS_WORDS 32u
+#define CK10_TABLE_POINTS_STRIDE 32u
+#define CK10_TABLE_POINTS_COUNT 128u
+#define CK10_TABLE_POINTS_FIRST 0u
+
+/** The address of an element of points by its number; a number that there is not is refused. */
+static inline ck10_codec_status ck10_table_points_at(uint32_t number, uint16_t *address)
+{
+    if (number - CK10_TABLE_POINTS_FIRST >= CK10_TABLE_POINTS_COUNT) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    *address = (uint16_t)(CK10_TABLE_POINTS_ADDRESS + (number - CK10_TABLE_POINTS_FIRST) * CK10_TABLE_POINTS_STRIDE);
+    return CK10_OK;
+}
+
+/**
+ * What is stored. It cannot be written directly; 07F5h copies the table in memory to it.
+ * Printed as 快閃記憶體 PT.
+ * Its elements are ck10_point.
+ * Read only.
+ * Note: Decimal addresses are printed for the points 0, 1, 2 and 127: 20000, 20032, 20064 and 24064.
+ * Source: 2.7 L609-618
+ */
+#define CK10_TABLE_FLASH_POINTS_ADDRESS 0x4E20u
+#define CK10_TABLE_FLASH_POINTS_WORDS 32u
+#define CK10_TABLE_FLASH_POINTS_STRIDE 32u
+#define CK10_TABLE_FLASH_POINTS_COUNT 128u
+#define CK10_TABLE_FLASH_POINTS_FIRST 0u
+
+/** The address of an element of flash_points by its number; a number that there is not is refused. */
+static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint16_t *address)
+{
+    if (number - CK10_TABLE_FLASH_POINTS_FIRST >= CK10_TABLE_FLASH_POINTS_COUNT) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    *address = (uint16_t)(CK10_TABLE_FLASH_POINTS_ADDRESS + (number - CK10_TABLE_FLASH_POINTS_FIRST) * CK10_TABLE_FLASH_POINTS_STRIDE);
+    return CK10_OK;
+}
+
+/* ---- Frames ---- */
+
+/**
+ * RS-485, half duplex, asynchronous.
+ * Printed as Modbus RTU.
+ * A frame is bytes.
+ * Note: Chapter 2 (L243) says that values of 32 and 64 bits are accessed from the low position on. Read as the
+ * lowest address first, it fits both orders of words; read as the low word first, it contradicts 1.2.
+ * Note: A request with a wrong check, or one that does not arrive, gets no answer; the master waits for its
+ * timeout (1.4 L201-202).
+ * Note: 1.4 (L202) names parity errors too, though 1.1 knows no parity.
+ * Source: 1.2 L78-86, 105-118
+ */
+/** An opened request: what stands before the body, and where the body is. */
+typedef struct ck10_rtu_request_frame {
+    /**
+     * Printed as 位址.
+     * Source: 1.2 L112
+     */
+    uint8_t station;
+    /** The code, without the flag of an error reply. */
+    uint32_t code;
+    const uint8_t *body;
+    size_t body_length;
+} ck10_rtu_request_frame;
+
+/** Checks a frame and finds its body. */
+static inline ck10_codec_status ck10_rtu_request_open(const uint8_t *frame, size_t size, ck10_rtu_request_frame *out)
+{
+    const uint8_t *in = frame;
+    size_t length = size;
+    if (length < 4u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (ck10_crc16_modbus(in, length - 2u) != ck10_load_u16_le(in + length - 2u)) {
+        return CK10_ERR_WRONG_CHECK;
+    }
+    out->station = ck10_load_u8(in + 0);
+    out->code = ck10_load_u8(in + 1);
+    if (out->code != 3u && out->code != 6u && out->code != 16u && out->code != 17u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    out->body = in + 2;
+    out->body_length = length - 4u;
+    return CK10_OK;
+}
+
+/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+static inline ck10_codec_status ck10_rtu_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    const size_t total = 4u + body_length;
+    if (capacity < total * 1u + 0u) {
+        return CK10_ERR_CAPACITY;
+    }
+    if (!((station >= 1 && station <= 16) || (station == 0))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u8(out + 0, (uint8_t)station);
+    if (code > 255u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    ck10_store_u8(out + 1, (uint8_t)code);
+    ck10_store_u16_le(out + total - 2u, ck10_crc16_modbus(out, total - 2u));
+    *length = total * 1u + 0u;
+    return CK10_OK;
+}
+
+/** An opened response: what stands before the body, and where the body is. */
+typedef struct ck10_rtu_response_frame {
+    /**
+     * Printed as 位址.
+     * Source: 1.2 L112
+     */
+    uint8_t station;
+    /** The code, without the flag of an error reply. */
+    uint32_t code;
+    /** The frame refuses a request; its body is an error record. */
+    bool error;
+    const uint8_t *body;
+    size_t body_length;
+} ck10_rtu_response_frame;
+
+/** Checks a frame and finds its body. */
+static inline ck10_codec_status ck10_rtu_response_open(const uint8_t *frame, size_t size, ck10_rtu_response_frame *out)
+{
+    const uint8_t *in = frame;
+    size_t length = size;
+    if (length < 4u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (ck10_crc16_modbus(in, length - 2u) != ck10_load_u16_le(in + length - 2u)) {
+        return CK10_ERR_WRONG_CHECK;
+    }
+    out->station = ck10_load_u8(in + 0);
+    out->code = ck10_load_u8(in + 1);
+    out->error = (out->code & 128u) != 0;
+    if (out->error) {
+        out->code &= ~(uint32_t)128u;
+    }
+    if (!out->error && out->code != 3u && out->code != 6u && out->code != 16u && out->code != 17u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    out->body = in + 2;
+    out->body_length = length - 4u;
+    return CK10_OK;
+}
+
+/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+static inline ck10_codec_status ck10_rtu_response_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    const size_t total = 4u + body_length;
+    if (capacity < total * 1u + 0u) {
+        return CK10_ERR_CAPACITY;
+    }
+    if (!((station >= 1 && station <= 16) || (station == 0))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u8(out + 0, (uint8_t)station);
+    if (code > 255u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    ck10_store_u8(out + 1, (uint8_t)code);
+    ck10_store_u16_le(out + total - 2u, ck10_crc16_modbus(out, total - 2u));
+    *length = total * 1u + 0u;
+    return CK10_OK;
+}
+
+/** Writes the whole frame of the request read_registers_request. */
+static inline ck10_codec_status ck10_rtu_encode_read_registers_request(uint8_t station, const ck10_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_read_registers_request_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_request_close(station, 3u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_registers_response. */
+static inline ck10_codec_status ck10_rtu_encode_read_registers_response(uint8_t station, const ck10_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_read_registers_response_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_response_close(station, 3u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_register_request. */
+static inline ck10_codec_status ck10_rtu_encode_write_register_request(uint8_t station, const ck10_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_register_request_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_request_close(station, 6u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_register_response. */
+static inline ck10_codec_status ck10_rtu_encode_write_register_response(uint8_t station, const ck10_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_register_response_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_response_close(station, 6u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_registers_request. */
+static inline ck10_codec_status ck10_rtu_encode_write_registers_request(uint8_t station, const ck10_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_registers_request_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_request_close(station, 16u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_registers_response. */
+static inline ck10_codec_status ck10_rtu_encode_write_registers_response(uint8_t station, const ck10_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_registers_response_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_response_close(station, 16u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request report_server_id_request. */
+static inline ck10_codec_status ck10_rtu_encode_report_server_id_request(uint8_t station, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_report_server_id_request_encode(out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_request_close(station, 17u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response report_server_id_response. */
+static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_t station, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_report_server_id_response_encode(out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_response_close(station, 17u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of an error reply to a code. */
+static inline ck10_codec_status ck10_rtu_encode_error(uint8_t station, uint32_t code, const ck10_exception *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_exception_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_rtu_response_close(station, code | 128u, body_length, out, capacity, length);
+}
+
+/**
+ * RS-485, half duplex, asynchronous. Each byte is two characters, the high one first.
+ * Printed as Modbus ASC.
+ * A frame is hexadecimal characters from 3A to 0D 0A.
+ * Note: Two characters may be one second apart at most (L103).
+ * Note: The tables of 1.3 and 1.4 print two columns for the check, low and high; the LRC is one byte (1.2
+ * L101).
+ * Source: 1.2 L68-76, 88-103
+ */
+/** Takes the marks away and writes the bytes between them. They may replace the frame itself. */
+static inline ck10_codec_status ck10_ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t at;
+    static const uint8_t start[] = {0x3A};
+    static const uint8_t end[] = {0x0D, 0x0A};
+    if (size < 3u) {
+        return CK10_ERR_WRONG_MARK;
+    }
+    if (memcmp(frame, start, 1u) != 0) {
+        return CK10_ERR_WRONG_MARK;
+    }
+    if (memcmp(frame + size - 2u, end, 2u) != 0) {
+        return CK10_ERR_WRONG_MARK;
+    }
+    *length = size - 3u;
+    for (at = 0; at < *length; at++) {
+        if (ck10_digit(frame[1u + at]) > 15u) {
+            return CK10_ERR_NOT_HEX;
+        }
+    }
+    if (*length % 2u != 0) {
+        return CK10_ERR_WRONG_LENGTH;
+    }
+    *length /= 2u;
+    if (capacity < *length) {
+        return CK10_ERR_CAPACITY;
+    }
+    for (at = 0; at < *length; at++) {
+        out[at] = (uint8_t)(ck10_digit(frame[1u + 2u * at]) << 4 | ck10_digit(frame[2u + 2u * at]));
+    }
+    return CK10_OK;
+}
+
+/** An opened request: what stands before the body, and where the body is. */
+typedef struct ck10_ascii_request_frame {
+    /**
+     * Printed as 位址.
+     * Source: 1.2 L95
+     */
+    uint8_t station;
+    /** The code, without the flag of an error reply. */
+    uint32_t code;
+    const uint8_t *body;
+    size_t body_length;
+} ck10_ascii_request_frame;
+
+/**
+ * Checks a frame and finds its body.
+ * The buffer receives the frame's bytes, and the body lies in it.
+ */
+static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, size_t size, uint8_t *buffer, size_t capacity, ck10_ascii_request_frame *out)
+{
+    const uint8_t *in = buffer;
+    size_t length = 0;
+    ck10_codec_status status;
+    status = ck10_ascii_parts(frame, size, buffer, capacity, &length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    if (length < 3u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (ck10_lrc(in, length - 1u) != ck10_load_u8(in + length - 1u)) {
+        return CK10_ERR_WRONG_CHECK;
+    }
+    out->station = ck10_load_u8(in + 0);
+    out->code = ck10_load_u8(in + 1);
+    if (out->code != 3u && out->code != 6u && out->code != 16u && out->code != 17u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    out->body = in + 2;
+    out->body_length = length - 3u;
+    return CK10_OK;
+}
+
+/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+static inline ck10_codec_status ck10_ascii_request_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    const size_t total = 3u + body_length;
+    size_t at;
+    if (capacity < total * 2u + 3u) {
+        return CK10_ERR_CAPACITY;
+    }
+    if (!((station >= 1 && station <= 16) || (station == 0))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u8(out + 0, (uint8_t)station);
+    if (code > 255u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    ck10_store_u8(out + 1, (uint8_t)code);
+    ck10_store_u8(out + total - 1u, ck10_lrc(out, total - 1u));
+    for (at = total; at-- > 0;) {
+        const uint8_t byte = out[at];
+        out[1u + 2u * at] = ck10_hex_digit((uint8_t)(byte >> 4));
+        out[2u + 2u * at] = ck10_hex_digit((uint8_t)(byte & 15u));
+    }
+    out[0] = 0x3A;
+    out[1u + 2u * total + 0u] = 0x0D;
+    out[1u + 2u * total + 1u] = 0x0A;
+    *length = total * 2u + 3u;
+    return CK10_OK;
+}
+
+/** An opened response: what stands before the body, and where the body is. */
+typedef struct ck10_ascii_response_frame {
+    /**
+     * Printed as 位址.
+     * Source: 1.2 L95
+     */
+    uint8_t station;
+    /** The code, without the flag of an error reply. */
+    uint32_t code;
+    /** The frame refuses a request; its body is an error record. */
+    bool error;
+    const uint8_t *body;
+    size_t body_length;
+} ck10_ascii_response_frame;
+
+/**
+ * Checks a frame and finds its body.
+ * The buffer receives the frame's bytes, and the body lies in it.
+ */
+static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, size_t size, uint8_t *buffer, size_t capacity, ck10_ascii_response_frame *out)
+{
+    const uint8_t *in = buffer;
+    size_t length = 0;
+    ck10_codec_status status;
+    status = ck10_ascii_parts(frame, size, buffer, capacity, &length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    if (length < 3u) {
+        return CK10_ERR_INCOMPLETE;
+    }
+    if (ck10_lrc(in, length - 1u) != ck10_load_u8(in + length - 1u)) {
+        return CK10_ERR_WRONG_CHECK;
+    }
+    out->station = ck10_load_u8(in + 0);
+    out->code = ck10_load_u8(in + 1);
+    out->error = (out->code & 128u) != 0;
+    if (out->error) {
+        out->code &= ~(uint32_t)128u;
+    }
+    if (!out->error && out->code != 3u && out->code != 6u && out->code != 16u && out->code != 17u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    out->body = in + 2;
+    out->body_length = length - 3u;
+    return CK10_OK;
+}
+
+/** Completes a frame whose body lies at out + 2. Length receives the frame's size. */
+static inline ck10_codec_status ck10_ascii_response_close(uint8_t station, uint32_t code, size_t body_length, uint8_t *out, size_t capacity, size_t *length)
+{
+    const size_t total = 3u + body_length;
+    size_t at;
+    if (capacity < total * 2u + 3u) {
+        return CK10_ERR_CAPACITY;
+    }
+    if (!((station >= 1 && station <= 16) || (station == 0))) {
+        return CK10_ERR_OUT_OF_RANGE;
+    }
+    ck10_store_u8(out + 0, (uint8_t)station);
+    if (code > 255u) {
+        return CK10_ERR_UNKNOWN_CODE;
+    }
+    ck10_store_u8(out + 1, (uint8_t)code);
+    ck10_store_u8(out + total - 1u, ck10_lrc(out, total - 1u));
+    for (at = total; at-- > 0;) {
+        const uint8_t byte = out[at];
+        out[1u + 2u * at] = ck10_hex_digit((uint8_t)(byte >> 4));
+        out[2u + 2u * at] = ck10_hex_digit((uint8_t)(byte & 15u));
+    }
+    out[0] = 0x3A;
+    out[1u + 2u * total + 0u] = 0x0D;
+    out[1u + 2u * total + 1u] = 0x0A;
+    *length = total * 2u + 3u;
+    return CK10_OK;
+}
+
+/** Writes the whole frame of the request read_registers_request. */
+static inline ck10_codec_status ck10_ascii_encode_read_registers_request(uint8_t station, const ck10_read_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_read_registers_request_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_request_close(station, 3u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response read_registers_response. */
+static inline ck10_codec_status ck10_ascii_encode_read_registers_response(uint8_t station, const ck10_read_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_read_registers_response_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_response_close(station, 3u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_register_request. */
+static inline ck10_codec_status ck10_ascii_encode_write_register_request(uint8_t station, const ck10_write_register_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_register_request_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_request_close(station, 6u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_register_response. */
+static inline ck10_codec_status ck10_ascii_encode_write_register_response(uint8_t station, const ck10_write_register_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_register_response_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_response_close(station, 6u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request write_registers_request. */
+static inline ck10_codec_status ck10_ascii_encode_write_registers_request(uint8_t station, const ck10_write_registers_request *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_registers_request_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_request_close(station, 16u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response write_registers_response. */
+static inline ck10_codec_status ck10_ascii_encode_write_registers_response(uint8_t station, const ck10_write_registers_response *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_write_registers_response_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_response_close(station, 16u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the request report_server_id_request. */
+static inline ck10_codec_status ck10_ascii_encode_report_server_id_request(uint8_t station, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_report_server_id_request_encode(out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_request_close(station, 17u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of the response report_server_id_response. */
+static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint8_t station, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_report_server_id_response_encode(out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_response_close(station, 17u, body_length, out, capacity, length);
+}
+
+/** Writes the whole frame of an error reply to a code. */
+static inline ck10_codec_status ck10_ascii_encode_error(uint8_t station, uint32_t code, const ck10_exception *in, uint8_t *out, size_t capacity, size_t *length)
+{
+    size_t body_length = 0;
+    ck10_codec_status status;
+    if (capacity < 2u) {
+        return CK10_ERR_CAPACITY;
+    }
+    status = ck10_exception_encode(in, out + 2, capacity - 2u, &body_length);
+    if (status != CK10_OK) {
+        return status;
+    }
+    return ck10_ascii_response_close(station, code | 128u, body_length, out, capacity, length);
+}
+
+/* ---- Texts of codes, in UTF-8 ---- */
+
+#ifdef CK10_WITH_TEXTS
+/** The texts of a code. Several causes, or remedies, are parted by line ends.
+ * The number is the other one under which the manual knows the code, or -1; printed is how the manual writes it. */
+typedef struct ck10_code_text {
+    int64_t code;
+    int64_t number;
+    const char *printed;
+    const char *name;
+    const char *label;
+    const char *problem;
+    const char *causes;
+    const char *remedies;
+} ck10_code_text;
+
+/** The texts of a code of ck10_exception_code, or NULL where it is not listed. */
+static inline const ck10_code_text *ck10_exception_code_text(int64_t code)
+{
+    static const ck10_code_text texts[] = {
+        {INT64_C(1), (-INT64_C(1)), "", "illegal_function", "\347\204\241\346\225\210\345\212\237\350\203\275", "The command is not supported.", "", ""},
+        {INT64_C(2), (-INT64_C(1)), "", "illegal_data_address", "\347\204\241\346\225\210\350\263\207\346\226\231\344\275\215\347\275\256", "The address is not allowed.", "", ""},
+        {INT64_C(3), (-INT64_C(1)), "", "illegal_data_value", "\347\204\241\346\225\210\350\263\207\346\226\231\345\200\274", "The value is not allowed.", "", ""},
+        {INT64_C(4), (-INT64_C(1)), "", "device_failure", "\345\276\236\347\253\231\350\243\235\347\275\256\351\214\257\350\252\244", "An error came up while the controller carried out the command.", "", ""},
+    };
+    size_t at;
+    for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {
+        if (texts[at].code == code) {
+            return &texts[at];
+        }
+    }
+    return NULL;
+}
+
+/** The texts of a code of ck10_alarm_code, or NULL where it is not listed. */
+static inline const ck10_code_text *ck10_alarm_code_text(int64_t code)
+{
+    static const ck10_code_text texts[] = {
+        {INT64_C(0), (-INT64_C(1)), "", "no_alarm", "\347\204\241\350\255\246\345\240\261", "", "", ""},
+        {INT64_C(1), (-INT64_C(1)), "", "overcurrent", "\351\201\216\351\233\273\346\265\201", "Too much current.", "", ""},
+        {INT64_C(2), (-INT64_C(1)), "", "overspeed", "\351\201\216\351\200\237\345\272\246", "The motor turns faster than 3300 rpm.", "", ""},
+        {INT64_C(3), (-INT64_C(1)), "", "position_tracking", "\344\275\215\347\275\256\350\277\275\350\271\244", "While moving, the position error became greater than the tracking limit.", "", ""},
+        {INT64_C(4), (-INT64_C(1)), "", "overload", "\351\201\216\350\262\240\350\274\211", "For more than 5 s the load was greater than the motor can bear.", "", ""},
+        {INT64_C(5), (-INT64_C(1)), "", "overheat", "\351\201\216\346\272\253\345\272\246", "The inside of the controller became hotter than 85 degrees Celsius.", "", ""},
+        {INT64_C(6), (-INT64_C(1)), "", "back_emf", "\345\217\215\351\233\273\345\213\225\345\213\242", "The voltage that the motor gives back became higher than 48 V.", "", ""},
+        {INT64_C(7), (-INT64_C(1)), "", "motor_connection", "\351\246\254\351\201\224\351\200\243\347\265\220", "The connection of the motor is not as it should be.", "", ""},
+        {INT64_C(8), (-INT64_C(1)), "", "encoder_connection", "\347\267\250\347\242\274\345\231\250\351\200\243\347\265\220", "The connection of the encoder is not as it should be.", "", ""},
+        {INT64_C(10), (-INT64_C(1)), "", "in_position_error", "\345\256\232\344\275\215", "After the stop there was a position error for more than 3 s.", "", ""},
+        {INT64_C(12), (-INT64_C(1)), "", "memory", "\350\250\230\346\206\266\351\253\224\350\243\235\347\275\256", "The memory device is not as it should be.", "", ""},
+        {INT64_C(15), (-INT64_C(1)), "", "position_overflow", "\344\275\215\347\275\256\346\272\242\345\207\272", "At rest, the position error became greater than the overflow limit.", "", ""},
+    };
+    size_t at;
+    for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {
+        if (texts[at].code == code) {
+            return &texts[at];
+        }
+    }
+    return NULL;
+}
+#endif
+
+#endif

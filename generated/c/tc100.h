@@ -1,0 +1,28 @@
+/*
+ * TC100 (TOYO), in any of its versions
+ *
+ * Define TC100_SELECT before this header is included, or for the compiler, to say which version is meant:
+ *
+ *     -DTC100_SELECT=TC100_SELECT_V2_0
+ *
+ * It takes the header of that version, which may as well be included by itself. TC100_SELECT_LATEST is the newest
+ * version that was known when this was generated.
+ *
+ * TC100_SELECT_BEFORE_2_0: tc100_before_2_0.h, identity 6f4511cfdbc65a9f
+ * TC100_SELECT_V2_0: tc100_v2_0.h, identity 5a28b0066026c37c
+ *
+ * Generated; do not edit. Identity: 5a28b0066026c37c
+ */
+#define TC100_SELECT_BEFORE_2_0 1
+#define TC100_SELECT_V2_0 2
+#define TC100_SELECT_LATEST TC100_SELECT_V2_0
+
+#ifndef TC100_SELECT
+#error "define TC100_SELECT as one of TC100_SELECT_BEFORE_2_0, TC100_SELECT_V2_0 or TC100_SELECT_LATEST"
+#elif TC100_SELECT + 0 == TC100_SELECT_BEFORE_2_0
+#include "tc100_before_2_0.h"
+#elif TC100_SELECT + 0 == TC100_SELECT_V2_0
+#include "tc100_v2_0.h"
+#else
+#error "TC100_SELECT is no known version; define it as one of TC100_SELECT_BEFORE_2_0, TC100_SELECT_V2_0 or TC100_SELECT_LATEST"
+#endif

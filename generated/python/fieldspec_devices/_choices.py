@@ -1,0 +1,136 @@
+"""The last field of a record, where an earlier field, the selector, decides what it holds."""
+
+from __future__ import annotations
+
+from struct import Struct
+
+from ._conversions import Repeated
+from ._error import CodecError, wrong_length
+from ._refusals import refused_list
+from ._typing import TYPE_CHECKING
+from ._values import Float, Number, Value
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any, Literal
+
+    from ._typing import Data
+
+
+class Case:
+    """Elements of one type. `letters` are those of one element in the Struct of its record."""
+
+    __slots__ = ("_native", "_plain", "size", "structs", "value")
+
+    def __init__(self, fixed: str, letters: str, value: Value[Any]) -> None:
+        self.value, self.size = value, value.size
+        self.structs = Repeated(fixed, letters)
+        self._native = not letters.endswith("s")
+        # Structs make these as they are, but for those that lie in more bytes than their type has.
+        self._plain = self._native and type(value) in (Number, Float)
+
+    def values(self, name: str, raws: Sequence[Any], at: int) -> tuple[Any, ...]:
+        """The elements of a field whose first byte is byte `at`. Raises CodecError."""
+        if self._plain:
+            return tuple(raws)
+        return tuple([self._value(name, raw, at + number * self.size) for number, raw in enumerate(raws)])
+
+    def _value(self, name: str, raw: Any, at: int) -> Any:
+        try:
+            return self.value.of_raw(name, raw) if self._native else self.value.decode(name, raw)
+        except CodecError as error:
+            raise error.shifted(at) from None
+
+    def raws(self, name: str, values: Sequence[Any]) -> list[Any]:
+        """What the Struct of the record takes for the elements. Raises CodecError."""
+        if not self._native:
+            return [self.value.encode(name, value) for value in values]
+        for value in values:
+            error = self.value.refused(name, value)
+            if error is not None:
+                raise error
+        return [self.value.to_raw(value) for value in values]
+
+
+class Choice:
+    """What the last field of a record holds: `least` to `most` elements of the case that its selector has.
+
+    The selector is `by`: `by_size` bytes at byte `at` of the record. `fixed` is the format of all fields before the
+    decided one; each case has its numbers, the letters of an element, and the value.
+    """
+
+    __slots__ = (
+        "at",
+        "by",
+        "by_size",
+        "cases",
+        "fixed_size",
+        "least",
+        "longest",
+        "most",
+        "order",
+        "record",
+        "shortest",
+    )
+
+    def __init__(
+        self,
+        record: str,
+        fixed: str,
+        by: str,
+        at: int,
+        by_size: int,
+        *cases: tuple[tuple[int, ...], str, Value[Any]],
+        least: int,
+        most: int,
+        order: Literal["big", "little"] = "big",
+    ) -> None:
+        self.record, self.by, self.at, self.by_size = record, by, at, by_size
+        self.order: Literal["big", "little"] = order
+        self.least, self.most, self.fixed_size = least, most, Struct(fixed).size
+        self.cases: dict[int, Case] = {}
+        for numbers, letters, value in cases:
+            self.cases |= dict.fromkeys(numbers, Case(fixed, letters, value))
+        sizes = [case.size for case in self.cases.values()]
+        self.shortest = self.fixed_size + least * min(sizes)
+        self.longest = self.fixed_size + most * max(sizes)
+
+    def unpack(self, data: Data) -> tuple[Case, tuple[Any, ...]]:
+        """The case of a record's bytes, and the raw values of all fields. Raises CodecError."""
+        length = len(data)
+        if not self.shortest <= length <= self.longest:
+            raise wrong_length(self.record, length, self.shortest, self.longest)
+        number = data[self.at] if self.by_size == 1 else self._selector(data)
+        case = self.cases.get(number)
+        if case is None:
+            raise CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow", self.at)
+        fixed, size = self.fixed_size, case.size
+        elements, rest = divmod(length - fixed, size)
+        if rest or not self.least <= elements <= self.most:
+            least, most = fixed + self.least * size, fixed + self.most * size
+            raise wrong_length(self.record, length, least, most, fixed, size)
+        return case, case.structs[elements].unpack(data)
+
+    def _selector(self, data: Data) -> int:
+        return int.from_bytes(data[self.at : self.at + self.by_size], self.order)
+
+    def case(self, number: Any) -> Case:
+        """The case that a value of the selector has. Raises CodecError."""
+        error = self.refused_by(number)
+        if error is not None:
+            raise error
+        return self.cases[number]
+
+    def refused_by(self, number: Any) -> CodecError | None:
+        """Why a value of the selector cannot be encoded; None for one that can."""
+        if isinstance(number, int) and number in self.cases:
+            return None
+        return CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow")
+
+    def refused(self, name: str, number: int, values: Any) -> CodecError | None:
+        """Why elements cannot be encoded; None for those that can. The selector has this value."""
+        return refused_list(name, values, self.least, self.most, self.cases[number].value.refused)
+
+    def refused_one(self, name: str, number: int, value: Any) -> CodecError | None:
+        """The same for a field that is not repeated."""
+        return self.cases[number].value.refused(name, value)

@@ -1,0 +1,82 @@
+"""The module of a device's version, picked by the firmware that the device says it has."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from types import ModuleType
+    from typing import TypeAlias
+
+    Line: TypeAlias = tuple[tuple[str, str], ...]
+
+EARLIER = "before-"
+LONGEST = 9  # Digits of a number of a version; Python refuses to read very long ones.
+
+
+class UnknownFirmwareError(LookupError):
+    """Firmware that a spec does not know: `firmware` is what was asked for, `known` are the versions that it knows."""
+
+    def __init__(self, firmware: str, known: tuple[str, ...]) -> None:
+        self.firmware, self.known = firmware, known
+        super().__init__(f"the firmware {firmware!r} is unknown; known are {', '.join(known)}")
+
+    def __reduce__(self) -> tuple[type[UnknownFirmwareError], tuple[str, tuple[str, ...]]]:
+        return type(self), (self.firmware, self.known)
+
+
+def module_of(package: str, lines: tuple[Line, ...], firmware: str, nearest: bool) -> ModuleType:
+    """The module of a firmware; `lines` have the versions, the oldest first, each with the name of its module."""
+    text = firmware.strip(" \t\r\n\0")
+    name = _named(lines, text) or _numbered(lines, text, nearest)
+    if name is None:
+        raise UnknownFirmwareError(firmware, tuple(version for line in lines for version, _ in line))
+    return import_module(f"{package}.{name}")
+
+
+def _named(lines: tuple[Line, ...], text: str) -> str | None:
+    return next((module for line in lines for version, module in line if version == text), None)
+
+
+def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
+    """The module of the same number; or of what was before the first one; or, if asked for, of the one below."""
+    asked = _numbers(text)
+    if asked is None:
+        return None
+    for line in lines if len(lines) == 1 else [line for line in lines if _first(line) == asked[0]]:
+        held = [(number, module) for version, module in line if (number := _numbers(version)) is not None]
+        for number, module in held:
+            if number == asked:
+                return module
+        earlier = [module for version, module in line if _before(version, asked)]
+        if earlier and all(asked < number for number, _ in held):
+            return earlier[0]
+        below = [(number, module) for number, module in held if number < asked]
+        if nearest and below:
+            return max(below)[1]
+    return None
+
+
+def _numbers(text: str) -> tuple[int, ...] | None:
+    """`v02.21` as (2, 21), without zeros at the end; None for what is no number of a version."""
+    parts = text[text[:1] in ("v", "V") :].split(".")
+    if not all(part.isascii() and part.isdigit() and len(part) <= LONGEST for part in parts):
+        return None
+    numbers = [int(part) for part in parts]
+    while len(numbers) > 1 and not numbers[-1]:
+        numbers.pop()
+    return tuple(numbers)
+
+
+def _first(line: Line) -> int | None:
+    """The first number of the versions of a line."""
+    found = (_numbers(version.removeprefix(EARLIER)) for version, _ in line)
+    return next((numbers[0] for numbers in found if numbers is not None), None)
+
+
+def _before(version: str, asked: tuple[int, ...]) -> bool:
+    """Whether a version is all that was before a number, and the firmware is below that number."""
+    bound = _numbers(version.removeprefix(EARLIER)) if version.startswith(EARLIER) else None
+    return bound is not None and asked < bound

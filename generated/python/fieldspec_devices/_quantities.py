@@ -1,0 +1,45 @@
+"""Counts that are shares of a reference, which the device holds elsewhere."""
+
+from __future__ import annotations
+
+from ._conversions import counts
+from ._error import CodecError
+
+
+class Conversion:
+    """quantity = reference * raw / full_scale; with `complement`, reference * (1 - raw / full_scale).
+
+    `ranges` are the counts that there are, as intervals with both ends.
+    """
+
+    __slots__ = ("complement", "full_scale", "name", "ranges")
+
+    def __init__(
+        self, name: str, full_scale: int, ranges: tuple[tuple[int, int], ...], complement: bool = False
+    ) -> None:
+        self.name, self.full_scale, self.ranges, self.complement = name, full_scale, ranges, complement
+
+    def quantity(self, raw: int, reference: float) -> float:
+        """The quantity that a count stands for, rounded once. Raises CodecError for a reference that is no number."""
+        a, b, c = self._ratio(reference)
+        return (raw * a + b) / c
+
+    def raw(self, quantity: float, reference: float) -> int:
+        """The count that is nearest to a quantity; of two equally near ones the even one.
+
+        Raises CodecError where there is none in the ranges, and for a reference of 0, by which all are the same.
+        """
+        ratio = self._ratio(reference)
+        if ratio[0] == 0:
+            raise CodecError("out_of_range", f"the reference of {self.name} is 0")
+        return counts(self.name, quantity, ratio, self.ranges)
+
+    def _ratio(self, reference: float) -> tuple[int, int, int]:
+        """(a, b, c) of quantity = (raw * a + b) / c."""
+        try:
+            over, under = reference.as_integer_ratio()
+        except (ValueError, OverflowError):
+            raise CodecError("out_of_range", f"the reference of {self.name} is {reference}") from None
+        if self.complement:
+            return -over, over * self.full_scale, under * self.full_scale
+        return over, 0, under * self.full_scale
