@@ -185,8 +185,23 @@ def _paired(
         seen[id(item), row.address] = row.row
         first = (row.address - item.address) // item.stride if item.stride else 0
         covered[id(item)].update(range(first, min(first + row.count, item.count) if item.stride else item.count))
-        pairs.append(Pair(item, row, tuple(_differences(item, row, aspects))))
+        others = _others(known, item, row)
+        for other in others:
+            covered[id(other)].add(0)
+        told = _differences(item, row, aspects)
+        whole = len(others) == row.count - 1 > 0
+        pairs.append(Pair(item, row, tuple(one for one in told if not (whole and one.aspect == "count"))))
     return pairs, extras, covered
+
+
+def _others(known: _Known, item: Item, row: Listed) -> list[Item]:
+    """The single items that a row with a count stands for beside the first one: several equal registers."""
+    step = row.stride or row.words or item.words or 1
+    if item.count > 1:
+        return []
+    places = ((item.space, row.address + number * step) for number in range(1, min(row.count, len(known.starts) + 1)))
+    found = [other for place in places for other in known.starts.get(place, ())[:1]]
+    return [other for other in found if (other.type, other.words) == (item.type, item.words)]
 
 
 def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:

@@ -125,7 +125,7 @@ def _row(row: Listed, shape: _Shape, names: set[str], labels: set[str]) -> str:
     doubts = list(shape.doubts)
     kind = PRIMITIVES[shape.type]
     name = _fresh(named(row.names, row.address), row.address, names)
-    parts = [f"at: 0x{row.address:04X}", f"name: {name}", f"type: {shape.type}", f"words: {shape.words}"]
+    parts = [f"at: 0x{row.address:04X}", f"name: {_quoted(name)}", f"type: {shape.type}", f"words: {shape.words}"]
     if row.count > 1:
         parts += [f"count: {row.count}", f"stride: {row.stride or shape.words}"]
     if row.access:

@@ -1,0 +1,156 @@
+"""A device as a list: the same bytes for the same spec, no formulas, and nothing differs from the device."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import zipfile
+from decimal import Decimal
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from command_line import MADE_UP, SPECS, CommandLine
+from fieldspec.lists.exported import COLUMNS, as_csv, as_json, as_xlsx
+from fieldspec.lists.item import Item, items
+from fieldspec.lists.text_sheet import text_sheet
+from fieldspec.lists.workbook import workbook_sheet
+from laid_out import newest
+
+DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
+FORMS = ("csv", "xlsx", "json")
+PAGE = (Path(__file__).parent.parent / "docs" / "export.md").read_text("utf-8")
+HOSTILE = ("=cmd|' /C calc'!A0", "+1+2", "-a", "@SUM(A1)", "*/", "{{", 'a"b,c', "伺服;\u2028x", "\t=1", "'quoted'")
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, SPECS)
+
+
+def hostile_items() -> list[Item]:
+    """Registers whose words are what spreadsheets, CSV and YAML take for something else."""
+    return [
+        Item(
+            space="registers",
+            address=number,
+            name=f"register_{number}",
+            words=1,
+            type="u16",
+            access="",
+            value=None,
+            printed_name=text,
+            label=text,
+        )
+        for number, text in enumerate(HOSTILE)
+    ]
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("device", DEVICES)
+def test_an_export_does_not_differ_from_its_device(device: str, form: str, run: CommandLine, tmp_path: Path) -> None:
+    path = tmp_path / f"list.{form}"
+    assert run("export", device, "--to", form, "--out", str(path)) == (0, "", "")
+    ran = run("compare", device, str(path))
+    assert ran.code == 0, ran.out
+    count = len(items(newest(SPECS, device)))
+    assert ran.lines[-1] == f"{count} agree, 0 differ, 0 only in the list, 0 only in the device"
+
+
+@pytest.mark.parametrize("device", ["widget", "glider-x", "hostile"])
+@pytest.mark.parametrize("form", FORMS)
+def test_an_export_of_a_made_up_device_does_not_differ_from_it(
+    device: str, form: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    path = tmp_path / f"list.{form}"
+    assert run("export", device, "--to", form, "--out", str(path)).code == 0
+    ran = run("compare", device, str(path))
+    assert ran.code == 0, ran.out
+
+
+def test_documentation_describes_every_column_in_order() -> None:
+    table = PAGE.partition("| column |")[2].partition("\n\n")[0]
+    described = [name for line in table.splitlines() for name in re.findall(r"`(\w+)`", line.split("|")[1:2][0])]
+    assert described == list(COLUMNS)
+
+
+def test_the_same_device_gives_the_same_workbook_without_times_and_versions() -> None:
+    held = items(newest(SPECS, "tc100"))
+    first = as_xlsx(held, "tc100")
+    assert first == as_xlsx(held, "tc100")
+    with zipfile.ZipFile(io.BytesIO(first)) as packed:
+        assert {part.date_time for part in packed.infolist()} == {(1980, 1, 1, 0, 0, 0)}
+        texts = b"".join(packed.read(name) for name in packed.namelist() if name.startswith("docProps/"))
+    assert b"openpyxl" not in texts
+    assert re.findall(rb">(\d{4}-\d\d-\d\d)", texts) == [b"1980-01-01"] * 2
+
+
+def test_no_cell_of_a_csv_is_a_formula() -> None:
+    cells = [cell for row in csv.reader(io.StringIO(as_csv(hostile_items()))) for cell in row]
+    assert [cell for cell in cells if cell[:1] in "=+-@\t\r" and cell] == []
+    assert "'=cmd|' /C calc'!A0" in cells
+
+
+def test_no_cell_of_a_workbook_is_a_formula() -> None:
+    book = openpyxl.load_workbook(io.BytesIO(as_xlsx(hostile_items(), "x")))
+    cells = [cell for row in book.worksheets[0].iter_rows() for cell in row if cell.value is not None]
+    assert {cell.data_type for cell in cells} == {"s", "n"}
+    assert all(cell.quotePrefix for cell in cells if str(cell.value).startswith(("=", "+", "-", "@")))
+
+
+def test_hostile_texts_come_back_as_they_were_but_for_control_characters() -> None:
+    held = hostile_items()
+    column = COLUMNS.index("printed_name")
+    wanted = [" ".join(text.split()) for text in HOSTILE]
+    for sheet in (
+        text_sheet(as_csv(held).encode()),
+        workbook_sheet(as_xlsx(held, "x")),
+        text_sheet(as_json(held).encode()),
+    ):
+        assert [row.cell(column) for row in sheet.rows[1:]] == wanted
+
+
+def test_a_negative_number_stays_a_number(run: CommandLine) -> None:
+    ran = run("export", "tc100")
+    rows = {row["name"]: row for row in csv.DictReader(io.StringIO(ran.out))}
+    assert rows["points.position"]["min"] == "-2147483648"
+
+
+def test_a_long_number_keeps_its_digits_in_a_workbook() -> None:
+    (register,) = (item for item in items(newest(SPECS, "tc100")) if item.name == "write_enable_key")
+    assert register.value is not None
+    sheet = workbook_sheet(as_xlsx([register], "x"))
+    assert sheet.rows[1].cell(COLUMNS.index("default")) == str(register.value.const or register.value.default)
+
+
+@pytest.mark.parametrize(
+    ("name", "cells"),
+    [
+        ("points.position", {"address": 0x9011, "hex": "0x9011", "words": 2, "count": 127, "stride": 16}),
+        ("alarm_history_2", {"words": 1, "count": None, "type": "u16"}),
+        ("full_count_limit", {"address": 0x108, "unit": "pulse", "max": 100000, "printed_name": "FullCountValue"}),
+    ],
+)
+def test_a_row_says_where_and_what(name: str, cells: dict[str, object], run: CommandLine) -> None:
+    (row,) = (row for row in json.loads(run("export", "tc100", "--to", "json").out) if row["name"] == name)
+    assert {key: row[key] for key in cells} == cells
+
+
+def test_a_parameter_has_its_number_on_the_wire_and_no_words(run: CommandLine) -> None:
+    rows = json.loads(run("export", "hiwin-e", "--to", "json").out, parse_float=Decimal)
+    assert all(row["space"] == "pnu" and row["words"] is None for row in rows)
+    assert any(row["address"] >= 0x2000 for row in rows)
+
+
+def test_a_device_without_registers_cannot_be_exported(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = CommandLine(capsys, monkeypatch, tmp_path)
+    assert run("new", "device", "empty", "--protocol", "packet").code == 0
+    ran = run("export", "empty", "--out", str(tmp_path / "x.csv"))
+    assert (ran.code, ran.err) == (2, "fieldspec: empty has no registers and no parameters\n")
+    assert not (tmp_path / "x.csv").exists()

@@ -1,0 +1,209 @@
+"""A list becomes the first file of a device: valid, nothing verified, and nothing of the list lost."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import pytest
+import yaml
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from command_line import SPECS, CommandLine
+from fieldspec.diagnostics import Severity
+from fieldspec.lists.listed import listing
+from fieldspec.lists.naming import named, snake
+from fieldspec.lists.sheet import ListError
+from fieldspec.lists.skeleton import Origin, skeleton
+from fieldspec.lists.text_sheet import text_sheet
+from fieldspec.pipeline import checked, load
+
+ORIGIN = Origin("list.csv", "0" * 64, 999)
+TABLE = """
+| No. | Address | Name            | Words | R/W | Range     | Unit |
+|-----|---------|-----------------|-------|-----|-----------|------|
+| 1   | 2000H   | Target position | 2     | R/W | -100~100  | mm   |
+| 2   | 2002H   | Speed (max.)    | 1     | R/W | 1~100     | %    |
+| 3   | 2004H   | 状态            | 1     | R   |           |      |
+"""
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> CommandLine:
+    (tmp_path / "specs").mkdir()
+    return CommandLine(capsys, monkeypatch, tmp_path / "specs")
+
+
+def rows(text: str) -> list[dict[str, object]]:
+    """The registers of a spec that is made from a list, which passes the check with warnings at most."""
+    made = skeleton("gadget", ORIGIN, listing(text_sheet(text.encode()), {}).rows("hex"))
+    found = checked(load({"gadget/device.yaml": made.encode()}))
+    assert [(one.code, one.severity) for one in found] == [("facts_verified", Severity.WARNING)], found[0].message
+    (group,) = yaml.safe_load(made)["registers"]
+    assert all(isinstance(row["name"], str) for row in group["rows"])
+    held: list[dict[str, object]] = group["rows"]
+    return held
+
+
+def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLine) -> None:
+    path = run.folder / "lifter" / "device.yaml"
+    ran = run("import", "-", "--to", str(path), stdin=TABLE.encode())
+    assert ran.code == 0
+    assert ran.out.endswith("lifter/device.yaml: 3 registers, addresses read as hex\n")
+    assert path.read_text("utf-8").partition("registers:\n")[2] == (
+        '  - group: listed\n    section: "1"\n    unverified: true\n    gaps:\n'
+        "      - {at: 0x2003, reason: The list leaves them out.}\n    rows:\n"
+        "      - {at: 0x2000, name: target_position, type: i32, words: 2, access: rw, unit: mm, range: -100..100, "
+        'printed_name: "Target position", inferred: {type: The list does not say it.}, source: L4, unverified: true}\n'
+        '      - {at: 0x2002, name: speed, type: u16, words: 1, access: rw, unit: "%", range: 1..100, '
+        'printed_name: "Speed (max.)", inferred: {type: The list does not say it.}, source: L5, unverified: true}\n'
+        '      - {at: 0x2004, name: register_2004, type: u16, words: 1, access: ro, printed_name: "状态", '
+        "inferred: {type: The list does not say it.}, source: L6, unverified: true}\n"
+    )
+    ran = run("check")
+    assert ran.code == 0
+    assert "1 warning" in ran.out
+    assert "nobody has compared listed, target_position, speed and register_2004 of `registers`" in ran.out
+
+
+@pytest.mark.parametrize("device", ["ck10", "tc100"])
+def test_what_is_imported_from_an_export_does_not_differ_from_it(
+    device: str, run: CommandLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "list.xlsx"
+    CommandLine(capsys, monkeypatch, SPECS)("export", device, "--to", "xlsx", "--out", str(path))
+    assert run("import", str(path), "--to", str(run.folder / "twin" / "device.yaml")).code == 0
+    ran = run("compare", "twin", str(path), "--ignore", "name")
+    assert ran.code == 0, ran.out
+    assert run("build", "twin", "--out", str(tmp_path / "out")).code == 0
+    page = (tmp_path / "out" / "docs" / "twin" / "1.html").read_text("utf-8")
+    assert "Nobody has compared it with the manual yet." in page
+
+
+def test_the_list_is_the_source_of_every_fact(run: CommandLine) -> None:
+    ran = run("import", "-", "--to", "-", stdin=TABLE.encode())
+    made = yaml.safe_load(ran.out)
+    manual = made["device"]["manual"]
+    assert manual["sha256"] == hashlib.sha256(TABLE.encode()).hexdigest()
+    assert manual["lines"] == 6
+    assert [row["source"] for row in made["registers"][0]["rows"]] == ["L4", "L5", "L6"]
+    assert all(row["unverified"] for row in made["registers"][0]["rows"])
+
+
+@pytest.mark.parametrize(
+    ("heads", "cells", "wanted"),
+    [
+        ("Type", "FLOAT", {"type": "f32", "words": 2}),
+        ("Type", "DINT", {"type": "i32", "words": 2}),
+        ("Type,Words", "INT,2", {"type": "i32", "words": 2}),
+        ("Type,Words", "string,8", {"type": "text", "words": 8}),
+        ("Type,Words", "UINT16,2", {"type": "u32", "notes": ["The list says UINT16, and 2 words."]}),
+        ("Type", "Bitfield", {"type": "u16", "notes": ["Type in the list: Bitfield."]}),
+        ("Words", "3", {"type": "bytes", "words": 3}),
+        ("Min,Max", "-5,5", {"type": "i16", "range": "-5..5"}),
+        ("Type,Min,Max", "UINT16,-5,5", {"notes": ["Least value in the list: -5.", "Greatest value in the list: 5."]}),
+        ("Range", "0.1~5", {"notes": ["Range in the list: 0.1~5."]}),
+        ("Range,Default", "1~5,9", {"range": "1..5", "notes": ["Default in the list: 9."]}),
+        ("Default", "0x10", {"default": 16}),
+        ("Unit", "℃", {"unit": "°C"}),
+        ("Unit", "furlong", {"notes": ["Unit in the list: furlong."]}),
+        ("Access", "sometimes", {"notes": ["Access in the list: sometimes."]}),
+        ("Scale", "0.01", {"scale": 0.01}),
+        ("Name,Description", "*/ {{ x }},yes", {"label": None, "name": "yes", "printed_name": "*/ {{ x }}"}),
+        ("Name", "@x: [y], #z", {"printed_name": "@x: [y]"}),
+    ],
+)
+def test_a_cell_becomes_a_key_or_a_note(heads: str, cells: str, wanted: dict[str, object]) -> None:
+    (row,) = rows(f"Address,{heads}\n0x10,{cells}\n")
+    assert {key: row.get(key) for key in wanted} == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("Target Position", "target_position"),
+        ("TargetPosition2", "target_position_2"),
+        ("homing speed [0.1 rpm]", "homing_speed"),
+        ("Pn-001: Vitesse à vide", "pn_001_vitesse_a_vide"),
+        ("位置", "register_2000"),
+        ("伺服ON", "register_2000"),
+        ("2nd speed", "register_2000"),
+        ("", "register_2000"),
+        ("***", "register_2000"),
+    ],
+)
+def test_a_name_is_made_of_english_words(text: str, name: str) -> None:
+    assert named([text], 0x2000) == name
+
+
+def test_equal_names_are_told_apart_by_the_address() -> None:
+    held = rows("Address,Name\n0x10,Speed\n0x11,Speed\n0x12,speed 0012\n0x13,Speed\n")
+    assert [row["name"] for row in held] == ["speed", "speed_0011", "speed_0012", "speed_0013"]
+
+
+def test_rows_out_of_order_stay_as_they_are_listed() -> None:
+    assert [row["at"] for row in rows("Address,Name\n0x20,a b\n0x10,c d\n")] == [0x20, 0x10]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Address,Words\n0x10,2\n0x11,1\n", "has two rows about the same word: rows 2 and 3 hold 0x0011"),
+        ("Address\n0x10\n0x10\n", "rows 2 and 3 hold 0x0010"),
+        ("Address,Space\n0x10,pnu\n", "has the space pnu in row 2; only a list of registers can be imported"),
+        ("Address,Count\n0x10,9999999\n", "has more words than a device, up to row 2"),
+        ("Address\n0x10000\n", "contradicts itself"),
+    ],
+)
+def test_a_list_that_contradicts_itself_is_refused(text: str, said: str, run: CommandLine) -> None:
+    path = run.folder / "lifter" / "device.yaml"
+    ran = run("import", "-", "--to", str(path), stdin=text.encode())
+    assert (ran.code, ran.out) == (2, "")
+    assert said in ran.err
+    assert not path.parent.exists()
+
+
+def test_an_import_writes_over_nothing(run: CommandLine) -> None:
+    path = run.folder / "lifter.yaml"
+    path.write_text("mine", "utf-8")
+    ran = run("import", "-", "--to", str(path), stdin=TABLE.encode())
+    assert ran.code == 2
+    assert "there is a file" in ran.err
+    assert path.read_text("utf-8") == "mine"
+
+
+@pytest.mark.parametrize(
+    ("options", "addresses"),
+    [
+        ((), [0, 1]),
+        (("--base", "decimal"), [40001, 40002]),
+        (("--base", "decimal", "--offset", "40000"), [1, 2]),
+    ],
+)
+def test_references_are_read_as_such_unless_an_option_says_otherwise(
+    options: tuple[str, ...], addresses: list[int], run: CommandLine
+) -> None:
+    ran = run("import", "-", "--to", "-", *options, stdin=b"Address,Name\n40001,a b\n40002,c d\n")
+    assert [row["at"] for row in yaml.safe_load(ran.out)["registers"][0]["rows"]] == addresses
+
+
+CELLS = st.text(alphabet=st.characters(exclude_characters="\r\n\0", exclude_categories=("Cs",)), max_size=12)
+
+
+@given(held=st.lists(st.tuples(st.integers(0, 0xFFFE), *[CELLS] * 9), min_size=1, max_size=6))
+@settings(max_examples=60, deadline=None)
+def test_any_cells_give_a_spec_that_passes_or_a_refusal(held: list[tuple[object, ...]]) -> None:
+    heads = "Address\tName\tLabel\tType\tWords\tAccess\tUnit\tMin\tMax\tDefault\n"
+    lines = ["\t".join(str(cell).replace("\t", " ").replace('"', "'") for cell in row) for row in held]
+    try:
+        found = listing(text_sheet((heads + "\n".join(lines)).encode()), {}, "decimal")
+        made = skeleton("gadget", ORIGIN, found.rows("decimal"))
+    except ListError:
+        return
+    wrong = [one for one in checked(load({"gadget/device.yaml": made.encode()})) if one.severity is Severity.ERROR]
+    assert [one.code for one in wrong if one.code != "addresses_within_space"] == []
+
+
+def test_a_name_is_none_where_there_is_no_word() -> None:
+    assert snake("…") == ""

@@ -1,0 +1,192 @@
+"""A file that is no list is refused with one line that says what to do, exit code 2, and nothing is written."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import openpyxl
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from command_line import SPECS, CommandLine
+from fieldspec.commands.lists import sheet
+from fieldspec.lists import sheet as limits
+from fieldspec.lists import text_sheet, workbook
+from fieldspec.lists.listed import listing
+from fieldspec.lists.sheet import ListError
+
+LIST = "地址,名称\n0x2000,位置\n"
+
+
+def book(change: Callable[[openpyxl.Workbook], object]) -> bytes:
+    """A workbook with a small list, and a change."""
+    made = openpyxl.Workbook()
+    for row in (["Address", "Name", "Note"], ["0x2000", "a", 1], ["0x2001", "b", 2], ["0x2002", "c", 3]):
+        made.worksheets[0].append(row)
+    change(made)
+    kept = io.BytesIO()
+    made.save(kept)
+    return kept.getvalue()
+
+
+def cell(place: str, value: object) -> Callable[[openpyxl.Workbook], object]:
+    return lambda made: made.worksheets[0].__setitem__(place, value)
+
+
+def merged(area: str) -> Callable[[openpyxl.Workbook], object]:
+    return lambda made: made.worksheets[0].merge_cells(area)
+
+
+def packed(**parts: str) -> bytes:
+    """A zip file with parts; `__` stands for a slash, `_` for a point."""
+    kept = io.BytesIO()
+    with zipfile.ZipFile(kept, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, text in parts.items():
+            file.writestr(name.replace("__", "/").replace("_", "."), text)
+    return kept.getvalue()
+
+
+BAD: dict[str, tuple[bytes, str]] = {
+    "empty": (b"", "is empty"),
+    "blank": (b"\n ,,\n\t\n", "is empty"),
+    "commas": (b",,,\n,,,\n", "is empty"),
+    "a heading alone": (b"Address,Name\n", "has a heading and no rows"),
+    "no addresses": (b"Name,Value\nspeed,5\n", "has no column that looks like addresses (Name, Value); name it with"),
+    "prose": (b"Dear Sir,\nplease find the list below.\n", "has no column that looks like addresses"),
+    "binary": (b"\x7fELF\0\0\1\0", "is binary: give a CSV or XLSX file"),
+    "random bytes": (bytes(range(128, 256)), "is not UTF-8; say which encoding it has, as in --encoding gbk"),
+    "GBK": (LIST.encode("gbk"), "is not UTF-8; say which encoding"),
+    "Big5": ("位址,名稱\n0x2000,a\n".encode("big5"), "is not UTF-8; say which encoding"),
+    "UTF-16 without a mark": (LIST.encode("utf-16-le"), "utf-16-le"),
+    "ASCII in UTF-16": ("Address,Name\n0x10,a\n".encode("utf-16-le"), "is binary: give a CSV or XLSX file, or say"),
+    "old Excel": (b"\xd0\xcf\x11\xe0" + b"\0" * 600, "is an old workbook of Excel; save it as .xlsx"),
+    "PDF": (b"%PDF-1.7\n", "is a PDF; save its table as CSV"),
+    "thousands": (b'Address,Name\n"8,192",a\n', "has the address `8,192` in row 2, with separators between thousands"),
+    "apostrophes": (b"Address,Name\n8'192,a\n", "with separators between thousands"),
+    "words": (b"Address,Name\nfour,a\n", "has no address under Address: `four` in row 2; name the column"),
+    "fractions": (b"Address,Name\n16.5,a\n", "has no address under Address: `16.5` in row 2"),
+    "huge numbers": (b"Address,Name\n99999999999999,a\n", "has no address under Address"),
+    "above 32 bits": (b"Address,Name\n9999999999,a\n", "which is too great"),
+    "an open quote": (b'Address,Name\n0x10,"a\n' + b"x" * 200000, "cannot be read as a table at row 2"),
+    "JSON that is none": (b'[{"address": 1]', "begins like JSON and is none"),
+    "JSON of numbers": (b"[1, 2]", "is JSON, and no list of objects"),
+    "JSON too deep": (b"[" * 100000, "begins like JSON and is none"),
+    "formulas": (book(cell("A3", "=A2+1")), "has formulas in A3; save the list with values in place of formulas"),
+    "merged rows": (book(merged("B2:B3")), "has merged cells B2:B3; undo the merge and fill each cell"),
+    "scientific": (book(cell("A2", 2e10)), "has no address under Address: `20000000000`"),
+    "dates": (book(cell("A2", "2024-01-01")), "has no address under Address"),
+    "an empty workbook": (book(lambda made: made.worksheets[0].delete_rows(1, 9)), "is empty"),
+    "a workbook cut off": (book(cell("A1", "Address"))[:2000], "is a workbook that is cut off or protected"),
+    "a zip file": (packed(readme_txt="x"), "is packed, and no workbook"),
+    "entities": (packed(xl__workbook_xml="<!DOCTYPE x [<!ENTITY a 'b'>]><x>&a;</x>"), "declares entities"),
+    "a workbook of nothing": (packed(xl__workbook_xml="<x/>"), "is no workbook that can be read"),
+}
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, SPECS)
+
+
+@pytest.mark.parametrize(("content", "text"), BAD.values(), ids=BAD)
+@pytest.mark.parametrize("verb", ["compare", "import"])
+def test_a_bad_file_is_refused_in_one_line(
+    verb: str, content: bytes, text: str, run: CommandLine, tmp_path: Path
+) -> None:
+    path = tmp_path / "list.dat"
+    path.write_bytes(content)
+    words = ("compare", "tc100", str(path)) if verb == "compare" else ("import", str(path), "--to", "new/device.yaml")
+    words = tuple(str(tmp_path / word) if word.startswith("new/") else word for word in words)
+    ran = run(*words)
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.startswith(f"fieldspec: {path} ")
+    assert text in ran.err
+    assert ran.err.count("\n") == 1
+    assert [one.name for one in tmp_path.iterdir()] == ["list.dat"]
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        (("--encoding", "klingon"), "there is no encoding klingon"),
+        (("--encoding", "base64"), "there is no encoding base64"),
+        (("--encoding", "ascii"), "is not in the encoding ascii"),
+        (("--address", "Wo"), "has no column Wo; there are 地址, 名称, or give a letter or a number"),
+        (("--address", "Z"), "has no column Z"),
+        (("--name", "Wo"), "has no column Wo"),
+        (("--sheet", "1"), "is no workbook, so there is no sheet to choose"),
+    ],
+)
+def test_an_option_that_does_not_fit_the_file_is_refused(
+    options: tuple[str, ...], text: str, run: CommandLine
+) -> None:
+    ran = run("compare", "tc100", "-", *options, stdin=LIST.encode())
+    assert (ran.code, ran.out) == (2, "")
+    assert text in ran.err
+
+
+@pytest.mark.parametrize("encoding", ["gbk", "big5hkscs", "utf-16", "utf-16-le", "utf-32", "utf-8-sig", "gb18030"])
+def test_an_encoding_that_is_named_is_read(encoding: str, run: CommandLine) -> None:
+    text = "地址,名\n0x2000,相對移動量\n" if encoding != "gbk" else LIST
+    assert run("compare", "tc100", "-", "--encoding", encoding, stdin=text.encode(encoding)).code == 1
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-32", "utf-8-sig"])
+def test_a_byte_order_mark_is_enough(encoding: str, run: CommandLine) -> None:
+    assert run("compare", "tc100", "-", stdin=LIST.encode(encoding)).code == 1
+
+
+@pytest.mark.parametrize("name", ["nothing.csv", "."])
+def test_a_file_that_is_not_there_is_wrong_use(name: str, run: CommandLine, tmp_path: Path) -> None:
+    ran = run("compare", "tc100", str(tmp_path / name))
+    assert ran.code == 2
+    assert ran.err.startswith("fieldspec: cannot read ")
+
+
+def test_a_huge_file_is_refused_before_it_is_read_whole(run: CommandLine, tmp_path: Path) -> None:
+    path = tmp_path / "huge.csv"
+    with path.open("wb") as file:
+        file.truncate(limits.MOST_BYTES + 1)
+    assert run("compare", "tc100", str(path)).err.endswith("has more than 32 MiB; a list of registers is smaller\n")
+
+
+def test_too_many_rows_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(text_sheet, "MOST_ROWS", 2)
+    monkeypatch.setattr(workbook, "MOST_ROWS", 2)
+    for content in (b"Address\n1\n2\n3\n", book(lambda made: None)):
+        with pytest.raises(ListError, match="has more than 2 rows"):
+            sheet(content, "", "")
+
+
+def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workbook, "_MOST_UNPACKED", 1000)
+    with pytest.raises(ListError, match="unpacks to more"):
+        sheet(book(lambda made: None), "", "")
+
+
+def test_formulas_and_merged_cells_that_are_not_used_do_no_harm(run: CommandLine, tmp_path: Path) -> None:
+    def change(made: openpyxl.Workbook) -> None:
+        made.worksheets[0]["D1"] = "Sum"
+        made.worksheets[0]["D2"] = "=1+1"
+        made.worksheets[0].merge_cells("D3:D4")
+
+    path = tmp_path / "list.xlsx"
+    path.write_bytes(book(change))
+    assert run("compare", "tc100", str(path)).code == 1
+
+
+LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).map(str.encode)
+
+
+@given(content=st.binary(max_size=200) | LIKELY)
+@settings(max_examples=300, deadline=None)
+def test_any_bytes_are_a_list_or_are_refused(content: bytes) -> None:
+    try:
+        found = listing(sheet(content, "", ""), {})
+    except ListError:
+        return
+    assert all(row.address >= 0 for base in found.bases for row in found.rows(base))
