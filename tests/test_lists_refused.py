@@ -121,9 +121,7 @@ def test_a_bad_file_is_refused_in_one_line(
         (("--sheet", "1"), "is no workbook, so there is no sheet to choose"),
     ],
 )
-def test_an_option_that_does_not_fit_the_file_is_refused(
-    options: tuple[str, ...], text: str, run: CommandLine
-) -> None:
+def test_an_option_that_does_not_fit_the_file_is_refused(options: tuple[str, ...], text: str, run: CommandLine) -> None:
     ran = run("compare", "tc100", "-", *options, stdin=LIST.encode())
     assert (ran.code, ran.out) == (2, "")
     assert text in ran.err

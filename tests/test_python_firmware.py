@@ -6,11 +6,14 @@ import importlib
 import pickle
 import subprocess
 import sys
+import tempfile
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
+from fieldspec import pipeline
 from fieldspec.backends.python.backend import files, shared
 from fieldspec.reading.project import read
 from laid_out import SPECS, laid_at, layouts
@@ -45,6 +48,18 @@ def mill(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
         return importlib.import_module("mill_devices.mill")
     finally:
         sys.path.remove(str(folder))
+
+
+@cache
+def alike() -> str:
+    """A package with the device that has three lines of firmware, two of them like the first one."""
+    files_of_specs = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in SPECS.rglob("*.yaml")}
+    spec = read(files_of_specs, frozenset(["hiwin-e"])).devices["hiwin-e"]
+    folder = Path(tempfile.mkdtemp(prefix="fieldspec-alike-"))
+    made = {**shared(), **files(pipeline.layouts(spec))}
+    write(folder, {path.replace("fieldspec_devices", "alike_devices", 1): text for path, text in made.items()})
+    sys.path.insert(0, str(folder))
+    return "alike_devices"
 
 
 @pytest.mark.parametrize(
@@ -97,6 +112,21 @@ def test_the_text_that_a_device_sends_is_taken_as_it_comes() -> None:
     (laid,) = (laid for laid in layouts(SPECS)["esc11"] if laid.device.version == "1.17")
     assert laid.identity == device.for_firmware(" 1.17 ").IDENTITY
     assert device.for_firmware(" 0.01 ").VERSION == "before-1.17"
+
+
+@pytest.mark.parametrize(
+    ("firmware", "version"),
+    [
+        ("2.12.5", "2.12.5"),
+        ("3.12.5", "2.12.5"),
+        ("3.1.0", "2.8.16"),
+        ("4.14.4", "2.14.4"),
+        ("4.2", "2.12.5"),
+        ("2.1", "before-2.8.16"),
+    ],
+)
+def test_versions_of_lines_that_are_alike_share_their_modules(firmware: str, version: str) -> None:
+    assert version == importlib.import_module(f"{alike()}.hiwin_e").for_firmware(firmware).VERSION
 
 
 def test_latest_is_the_newest_version_and_the_others_are_imported_when_they_are_asked_for(tmp_path: Path) -> None:

@@ -19,8 +19,8 @@ parameters: [{name: a, defaults: {type: text, length: 4}, rows: [{number: 1, nam
 PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 
 # Settled on the nodes, before the model is built: which protocols are laid under, and which version a fact holds for.
-# Copies of blocks are written out as groups.
-SETTLED_BEFORE = {"uses", "protocol", "links", "messages", "since", "until", "only", "copies"}
+# Copies of blocks are written out as groups, and which lines share outputs is no matter of one version.
+SETTLED_BEFORE = {"uses", "protocol", "links", "messages", "since", "until", "only", "copies", "like"}
 
 Key = tuple[str, str]
 

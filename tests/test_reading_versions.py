@@ -194,3 +194,18 @@ def test_a_label_at_an_unquoted_version_says_what_is_wrong() -> None:
     clean, start, _ = unmarked(DEVICE + LINES + "limits: [{name: x, since: «1.50»}]\n")
     (found,) = project(clean.removeprefix(DEVICE)).found
     assert (found.code, found.span.start, pointed_at(found.span)) == ("version_unknown", start, "1.50")
+
+
+def test_a_line_is_like_one_that_has_outputs() -> None:
+    text = """
+versions:
+  - {line: one, builds: true, members: [{id: "1.0"}]}
+  - {line: two, members: [{id: "2.0"}]}
+  - {line: three, like: oen, members: [{id: "3.0"}, {id: "3.1"}]}
+  - {line: four, like: two, members: [{id: "4.0"}]}
+"""
+    found = project(text).found
+    assert [(one.code, one.message.rpartition(" ")[2]) for one in found] == [
+        ("version_unknown", "`oen`"),
+        ("version_unknown", "`two`"),
+    ]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from fieldspec.backends import OUTPUTS
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.proofs.running import proven
+from fieldspec.proofs.twins import twins
 from fieldspec.reading.project import DeviceSpec, Project, read
 
 
@@ -23,8 +25,13 @@ def checked(project: Project) -> list[Diagnostic]:
 
 
 def layouts(spec: DeviceSpec) -> list[DeviceLayout]:
-    """The layouts of all versions of a device that has no findings, the oldest first."""
-    return [device_layout(spec.at(version)[0]) for version in spec.versions()]
+    """The layouts of all versions of a device that has no findings, the oldest first, with those that share them."""
+    made = {version: device_layout(spec.at(version)[0]) for version in spec.versions()}
+    shared = twins(spec, {version: layout.identity for version, layout in made.items()})
+    return [
+        replace(layout, twins=tuple(one for one, other in shared.items() if other == version))
+        for version, layout in made.items()
+    ]
 
 
 def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, str]:

@@ -10,27 +10,47 @@
  *
  * HIWIN_E_SELECT_BEFORE_2_8_16: hiwin_e_before_2_8_16.h, identity 4dbe16b352e3dda8
  * HIWIN_E_SELECT_V2_8_16: hiwin_e_v2_8_16.h, identity 4d1f169d42c20f7a
+ * HIWIN_E_SELECT_BEFORE_3_12_5: hiwin_e_v2_8_16.h, identity 4d1f169d42c20f7a
  * HIWIN_E_SELECT_V2_12_5: hiwin_e_v2_12_5.h, identity 0f5db24411d30f10
+ * HIWIN_E_SELECT_V3_12_5: hiwin_e_v2_12_5.h, identity 0f5db24411d30f10
+ * HIWIN_E_SELECT_BEFORE_4_14_4: hiwin_e_v2_12_5.h, identity 0f5db24411d30f10
  * HIWIN_E_SELECT_V2_14_4: hiwin_e_v2_14_4.h, identity 777c777c5fb7dd16
+ * HIWIN_E_SELECT_V3_14_4: hiwin_e_v2_14_4.h, identity 777c777c5fb7dd16
+ * HIWIN_E_SELECT_V4_14_4: hiwin_e_v2_14_4.h, identity 777c777c5fb7dd16
  *
  * Generated; do not edit. Identity: 777c777c5fb7dd16
  */
 #define HIWIN_E_SELECT_BEFORE_2_8_16 1
 #define HIWIN_E_SELECT_V2_8_16 2
-#define HIWIN_E_SELECT_V2_12_5 3
-#define HIWIN_E_SELECT_V2_14_4 4
+#define HIWIN_E_SELECT_BEFORE_3_12_5 3
+#define HIWIN_E_SELECT_V2_12_5 4
+#define HIWIN_E_SELECT_V3_12_5 5
+#define HIWIN_E_SELECT_BEFORE_4_14_4 6
+#define HIWIN_E_SELECT_V2_14_4 7
+#define HIWIN_E_SELECT_V3_14_4 8
+#define HIWIN_E_SELECT_V4_14_4 9
 #define HIWIN_E_SELECT_LATEST HIWIN_E_SELECT_V2_14_4
 
 #ifndef HIWIN_E_SELECT
-#error "define HIWIN_E_SELECT as one of HIWIN_E_SELECT_BEFORE_2_8_16, HIWIN_E_SELECT_V2_8_16, HIWIN_E_SELECT_V2_12_5, HIWIN_E_SELECT_V2_14_4 or HIWIN_E_SELECT_LATEST"
+#error "define HIWIN_E_SELECT as one of HIWIN_E_SELECT_BEFORE_2_8_16, HIWIN_E_SELECT_V2_8_16, HIWIN_E_SELECT_BEFORE_3_12_5, HIWIN_E_SELECT_V2_12_5, HIWIN_E_SELECT_V3_12_5, HIWIN_E_SELECT_BEFORE_4_14_4, HIWIN_E_SELECT_V2_14_4, HIWIN_E_SELECT_V3_14_4, HIWIN_E_SELECT_V4_14_4 or HIWIN_E_SELECT_LATEST"
 #elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_BEFORE_2_8_16
 #include "hiwin_e_before_2_8_16.h"
 #elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V2_8_16
 #include "hiwin_e_v2_8_16.h"
+#elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_BEFORE_3_12_5
+#include "hiwin_e_v2_8_16.h"
 #elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V2_12_5
+#include "hiwin_e_v2_12_5.h"
+#elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V3_12_5
+#include "hiwin_e_v2_12_5.h"
+#elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_BEFORE_4_14_4
 #include "hiwin_e_v2_12_5.h"
 #elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V2_14_4
 #include "hiwin_e_v2_14_4.h"
+#elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V3_14_4
+#include "hiwin_e_v2_14_4.h"
+#elif HIWIN_E_SELECT + 0 == HIWIN_E_SELECT_V4_14_4
+#include "hiwin_e_v2_14_4.h"
 #else
-#error "HIWIN_E_SELECT is no known version; define it as one of HIWIN_E_SELECT_BEFORE_2_8_16, HIWIN_E_SELECT_V2_8_16, HIWIN_E_SELECT_V2_12_5, HIWIN_E_SELECT_V2_14_4 or HIWIN_E_SELECT_LATEST"
+#error "HIWIN_E_SELECT is no known version; define it as one of HIWIN_E_SELECT_BEFORE_2_8_16, HIWIN_E_SELECT_V2_8_16, HIWIN_E_SELECT_BEFORE_3_12_5, HIWIN_E_SELECT_V2_12_5, HIWIN_E_SELECT_V3_12_5, HIWIN_E_SELECT_BEFORE_4_14_4, HIWIN_E_SELECT_V2_14_4, HIWIN_E_SELECT_V3_14_4, HIWIN_E_SELECT_V4_14_4 or HIWIN_E_SELECT_LATEST"
 #endif

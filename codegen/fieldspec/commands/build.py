@@ -48,7 +48,8 @@ def run(arguments: argparse.Namespace) -> int:
     whole = not arguments.devices
     gone = _gone(before, texts, names) if whole else []
     identities = {} if whole else dict(before["identities"])
-    identities |= {f"{laid.device.id}@{laid.device.version}": laid.identity for some in devices for laid in some}
+    for laid in (laid for some in devices for laid in some):
+        identities |= {f"{laid.device.id}@{version}": laid.identity for version in (laid.device.version, *laid.twins)}
     wanted_files = {**texts, MANIFEST: _renewed(before, texts, gone, identities)}
     stale = sorted(path for path, text in wanted_files.items() if _differs(out / path, text))
     if arguments.check:

@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
         rows = [
             (
                 held.id,
-                "yes" if held.id in spec.versions() else "",
+                "yes" if held.id in spec.versions() else "shared" if held.id in spec.lines.alike else "",
                 spec.bases.get(held.id, ""),
                 *(str(counts[bound][held.id] or "") for bound in _BOUNDS),
                 held.doc or held.inferred or held.title,
@@ -51,6 +51,7 @@ def _named(node: Node, bound: str) -> Iterator[str]:
 
 
 def each(spec: DeviceSpec) -> list[str]:
-    """Every version of a device on its own, and those of lines that are not built beside the newest that is."""
+    """Every version of a device on its own; of lines without outputs, which say what it is too, beside the newest."""
     built = spec.versions()
-    return [*built, *(f"{built[-1]}+{version}" for version in spec.lines.place if version not in built)]
+    others = [version for version in spec.lines.place if version not in built]
+    return [*built, *(one if one in spec.lines.alike else f"{built[-1]}+{one}" for one in others)]

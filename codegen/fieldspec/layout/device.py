@@ -28,7 +28,10 @@ class TableLayout:
 
 @dataclass(frozen=True, slots=True)
 class DeviceLayout:
-    """All numbers of a device at one version. `identity` is equal if and only if what is on the wire is."""
+    """All numbers of a device at one version. `identity` is equal if and only if what is on the wire is.
+
+    `twins` are the versions of other lines that have no outputs of their own, and share those of this one.
+    """
 
     device: Device
     identity: str
@@ -37,6 +40,7 @@ class DeviceLayout:
     messages: Mapping[str, MessageLayout]
     registers: tuple[RegisterLayout, ...]
     tables: Mapping[str, TableLayout]
+    twins: tuple[str, ...] = ()
 
 
 def device_layout(device: Device) -> DeviceLayout:

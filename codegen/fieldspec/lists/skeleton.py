@@ -166,8 +166,11 @@ def _numbers(row: Listed, is_integer: bool, lowest: int, highest: int, doubts: l
         doubts += [f"{what} in the list: {text}." for what, text in told.items() if text]
     if "default" in texts:
         inside = (low, high) if ranged else (Decimal(lowest), Decimal(highest))
-        if default is not None and is_integer and _counts(default, default, lowest, highest) and (
-            inside[0] is not None and inside[1] is not None and inside[0] <= default <= inside[1]
+        if (
+            default is not None
+            and is_integer
+            and _counts(default, default, lowest, highest)
+            and (inside[0] is not None and inside[1] is not None and inside[0] <= default <= inside[1])
         ):
             parts.append(f"default: {default:f}")
         else:

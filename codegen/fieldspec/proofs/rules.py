@@ -59,6 +59,14 @@ Example: 19 bytes that begin with 14h.
 
 Cure: Give the right bytes as `frame`, and an erratum with the printed ones.
 """,
+    "lines_alike": """Each version of a line that is like another one is on the wire as a version of that line.
+
+Why: it shares the outputs of that version; where they differ on the wire, its users would get wrong code.
+
+Example: `like: firmware_2` where 3.12.5 has a parameter that no version of line 2 has.
+
+Cure: Give the facts the bounds of both lines, or let the line have outputs of its own: `builds: true`.
+""",
     "meaning_matches_bytes": """The values of every example are what its bytes mean, in both directions.
 
 Why: the manual's own frames are the only proof that a spec is right.

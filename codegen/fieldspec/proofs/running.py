@@ -9,6 +9,7 @@ from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
 from fieldspec.proofs.errata import errata_proven
 from fieldspec.proofs.examples import examples_proven
+from fieldspec.proofs.twins import LAYING_OUT, lines_alike
 from fieldspec.reading.project import DeviceSpec
 
 EXAMPLE_PROOFS = (
@@ -26,15 +27,6 @@ READING_PROOFS = (
     "wrong_form",
     "wrong_value",
 )
-LAYING_OUT = (
-    "choices_complete",
-    "links_complete",
-    "messages_complete",
-    "records_finite",
-    "references_resolve",
-    "repeat_last",
-)
-"""The checks without which a device has no layout."""
 ERRATA_PROOFS = ("errata_differ", "errata_paths_resolve", "errata_proven")
 
 
@@ -58,14 +50,19 @@ def proven(spec: DeviceSpec) -> list[Diagnostic]:
     """All findings of a device at all its versions. Examples and errata are proven where the checks pass."""
     found: list[Diagnostic] = []
     settled: set[str] = set()
+    identities: dict[str, str] = {}
     for version in reversed(spec.versions()):
         device, broken = spec.at(version)
         broken = [*broken, *checks.run(device)]
         found += broken
         if has_errors(broken):
             continue
-        found += examples_proven(device_layout(device))
+        layout = device_layout(device)
+        identities[version] = layout.identity
+        found += examples_proven(layout)
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
         found += errata_proven(spec, version, device, errata, findings, known())
+    if len(identities) == len(spec.versions()):
+        found += lines_alike(spec, identities)
     return [*found, *accepted(spec)]

@@ -7,7 +7,7 @@ from operator import is_
 
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import near, quoted
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children, identity, mappings
 
 LONE_VERSION = "1"
 
@@ -21,12 +21,19 @@ class Lines:
     def __init__(self, tree: Mapping) -> None:
         self.place: dict[str, tuple[int, int]] = {}
         self.built: list[str] = []
+        self.alike: dict[str, Scalar] = {}
+        """By version, the line with outputs that its own line is like."""
         self.found: list[Diagnostic] = []
         self._unbounded: dict[int, Node] = {}
         lines = tree.values.get("versions")
         for number, line in enumerate(lines.items if isinstance(lines, Sequence) else ()):
             if isinstance(line, Mapping):
                 self._add(number, line)
+        built = [identity(line) or "" for line in mappings(lines) if _true(line, "builds")]
+        for named in {id(one): one for one in self.alike.values()}.values():
+            if named.text not in built:
+                text = f"the device has no line of versions with outputs that is called {quoted(named.text)}"
+                self.found.append(Diagnostic("version_unknown", text, named.span, help=near(named.text, built)))
 
     def _add(self, number: int, line: Mapping) -> None:
         members = line.values.get("members")
@@ -40,9 +47,11 @@ class Lines:
                 text = f"the version `{node.text}` is declared twice"
                 self.found.append(Diagnostic("version_twice", text, node.span, help="give it an identifier of its own"))
             self.place[node.text] = (number, order)
-        builds = line.values.get("builds")
-        if isinstance(builds, Scalar) and builds.value is True:
+        like = line.values.get("like")
+        if _true(line, "builds"):
             self.built += [node.text for node in ids]
+        elif isinstance(like, Scalar):
+            self.alike |= {node.text: like for node in ids}
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
@@ -112,6 +121,11 @@ class Lines:
             if step not in _FREE:
                 found += self.unknown(inner)
         return found
+
+
+def _true(line: Mapping, key: str) -> bool:
+    held = line.values.get(key)
+    return isinstance(held, Scalar) and held.value is True
 
 
 def named(bound: Node | None) -> list[Scalar]:

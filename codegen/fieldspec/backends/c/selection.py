@@ -23,8 +23,8 @@ def selection(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The header, by its path; `versions` are those of one device, the oldest first."""
     device = versions[-1].device
     naming = Naming(device.id)
-    ids = [layout.device.version for layout in versions]
-    macros = {version: naming.own_macro(_SELECT, version_word(version)) for version in ids}
+    headers = [(version, layout) for layout in versions for version in (layout.device.version, *layout.twins)]
+    macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in headers}
     header = f"{Name.of(device.id).snake()}.h"
     text = fill(
         "c/selection.h.j2",
@@ -35,8 +35,8 @@ def selection(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         latest=naming.own_macro(_SELECT, _LATEST),
         newest=macros[device.version],
         versions=[
-            (number, macros[layout.device.version], f"{stem(device.id, layout.device.version)}.h", layout.identity)
-            for number, layout in enumerate(versions, 1)
+            (number, macros[version], f"{stem(device.id, layout.device.version)}.h", layout.identity)
+            for number, (version, layout) in enumerate(headers, 1)
         ],
         choices=", ".join(macros.values()),
     )

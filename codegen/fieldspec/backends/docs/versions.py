@@ -60,6 +60,8 @@ def _row(layout: DeviceLayout, version: Version | None, step: Step | None, endin
         doc = [(plain(text),) for text in (version.title, version.doc) if text]
         if version.inferred:
             doc.append((styled("inferred: ", "strong"), plain(version.inferred)))
+    if layout.twins:
+        doc.append((plain(f"The same holds for {', '.join(layout.twins)}."),))
     return Row(
         (
             cell(plain(version_title(Context(layout)), f"{page_name(device.version)}{ending}")),

@@ -28,7 +28,7 @@ LATEST = "1"
 VERSIONS = {
     "1": "v1",
 }
-"""The module of each version, the oldest first; `import_module` of `fieldspec_devices.ck10.<module>` gets it."""
+"""The module of each version, the oldest of each line first; `import_module` of `fieldspec_devices.ck10.<module>` gets it."""
 _LINES = (
     (
         ("1", "v1"),

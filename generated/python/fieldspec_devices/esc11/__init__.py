@@ -29,7 +29,7 @@ VERSIONS = {
     "before-1.17": "before_1_17",
     "1.17": "v1_17",
 }
-"""The module of each version, the oldest first; `import_module` of `fieldspec_devices.esc11.<module>` gets it."""
+"""The module of each version, the oldest of each line first; `import_module` of `fieldspec_devices.esc11.<module>` gets it."""
 _LINES = (
     (
         ("before-1.17", "before_1_17"),

@@ -29,7 +29,7 @@ VERSIONS = {
     "before-2.0": "before_2_0",
     "2.0": "v2_0",
 }
-"""The module of each version, the oldest first; `import_module` of `fieldspec_devices.tc100.<module>` gets it."""
+"""The module of each version, the oldest of each line first; `import_module` of `fieldspec_devices.tc100.<module>` gets it."""
 _LINES = (
     (
         ("before-2.0", "before_2_0"),

@@ -1,0 +1,52 @@
+"""Finds, for the versions of a line that is like another one, the version of that line with the same identity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec import checks
+from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.layout.device import device_layout
+from fieldspec.reading.nodes import identity, mappings
+from fieldspec.reading.project import DeviceSpec
+
+LAYING_OUT = (
+    "choices_complete",
+    "links_complete",
+    "messages_complete",
+    "records_finite",
+    "references_resolve",
+    "repeat_last",
+)
+"""The checks without which a device has no layout."""
+
+
+def twins(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
+    """By version of a line that is like another one, the version with outputs that it shares; none where there is none.
+
+    `identities` are those of the versions with outputs.
+    """
+    found = {}
+    for version, line in spec.lines.alike.items():
+        device, broken = spec.at(version)
+        if has_errors(broken) or any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
+            continue
+        own = device_layout(device).identity
+        same = [other for other in _members(spec, line.text) if identities.get(other) == own]
+        found[version] = same[0] if same else ""
+    return found
+
+
+def _members(spec: DeviceSpec, line: str) -> list[str]:
+    lines = (held for held in mappings(spec.tree.values.get("versions")) if identity(held) == line)
+    return [identity(member) or "" for held in lines for member in mappings(held.values.get("members"))]
+
+
+def lines_alike(spec: DeviceSpec, identities: Mapping[str, str]) -> Iterator[Diagnostic]:
+    """A finding for every version that is on the wire like none of the line that its own line is like."""
+    for version, other in twins(spec, identities).items():
+        if not other:
+            line = spec.lines.alike[version]
+            text = f"no version of the line `{line.text}` is on the wire as `{version}` is"
+            help = "build the line of this version, or put the bounds right in which both differ"
+            yield Diagnostic("lines_alike", text, line.span, help=help)
