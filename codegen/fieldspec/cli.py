@@ -178,6 +178,11 @@ def parser() -> argparse.ArgumentParser:
     listed(into)
     into.set_defaults(verb="importing")
 
+    audit = verb("audit", "tell what shows that the spec of a device is right, and what does not")
+    audit.add_argument("device", metavar="DEVICE[@VERSION]")
+    audit.add_argument("--all", action="store_true", help="the long tables too")
+    audit.add_argument("--format", choices=("text", "json", "sarif"), default="text")
+
     versions = verb("versions", "list the versions of a device, and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")
 

@@ -1,0 +1,72 @@
+"""A section of an audit's report: numbers, tables and findings, whatever they are about."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.fact import Citation
+from fieldspec.source import Span
+
+Cell: TypeAlias = str | int | Span | Citation | None
+"""A cell of a table: a text, a number, a place in a file, or a place in the manual."""
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A number for the top of a report: how many of what, and of how many where there is a whole.
+
+    `good` says whether the number is as it should be; None where it says nothing about good or bad.
+    """
+
+    what: str
+    number: int
+    whole: int | None = None
+    good: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SectionTable:
+    """Cells by row, under a title. The name of a column is the key of its cells in data.
+
+    `kinds` says of each row how it stands: `good`, `bad`, `warning`, or empty; there are none where all are plain.
+    `detail` marks a long table, which a text for people leaves out unless it is asked for.
+    """
+
+    name: str
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    kinds: tuple[str, ...] = ()
+    detail: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """One part of the report. `name` is a word for data and links, `drawn` is what a renderer may draw of it."""
+
+    name: str
+    title: str
+    says: tuple[str, ...] = ()
+    figures: tuple[Figure, ...] = ()
+    tables: tuple[SectionTable, ...] = ()
+    findings: tuple[Diagnostic, ...] = ()
+    drawn: object = None
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """The audit of a device: its sections, in the order in which people read them."""
+
+    device: str
+    title: str
+    version: str
+    identity: str
+    sections: tuple[Section, ...]
+
+    def findings(self) -> Iterator[Diagnostic]:
+        """The findings of all sections."""
+        for section in self.sections:
+            yield from section.findings
