@@ -192,7 +192,7 @@ def test_a_sentinel_is_a_constant_of_its_record() -> None:
         ({"speed": "fast"}, "wrong_type", "speed"),
         ({"speed": 1.5}, "wrong_type", "speed"),
         ({"speed": None}, "wrong_type", "speed"),
-        ({"status": 1}, "wrong_type", "status"),
+        ({"status": "1"}, "wrong_type", "status"),
         ({"dwell": -1}, "out_of_range", "dwell"),
         ({"next": 6}, "out_of_range", "next"),
     ],
@@ -206,6 +206,18 @@ def test_the_error_names_the_field_that_is_out_of_range(change: dict[str, Any], 
         point.encode()
     assert (caught.value.reason, caught.value.offset) == (reason, None)
     assert caught.value.detail.startswith(f"{name} is ")
+
+
+def test_a_word_may_be_given_as_a_number() -> None:
+    by_word = WIDGET.Point(WIDGET.Color.RED, 0, 1, WIDGET.Status(5), -1, 0)
+    by_number = WIDGET.Point(WIDGET.Color.RED, 0, 1, 5, -1, 0)
+    assert by_number.encode() == by_word.encode()
+    assert by_number.status == WIDGET.Status(5)
+
+
+def test_a_word_is_made_once() -> None:
+    point = WIDGET.Point.decode(WIDGET.Point(WIDGET.Color.RED, 0, 1, 5, -1, 0).encode())
+    assert point.status is point.status
 
 
 def test_an_error_can_be_sent_to_another_process() -> None:

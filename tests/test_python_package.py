@@ -203,6 +203,7 @@ ALLOWED = {
     "collections.abc",
     "enum",
     "importlib",
+    "operator",
     "struct",
     "types",
     "typing",

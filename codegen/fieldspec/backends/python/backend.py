@@ -91,6 +91,7 @@ def _module(layout: DeviceLayout) -> str:
 _STANDARD = {
     "_IntEnum": "from enum import IntEnum as _IntEnum",
     "_Struct(": "from struct import Struct as _Struct",
+    " = _index(": "from operator import index as _index",
     "_StructError": "from struct import error as _StructError",
 }
 _TABLES = {

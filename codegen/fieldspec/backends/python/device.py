@@ -49,7 +49,7 @@ _IMPORTS = {
         "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members text texts turned"
     ),
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
-    "_flags": "Flags",
+    "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response new",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",

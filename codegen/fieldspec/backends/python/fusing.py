@@ -167,7 +167,7 @@ def _shares(
     for field in shaped.fields:
         at = frame.head_size + field.field.offset
         if field.stored:
-            flags = raw if field.value.flags else ""
+            flags = raw if field.value.flags and not field.deferred else ""
             varying.append((at, field.field.size, field.value.type.signed, local(field) + flags))
         elif field.constant:
             base[at : at + field.field.size] = field.bytes_of(field.constant)

@@ -33,7 +33,7 @@ MODULE = _words(
 )
 RECORD = _words("decode encode self")
 MESSAGE = RECORD | _words("CODE NUMBER SUPPLEMENTS response_type")
-FLAGS = _words("flags raw self")
+FLAGS = _words("_ flags raw self")
 STATES = _words("state")
 PARAMETERS = _words(
     "base from_raws name numbers printed_as read_request read_value read_values self space title to_raws write_request"

@@ -19,8 +19,8 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
     star = "*" if field.listed or field.decided else ""
     if field.field.field.reserved and not field.field.field.measures:
         return [f"{star}_"]
-    if field.plain and field.stored and not bound:
-        return [f"{star}{owner}.{field.name}"]
+    if (field.plain or field.deferred) and field.stored and not bound:
+        return [f"{star}{owner}.{field.slot}"]
     if field.parted:
         return [f"{local(field)}__{part}" for part in range(field.parted)]
     return [f"{star}{local(field)}"]
@@ -41,9 +41,9 @@ def indexed(field: Slots, owner: str, at: int) -> list[str]:
         return []
     if field.parted:
         return [f"{local(field)}__{part} = raws[{at + part}]" for part in range(field.parted)]
-    if field.plain and field.stored:
+    if (field.plain or field.deferred) and field.stored:
         held = sources(field, at)
-        return [f"{owner}.{field.name} = {f'list({held})' if field.listed else held}"]
+        return [f"{owner}.{field.slot} = {f'list({held})' if field.listed else held}"]
     return [f"{local(field)} = {sources(field, at)}"]
 
 
@@ -56,8 +56,8 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
     reserved = field.field.field.reserved and not field.field.field.measures
     if reserved:
         return []
-    if field.plain and field.stored:
-        return [f"{owner}.{field.name} = {local(field)}"] if bound else []
+    if (field.plain or field.deferred) and field.stored:
+        return [f"{owner}.{field.slot} = {local(field)}"] if bound else []
     lines, raw = _number(field)
     title = literal(field.title)
     size = field.field.size
@@ -97,6 +97,22 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
     if field.listed:
         return [*lines, f"{owner}.{field.name} = {raw}"]
     return [*lines[:-1], f"{owner}.{field.name} = {lines[-1].partition(' = ')[2]}"]
+
+
+def made(field: Slots) -> list[str]:
+    """Lines that give what a deferred field stands for; a word of flags is kept, once it is made."""
+    if not field.deferred:
+        return []
+    held = f"self.{field.slot}"
+    if field.enum is not None:
+        found = f"{field.enum.table}.get(held, held)"
+        return [f"held = {held}", f"return {found} if isinstance(held, int) else held"]
+    return [
+        f"held = {held}",
+        "if isinstance(held, int):",
+        f"    held = {held} = {field.type}(held)",
+        "return held",
+    ]
 
 
 def _number(field: Slots) -> tuple[list[str], str]:

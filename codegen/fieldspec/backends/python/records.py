@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fieldspec.backends.python.choosing import CASE, choice_lines, decided_read, decided_values
 from fieldspec.backends.python.lines import chained, filled, listed, shown, unpacked
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
-from fieldspec.backends.python.reading import indexed, local, reading, targets
+from fieldspec.backends.python.reading import indexed, local, made, reading, targets
 from fieldspec.backends.python.scaled import ConstantView, ScaledView, scaled_views, sentinel_views
 from fieldspec.backends.python.slots import Slots, Words, native_order, slots
 from fieldspec.backends.python.text import docstring, literal
@@ -17,10 +17,16 @@ from fieldspec.layout.record import RecordLayout
 
 @dataclass(frozen=True, slots=True)
 class FieldView:
-    """An attribute: its name and type."""
+    """An attribute: its name and type, what it may be set to, and the slot that is filled from the wire.
+
+    `get` are the lines that make what a slot of its own stands for; empty where the slot is the attribute.
+    """
 
     name: str
     type: str
+    accepted: str
+    slot: str
+    get: list[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,9 +93,10 @@ def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> Recor
     """The shape of a record; its attributes stay clear of some names."""
     scope = Scope(reserved, TYPES)
     order = native_order(record.fields)
-    return RecordShape(
-        record, order, tuple(slots(field, scope.take(field.name), words, order) for field in record.fields)
-    )
+    fields = [slots(field, scope.take(field.name), words, order) for field in record.fields]
+    selecting = record.selector.name if record.selector is not None else ""
+    deferred = [replace(field, deferred=field.deferrable and field.title != selecting) for field in fields]
+    return RecordShape(record, order, tuple(deferred))
 
 
 def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
@@ -105,7 +112,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         declared=_declared(shaped, struct),
         title=record.name,
         doc=docstring(doc, 4),
-        fields=[FieldView(field.name, field.type) for field in stored],
+        fields=[FieldView(field.name, field.type, field.accepted, field.slot, made(field)) for field in stored],
         constants=sentinel_views(stored),
         scaled=scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(field.name for field in stored))),
         read=read,
@@ -114,9 +121,9 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         tests=condition(binding.tests),
         pack=filled(f"return {_counted(shaped, struct)}.pack(", binding.values, ")", 16 if binding.tests else 12),
         refusals=chained("return ", binding.refusals, "or", "None", 8),
-        slots=_quoted("__slots__", names),
+        slots=_quoted("__slots__", [field.slot for field in stored]),
         match_args=_quoted("__match_args__", names),
-        init=listed("def __init__(", ["self", *(f"{field.name}: {field.type}" for field in stored)], ") -> None:", 4),
+        init=listed("def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4),
         equal=chained("return ", [f"self.{name} == other.{name}" for name in names], "and", "True", 8),
         shown=shown(name, names, 8),
     )
@@ -234,7 +241,7 @@ class Writing:
 
 def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Writing:
     """How a record is written; the fields in `bound` get a local whether or not the tests need one."""
-    held = {field.title: f"self.{field.name}" for field in shaped.stored}
+    held = {field.title: f"self.{field.slot}" for field in shaped.stored}
     bind: list[str] = []
     tests: dict[str, list[str]] = {}
     selector = shaped.selector
@@ -242,7 +249,8 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
     for field in shaped.stored:
         wanted = conditions(field, local(field))
         if wanted or field.title in needed or field.parted or field is selector:
-            bind.append(f"{local(field)} = {held[field.title]}")
+            found = held[field.title]
+            bind.append(f"{local(field)} = {f'_index({found})' if field.deferred else found}")
             held[field.title] = local(field)
         tests[field.title] = wanted
     if selector is not None:

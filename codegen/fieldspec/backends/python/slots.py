@@ -31,7 +31,8 @@ class Words:
 class Slots:
     """A field in a Struct: the letters of one element, and how many there are, 0 where it is repeated to the end.
 
-    `name` is that of its attribute, `title` that of the spec. `big` says that the Struct's order is big.
+    `name` is that of its attribute, `title` that of the spec. `big` says that the Struct's order is big. `deferred`
+    says that the word is kept as it came, and made what it stands for when it is asked for.
     """
 
     field: FieldLayout
@@ -41,6 +42,12 @@ class Slots:
     count: int
     words: Words
     big: bool
+    deferred: bool = False
+
+    @property
+    def slot(self) -> str:
+        """The attribute that is filled from the wire."""
+        return f"_held_{self.name}" if self.deferred else self.name
 
     @property
     def decided(self) -> bool:
@@ -129,6 +136,16 @@ class Slots:
         return not (self.value.enum or self.value.flags)
 
     @property
+    def deferrable(self) -> bool:
+        """Whether it is one word that stands for bits, or for a member where others are allowed, too.
+
+        No such word is refused when it is read, and its class can be made from it at any time.
+        """
+        if self.field.value is None or self.listed or not self.stored or self.parted or self.foreign:
+            return False
+        return bool(self.value.flags) or (self.enum is not None and self.enum.open)
+
+    @property
     def element_type(self) -> str:
         """The type of one element."""
         if self.field.record is not None:
@@ -143,6 +160,11 @@ class Slots:
         if self.listed and self.decided:
             return f"tuple[{self.element_type}, ...]"
         return f"list[{self.element_type}]" if self.listed else self.element_type
+
+    @property
+    def accepted(self) -> str:
+        """The type of what the attribute may be set to: words may be given as numbers."""
+        return f"{self.type} | int" if self.deferred and self.value.flags else self.type
 
     @property
     def ranges(self) -> Ranges | None:

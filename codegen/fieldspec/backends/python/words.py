@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from fieldspec.backends.python.lines import filled, listed
 from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
+from fieldspec.backends.python.snapshots import from_tables
 from fieldspec.backends.python.text import described, docstring, literal, sentence
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.flags import Bit, Flags, State
@@ -65,7 +66,8 @@ class BitView:
 class FlagsView:
     """A word of flags: the table of its bits, the constructor as type checkers see it, and the states that they show.
 
-    Of each state `fitting` has the bits that decide it, their value in it, and the member.
+    Of each state `fitting` has the bits that decide it, their value in it, and the member. `taken` are the lines of a
+    snapshot that take the bits of a byte at once.
     """
 
     name: str
@@ -74,6 +76,7 @@ class FlagsView:
     init: list[str]
     states: EnumView | None
     fitting: list[str]
+    taken: list[str]
     doc: list[str]
 
 
@@ -124,7 +127,9 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     states = _states(flags, name, scope) if flags.states else None
     names = Scope(FLAGS, TYPES, STATES if states else frozenset())
     named = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
+    lines, bound = from_tables(named)
     bits = [_bit(bit, taken_name, enums) for bit, taken_name in named]
+    bits = [replace(bit, snapshot=bit.name) if bit.name in bound else bit for bit in bits]
     more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
     table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
     return FlagsView(
@@ -134,6 +139,7 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
         init=listed("def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
+        taken=lines,
         doc=docstring(described(taken.title(), flags, more), 4),
     )
 

@@ -67,7 +67,7 @@ def _one(field: Slots, held: str) -> list[str]:
     if field.kind is Kind.FLOAT:
         return []
     found: list[str] = []
-    raw = f"{held}.raw" if field.value.flags else held
+    raw = f"{held}.raw" if field.value.flags and not field.deferred else held
     enum = field.enum
     if enum is not None and not enum.open:
         others = ", ".join(map(str, field.sentinels)) + ","
@@ -85,7 +85,7 @@ def _one(field: Slots, held: str) -> list[str]:
 def values(field: Slots, held: str) -> list[str]:
     """The expressions that fill the slots of a field."""
     if field.parted:
-        raw = f"{held}.raw" if field.value.flags else held
+        raw = f"{held}.raw" if field.value.flags and not field.deferred else held
         parts = [f"{raw} & 65535", *(f"{raw} >> {16 * part} & 65535" for part in range(1, field.parted - 1))]
         parts.append(f"{raw} >> {16 * (field.parted - 1)}")
         return parts if field.big else parts[::-1]
@@ -100,7 +100,7 @@ def _item(field: Slots, held: str) -> str:
         return f"{held}.encode()"
     if field.kind is Kind.TEXT:
         return f'{held}.encode("ascii")'
-    raw = f"{held}.raw" if field.value.flags else held
+    raw = f"{held}.raw" if field.value.flags and not field.deferred else held
     if not field.foreign:
         return raw
     turned = field.field.swapped

@@ -9,6 +9,10 @@ if TYPE_CHECKING:
     from typing import ClassVar, Final
 
 
+BITS_OF = tuple(tuple(byte >> place & 1 == 1 for place in range(8)) for byte in range(256))
+"""The bits of each byte, the least significant first."""
+
+
 class Flags:
     """A word, and its bits as properties. It keeps the bits that have no name.
 
