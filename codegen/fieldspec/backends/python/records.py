@@ -123,7 +123,9 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         refusals=chained("return ", binding.refusals, "or", "None", 8),
         slots=_quoted("__slots__", [field.slot for field in stored]),
         match_args=_quoted("__match_args__", names),
-        init=listed("def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4),
+        init=listed(
+            "def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4
+        ),
         equal=chained("return ", [f"self.{name} == other.{name}" for name in names], "and", "True", 8),
         shown=shown(name, names, 8),
     )
