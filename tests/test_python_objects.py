@@ -1,4 +1,4 @@
-"""The generated classes as people use them: enums, flags, scaled values, errors, equality, texts, matching."""
+"""The generated classes as people use them: enums, scaled values, errors, equality, texts, matching."""
 
 from __future__ import annotations
 
@@ -84,46 +84,6 @@ def test_the_masks_of_bits_are_the_members_that_follow_from_them() -> None:
     assert GLIDER.INPUT_1_FUNCTION.encode(function.USER_5) == bytes.fromhex("80000000")
 
 
-# Flags
-
-
-def test_flags_are_booleans_over_the_raw_word() -> None:
-    word = WIDGET.Status(0x8A21)
-    assert (word.ready, word.start, word.brake, word.overlay) == (True, False, False, False)
-    assert word.level is WIDGET.Level.HIGH
-    assert word.lap == 10
-    assert word.raw == int(word) == 0x8A21
-
-
-def test_a_field_of_bits_that_its_enum_does_not_list_is_a_number() -> None:
-    assert WIDGET.Status(0x30).level == 3
-
-
-def test_flags_are_made_from_keywords() -> None:
-    assert WIDGET.Status(ready=True, level=WIDGET.Level.MIDDLE, lap=15).raw == 0x0F11
-    assert WIDGET.Status() == WIDGET.Status(0)
-    with pytest.raises(CodecError) as caught:
-        WIDGET.Status(lap=16)
-    assert caught.value.reason == "out_of_range"
-
-
-def test_a_snapshot_of_flags_has_every_name() -> None:
-    held = WIDGET.Status(0x8021).flags()
-    assert held == {"ready": True, "start": False, "brake": False, "level": 2, "lap": 0, "overlay": False}
-
-
-def test_flags_show_which_are_set() -> None:
-    assert repr(WIDGET.Status(0x8021)) == "<Status 0x8021: ready, level=2>"
-    assert repr(WIDGET.Status(0)) == "<Status 0x0: none>"
-
-
-def test_flags_are_equal_where_their_words_are() -> None:
-    assert WIDGET.Status(1) == WIDGET.Status(1)
-    assert WIDGET.Status(1) != WIDGET.Status(2)
-    assert WIDGET.Status(1) != WIDGET.PacketStatus(1)
-    assert len({WIDGET.Status(1), WIDGET.Status(1), WIDGET.PacketStatus(1)}) == 2
-
-
 # Records
 
 
@@ -206,18 +166,6 @@ def test_the_error_names_the_field_that_is_out_of_range(change: dict[str, Any], 
         point.encode()
     assert (caught.value.reason, caught.value.offset) == (reason, None)
     assert caught.value.detail.startswith(f"{name} is ")
-
-
-def test_a_word_may_be_given_as_a_number() -> None:
-    by_word = WIDGET.Point(WIDGET.Color.RED, 0, 1, WIDGET.Status(5), -1, 0)
-    by_number = WIDGET.Point(WIDGET.Color.RED, 0, 1, 5, -1, 0)
-    assert by_number.encode() == by_word.encode()
-    assert by_number.status == WIDGET.Status(5)
-
-
-def test_a_word_is_made_once() -> None:
-    point = WIDGET.Point.decode(WIDGET.Point(WIDGET.Color.RED, 0, 1, 5, -1, 0).encode())
-    assert point.status is point.status
 
 
 def test_an_error_can_be_sent_to_another_process() -> None:
