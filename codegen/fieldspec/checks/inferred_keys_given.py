@@ -11,12 +11,14 @@ Cure: Put the key right, give the value, or take the reason out.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 
 from fieldspec.checks.finding import finding
 from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.handling import NOTHING_SAID
 from fieldspec.model.value import Value
 
 
@@ -33,6 +35,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
     value = getattr(fact, "value", None)
     if not isinstance(value, Value):
         return frozenset()
+    handling = getattr(fact, "handling", NOTHING_SAID)
     held: dict[str, object] = {
         "type": True,
         "length": True,
@@ -55,6 +58,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "words": getattr(fact, "words", None) is not None,
         "atomic": getattr(fact, "atomic", False),
         "trigger": getattr(fact, "trigger", False),
+        **asdict(handling),
         "since": bool(fact.since),
         "until": bool(fact.until),
     }

@@ -19,6 +19,7 @@ from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.example import Example
 from fieldspec.model.flags import Flags
+from fieldspec.model.handling import NOTHING_SAID
 from fieldspec.model.lookup import Lookup
 from fieldspec.model.message import Message
 from fieldspec.model.place import Place
@@ -59,6 +60,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for conversion in device.conversions.values():
         yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
+    for fact in facts(device):
+        said = getattr(fact, "handling", NOTHING_SAID)
+        yield from _named(fact.place, "saved_by", "fact", said.saved_by, paths)
+        yield from _named(fact.place, "opposite_of", "fact", said.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
         yield from _all(note.place, "about", "fact", map(_holder, note.about), paths)

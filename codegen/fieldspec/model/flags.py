@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Fact
+from fieldspec.model.handling import Handling
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges
 
@@ -21,6 +22,7 @@ class Bit(Fact):
     edge: str
     active: str
     reserved: bool
+    handling: Handling
     when: str
 
     @property

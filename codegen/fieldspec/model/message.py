@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Fact
+from fieldspec.model.handling import Handling
 from fieldspec.model.record import Record
 
 
@@ -43,4 +44,5 @@ class Message(Fact):
     request_words: int | None
     response_words: int | None
     broadcast: bool
+    handling: Handling
     accesses: RegisterAccess | None

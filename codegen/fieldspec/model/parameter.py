@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Fact
+from fieldspec.model.handling import Handling
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 
@@ -35,6 +36,7 @@ class Parameter(Fact):
     subindices: tuple[Subindex, ...]
     access: str
     restart: bool | None
+    handling: Handling
     applies_to: tuple[str, ...]
     messages: tuple[str, ...]
     reserved: bool

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Fact
+from fieldspec.model.handling import Handling
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 
@@ -55,6 +56,7 @@ class Field(Fact):
     word_span: tuple[int, int] | None
     access: str
     restart: bool | None
+    handling: Handling
     same_as: str
 
 

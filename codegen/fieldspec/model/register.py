@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.handling import Handling
 from fieldspec.model.place import Place
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
@@ -29,6 +30,7 @@ class Register(Fact):
     restart: bool | None
     atomic: bool
     trigger: bool
+    handling: Handling
     same_as: str
     count: int
     stride: int

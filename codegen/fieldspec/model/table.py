@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.handling import Handling
 from fieldspec.model.place import Place
 
 
@@ -33,6 +34,7 @@ class Table(Fact):
     record: str
     words: int | None
     access: str
+    handling: Handling
     elements: tuple[PrintedElement, ...]
 
     def address(self, index: int) -> int:

@@ -24,7 +24,7 @@ _REFERENCES = {
     "registers": ("same_as", "copy_of", "of"),
     "parameters": ("set",),
 }
-_PATHS = ("fact", "about", "references")
+_PATHS = ("fact", "about", "references", "saved_by", "opposite_of")
 _REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key in keys)))
 
 

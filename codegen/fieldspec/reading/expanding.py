@@ -17,7 +17,10 @@ _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
 _VALUE = frozenset(schema()["$defs"]["value"]["properties"])
 # What a field takes from its signal, and a register from the one of which it is a copy.
 _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
+# What whoever reads or writes a value must know of the memory in which it is: a copy is in another one.
+_OF_MEMORY = frozenset({"clears_on_read", "memory", "saved_by", "endurance", "opposite_of"})
 _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
+    *_OF_MEMORY,
     "at",
     "decimal",
     "number",
@@ -27,7 +30,7 @@ _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc
     "same_as",
     "element_sources",
 }
-_OF_COPY = frozenset({"prefix", "base", "rows", "access", "trigger", "inferred"})
+_OF_COPY = frozenset({"prefix", "base", "rows", "access", "trigger", "memory", "inferred"})
 
 
 def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
@@ -126,6 +129,8 @@ class _Expansion:
                 inherited = copy.values.get(key) or original.values.get(key)
                 if inherited is not None:
                     row = row.with_value(key, inherited)
+            if "memory" in copy.values:
+                row = row.with_value("memory", copy.values["memory"])
             for key, value in printed.items():
                 row = row.with_value(key, value)
             rows.append(row)
@@ -135,6 +140,7 @@ class _Expansion:
         for key in ("defaults", "order", "allow"):
             if key in group.values:
                 made = made.with_value(key, group.values[key])
+        made = made.with_value("defaults", _elsewhere(made.values["defaults"])) if "defaults" in made.values else made
         return made.with_value("rows", Sequence(copy.file, copy.start, copy.end, tuple(rows)))
 
     def _prints(self, copy: Mapping, originals: dict[str, Mapping]) -> dict[str, dict[str, Node]]:
@@ -155,6 +161,14 @@ class _Expansion:
             text = f"there is no {what} `{name.text}`"
             self.found.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, have)))
         return have.get(name.text)
+
+
+def _elsewhere(defaults: Node) -> Node:
+    """The defaults of a group, for rows that are in another memory."""
+    for key in sorted(_OF_MEMORY & defaults.values.keys()) if isinstance(defaults, Mapping) else ():
+        assert isinstance(defaults, Mapping)
+        defaults = defaults.without(key)
+    return defaults
 
 
 def _each(items: Sequence, change: object) -> Sequence:

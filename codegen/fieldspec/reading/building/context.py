@@ -10,6 +10,7 @@ from typing import Any
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Citation, Claim, Plain
+from fieldspec.model.handling import Handling
 from fieldspec.model.place import Place
 from fieldspec.model.ranges import Ranges, intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
@@ -172,6 +173,17 @@ class Entry:
             "until": self.texts("until"),
             "only": self.texts("only"),
         }
+
+    def handling(self) -> Handling:
+        """What whoever reads or writes the value must know."""
+        endurance = self.value("endurance")
+        return Handling(
+            memory=self.text("memory"),
+            saved_by=self.text("saved_by"),
+            endurance="" if endurance is None else str(endurance),
+            clears_on_read=self.flag("clears_on_read"),
+            opposite_of=self.text("opposite_of"),
+        )
 
     def _claims(self) -> Iterator[Claim]:
         for entry in self.entries("restated"):

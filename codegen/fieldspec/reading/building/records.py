@@ -51,6 +51,7 @@ def _field(entry: Entry) -> Field:
         word_span=_span(entry.text("word_span")),
         access=entry.text("access"),
         restart=entry.maybe("restart"),
+        handling=entry.handling(),
         same_as=entry.text("same_as"),
     )
 
@@ -93,6 +94,7 @@ def message(entry: Entry) -> Message:
         request_words=words.integer("request") if words else None,
         response_words=words.integer("response") if words else None,
         broadcast=entry.flag("broadcast"),
+        handling=entry.handling(),
         accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values")))
         if access
         else None,

@@ -57,6 +57,7 @@ def _register(entry: Entry) -> Register:
         restart=entry.maybe("restart"),
         atomic=entry.flag("atomic"),
         trigger=entry.flag("trigger"),
+        handling=entry.handling(),
         same_as=entry.text("same_as"),
         count=count,
         stride=entry.integer("stride") or width,
@@ -95,6 +96,7 @@ def table(entry: Entry) -> Table:
         record=entry.text("record"),
         words=entry.integer("words"),
         access=entry.text("access"),
+        handling=entry.handling(),
         elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
     )
 
@@ -149,5 +151,6 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
         messages=entry.texts("messages"),
         access=entry.text("access"),
         restart=entry.maybe("restart"),
+        handling=entry.handling(),
         reserved=entry.flag("reserved"),
     )

@@ -79,5 +79,6 @@ def _bit(entry: Entry) -> Bit:
         edge=entry.text("edge"),
         active=entry.text("active") or "high",
         reserved=reserved,
+        handling=entry.handling(),
         when=entry.text("when"),
     )
