@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from fieldspec import checks
-from fieldspec.proofs.errata import JUDGEMENT, errata_proven, put_back
+from fieldspec.model.erratum import JUDGEMENT
+from fieldspec.proofs.errata import errata_proven, put_back
 from fieldspec.proofs.running import findings, known
 from fieldspec.reading.project import DeviceSpec, read
 
@@ -32,7 +33,7 @@ def test_a_judgement_is_one_that_no_check_can_make(spec: DeviceSpec) -> None:
     provable = {}
     for erratum in device.errata:
         if erratum.proof == JUDGEMENT and erratum.printed and None not in erratum.printed.values():
-            wrong, broken = put_back(spec.tree_at(version), version, device, erratum)
+            wrong, broken = put_back(spec, spec.tree_at(version), version, device, erratum)
             found = [*broken, *checks.run(wrong)]
             provable[erratum.id] = {finding.code for finding in found if finding.message not in clean}
     assert {id: codes for id, codes in provable.items() if codes} == {}

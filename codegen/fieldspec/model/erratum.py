@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from fieldspec.model.fact import Citation
 from fieldspec.model.place import Place
 
+JUDGEMENT = "judgement"
+"""What `proof` says where no check can decide."""
+
 
 @dataclass(frozen=True, slots=True)
 class Erratum:
@@ -23,3 +26,13 @@ class Erratum:
     effect: str
     proof: str
     sources: tuple[Citation, ...]
+
+    @property
+    def verdict(self) -> str:
+        """`proven` by a check, a `judgement` of a person, or `open`: the manual does not decide it, and nobody has.
+
+        A build has run the proof of every erratum that names one, and is refused where one fails to prove.
+        """
+        if self.proof != JUDGEMENT:
+            return "proven"
+        return "open" if self.confidence == "open" else "judgement"

@@ -3,19 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
-from fieldspec.model.erratum import Erratum
+from fieldspec.model.erratum import JUDGEMENT, Erratum
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Node, Scalar, exact
-from fieldspec.reading.paths import changed, find
+from fieldspec.reading.paths import find, keys, node_at, put, schema_path
 from fieldspec.reading.project import DeviceSpec
-from fieldspec.reading.scalars import violations
+from fieldspec.reading.scalars import part_at, violations
 
-JUDGEMENT = "judgement"
+MISSING = "present"
+"""The key under `printed` that says, as `present: false`, that the print lacks the whole fact."""
 
 Findings = Callable[[Device, str], list[Diagnostic]]
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """What became of an erratum: what its check finds in the print alone, and what is wrong with the erratum itself.
+
+    A judgement has neither. An erratum with `faults` is not proven.
+    """
+
+    erratum: Erratum
+    version: str
+    evidence: tuple[Diagnostic, ...] = ()
+    faults: tuple[Diagnostic, ...] = ()
+
+
+def errata_by_version(spec: DeviceSpec) -> Iterator[tuple[str, Device, list[Erratum]]]:
+    """Every version of a device, the newest first, with the errata that no newer one has."""
+    settled: set[str] = set()
+    for version in reversed(spec.versions()):
+        device, _ = spec.at(version)
+        yield version, device, [erratum for erratum in device.errata if erratum.id not in settled]
+        settled |= {erratum.id for erratum in device.errata}
 
 
 def errata_proven(
@@ -30,88 +54,137 @@ def errata_proven(
 
     `findings(device, check)` runs one check; `known` holds the names of all checks.
     """
-    tree = spec.tree_at(version)
-    clean: dict[str, set[tuple[str, int]]] = {}
-    for erratum in errata:
-        yield from _proven(tree, version, device, erratum, findings, known, clean)
+    for proof in proofs(spec, version, device, errata, findings, known):
+        yield from proof.faults
 
 
-def _proven(
-    tree: Mapping,
+def proofs(
+    spec: DeviceSpec,
     version: str,
     device: Device,
-    erratum: Erratum,
+    errata: Iterable[Erratum],
     findings: Findings,
     known: frozenset[str],
-    clean: dict[str, set[tuple[str, int]]],
-) -> Iterator[Diagnostic]:
+) -> Iterator[Proof]:
+    """What becomes of some errata of a device at one version, one after the other."""
+    tree = spec.tree_at(version)
+    clean: dict[str, set[tuple[str, str, int]]] = {}
+    for erratum in errata:
+        fault = _unsound(tree, erratum, known)
+        if fault is not None or erratum.proof == JUDGEMENT:
+            yield Proof(erratum, version, (), () if fault is None else (fault,))
+            continue
+        if erratum.proof not in clean:
+            clean[erratum.proof] = {finding_key(found) for found in findings(device, erratum.proof)}
+        wrong, broken = put_back(spec, tree, version, device, erratum)
+        if broken and erratum.proof not in {found.code for found in broken}:
+            yield Proof(erratum, version, (), (_cannot_stand(erratum, broken[0]),))
+            continue
+        shown = [f for f in (*broken, *findings(wrong, erratum.proof)) if f.code == erratum.proof]
+        evidence = tuple(found for found in shown if finding_key(found) not in clean[erratum.proof])
+        yield Proof(erratum, version, evidence, () if evidence else (_passes(erratum),))
+
+
+def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnostic | None:
+    """Why the print of an erratum cannot be put back at all, or why that would prove nothing."""
     node = find(tree, erratum.fact)
     place = erratum.place
     if not isinstance(node, Mapping):
         text = f"there is no fact `{erratum.fact}`"
-        yield Diagnostic("errata_paths_resolve", text, place["fact"], help="see `fieldspec facts` for the paths")
-        return
+        return Diagnostic("errata_paths_resolve", text, place["fact"], help="see `fieldspec facts` for the paths")
     for key, printed in erratum.printed.items():
         held = node.values.get(key)
         if _same(exact(held) if held is not None else None, printed, key):
             span = held.span if held is not None else node.span
             text = f"the spec has the printed value of `{key}`"
             label = Label(span, "the value that is used")
-            yield Diagnostic("errata_differ", text, place["printed"], (label,), "use the right value in the spec")
-            return
+            return Diagnostic("errata_differ", text, place["printed"], (label,), "use the right value in the spec")
     if erratum.proof == JUDGEMENT:
-        return
+        return None
     if erratum.proof not in known:
         text = f"there is no check `{erratum.proof}`"
-        yield Diagnostic("errata_proven", text, place["proof"], help="`fieldspec rule` lists the checks")
-        return
+        return Diagnostic("errata_proven", text, place["proof"], help="`fieldspec rule` lists the checks")
     if not erratum.printed:
         text = "a proof needs the printed value to put back"
-        yield Diagnostic("errata_proven", text, place["proof"], help="give `printed`, or say `judgement`")
-        return
-    wrong, broken = put_back(tree, version, device, erratum)
-    if erratum.proof not in clean:
-        clean[erratum.proof] = {_key(found) for found in findings(device, erratum.proof)}
-    if broken and erratum.proof not in {found.code for found in broken}:
-        text = f"the printed value cannot stand in the spec: {broken[0].message}"
-        help = f"{broken[0].help}; what cannot be written in the language belongs into `literal`"
-        yield Diagnostic("errata_proven", text, place["printed"], help=help)
-        return
-    shown = [f for f in (*broken, *findings(wrong, erratum.proof)) if f.code == erratum.proof]
-    if not [found for found in shown if _key(found) not in clean[erratum.proof]]:
-        text = f"with the print put back, `{erratum.proof}` still passes"
-        help = "name the check that fails, or say `judgement`"
-        yield Diagnostic("errata_proven", text, place["proof"], help=help)
+        return Diagnostic("errata_proven", text, place["proof"], help="give `printed`, or say `judgement`")
+    return None
 
 
-def put_back(tree: Mapping, version: str, device: Device, erratum: Erratum) -> tuple[Device, list[Diagnostic]]:
+def _cannot_stand(erratum: Erratum, broken: Diagnostic) -> Diagnostic:
+    text = f"the printed value cannot stand in the spec: {broken.message}"
+    help = f"{broken.help}; what cannot be written in the language belongs into `literal`"
+    return Diagnostic("errata_proven", text, erratum.place["printed"], help=help)
+
+
+def _passes(erratum: Erratum) -> Diagnostic:
+    text = f"with the print put back, `{erratum.proof}` still passes"
+    help = "name the check that fails, or say `judgement`"
+    return Diagnostic("errata_proven", text, erratum.place["proof"], help=help)
+
+
+def put_back(
+    spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratum: Erratum
+) -> tuple[Device, list[Diagnostic]]:
     """The device as the manual prints it at one place, and what reading it finds.
 
-    Where the print does not fit the schema, the device is the right one.
+    Where the print does not fit the schema, the device is the right one. What the print does not change is not built
+    again.
     """
+    wrong, broken = printed_tree(tree, erratum)
+    return (device, broken) if broken else built(wrong, version, spec.kept)
+
+
+def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:
+    """A tree with the print of an erratum, or the tree as it was and what the schema has against that print."""
     whole = find(tree, f"errata/{erratum.id}/printed")
-    printed = whole.values if isinstance(whole, Mapping) else {}
-
-    def change(node: Node) -> Node:
-        assert isinstance(node, Mapping)
-        for key, value in printed.items():
-            gone = isinstance(value, Scalar) and value.value is None
-            node = node.without(key) if gone else node.with_value(key, value)
-        return node
-
-    wrong = changed(tree, erratum.fact, change)
+    at = keys(tree, erratum.fact)
+    if not isinstance(whole, Mapping) or at is None:
+        return tree, []
+    fact = node_at(tree, at)
+    assert isinstance(fact, Mapping)
+    wrong = put(tree, at, _as_printed(fact, whole, at))
     assert isinstance(wrong, Mapping)
-    broken = violations(wrong)
-    if broken:
-        return device, broken
-    return built(wrong, version)
+    item = at[:2]  # the rest of the tree is as it was
+    if len(at) <= len(item) and _lacking(whole, at):
+        return wrong, []
+    broken = violations(node_at(wrong, item), schema_path(item))
+    return (tree, broken) if broken else (wrong, [])
 
 
-def _key(found: Diagnostic) -> tuple[str, int]:
-    return found.message, found.span.start
+def _as_printed(fact: Mapping, printed: Mapping, at: list[str | int]) -> Mapping | None:
+    """A fact with what the manual prints of it; None where the print lacks it."""
+    if _lacking(printed, at):
+        return None
+    for key, value in printed.values.items():
+        gone = isinstance(value, Scalar) and value.value is None
+        fact = fact.without(key) if gone else fact.with_value(key, value)
+    return fact
+
+
+def _lacking(printed: Mapping, at: list[str | int]) -> bool:
+    """Whether the print lacks the whole fact. Claims of second places have a key of that name themselves."""
+    held = printed.values.get(MISSING)
+    absent = isinstance(held, Scalar) and held.value is False
+    return absent and MISSING not in part_at(schema_path(at)).get("properties", {})
+
+
+def finding_key(found: Diagnostic) -> tuple[str, str, int]:
+    """What tells a finding in the print from one that the right spec has too."""
+    return found.code, found.message, found.span.start
 
 
 def _same(used: object, printed: object, key: str) -> bool:
     if key == "frame":
         return str(used).replace(" ", "").upper() == str(printed).replace(" ", "").upper()
     return used == printed
+
+
+def node_text(node: Node | None) -> str:
+    """What a tree holds, as it is written there; empty where it holds nothing."""
+    if node is None or (isinstance(node, Scalar) and node.value is None):
+        return ""
+    if isinstance(node, Scalar):
+        return node.text
+    if isinstance(node, Mapping):
+        return ", ".join(f"{key}: {node_text(value)}" for key, value in node.values.items())
+    return ", ".join(node_text(item) for item in node.items)

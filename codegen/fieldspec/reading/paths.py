@@ -63,6 +63,14 @@ def node_at(node: Node, at: list[str | int]) -> Node:
     return node
 
 
+def schema_path(at: list[str | int]) -> tuple[str, ...]:
+    """The keys of the schema that say what stands at some keys of a tree."""
+    path: list[str] = []
+    for key in at:
+        path += ["items"] if isinstance(key, int) else ["properties", key]
+    return tuple(path)
+
+
 def put(node: Node, at: list[str | int], new: Node | None) -> Node:
     """The tree with another node at some keys, or without the item of a list that is there."""
     if not at:

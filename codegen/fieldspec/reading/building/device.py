@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
@@ -26,7 +26,7 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
     head = root.entry("device")
     if head is None:
         raise ValueError("a device's tree has the section `device`")
-    placed = _by_name(root, "signals", signals.signal)
+    placed = _by_name(root, "signals", signals.signal, kept)
     types = {name: one.value.type.name for name, one in placed.items()}
     return (
         Device(
@@ -39,31 +39,34 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
             doc=head.text("doc"),
             manual=_manual(head),
             lines=tuple(_line(entry) for entry in root.entries("versions", "line")),
-            links=_by_name(root, "links", links.link),
-            messages=_by_name(root, "messages", records.message),
-            records=_by_name(root, "records", records.record),
-            enums=_by_name(root, "enums", words.enum),
-            flags=_by_name(root, "flags", words.flags),
+            links=_by_name(root, "links", links.link, kept),
+            messages=_by_name(root, "messages", records.message, kept),
+            records=_by_name(root, "records", records.record, kept),
+            enums=_by_name(root, "enums", words.enum, kept),
+            flags=_by_name(root, "flags", words.flags, kept),
             groups=tuple(registers.group(entry, kept) for entry in root.named("registers", "registers", name="group")),
-            tables=_by_name(root, "tables", registers.table),
-            parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept)),
+            tables=_by_name(root, "tables", registers.table, kept),
+            parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept), kept),
             signals=placed,
-            conversions=_by_name(root, "conversions", lambda entry: signals.conversion(entry, types)),
-            lookups=tuple(_by_name(root, "lookups", texts.lookup).values()),
-            limits=tuple(_by_name(root, "limits", texts.limit).values()),
-            notes=tuple(_by_name(root, "notes", texts.note).values()),
-            examples=_by_name(root, "examples", texts.example, "id"),
-            errata=tuple(_by_name(root, "errata", texts.erratum, "id").values()),
+            conversions=_by_name(root, "conversions", lambda entry: signals.conversion(entry, types), {}),
+            lookups=tuple(_by_name(root, "lookups", texts.lookup, kept).values()),
+            limits=tuple(_by_name(root, "limits", texts.limit, kept).values()),
+            notes=tuple(_by_name(root, "notes", texts.note, kept).values()),
+            examples=_by_name(root, "examples", texts.example, kept, "id"),
+            errata=tuple(_by_name(root, "errata", texts.erratum, kept, "id").values()),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
         ),
         found,
     )
 
 
-def _by_name(root: Entry, section: str, build: Callable[[Entry], Noun], name: str = "name") -> dict[str, Noun]:
-    """The nouns of a section by name; a name that is taken is a finding."""
+def _by_name(
+    root: Entry, section: str, build: Callable[[Entry], Noun], kept: Kept, name: str = "name"
+) -> dict[str, Noun]:
+    """The nouns of a section by name; a name that is taken is a finding. What is the same node is the same noun."""
     nouns: dict[str, Noun] = {}
     first: dict[str, Entry] = {}
+    same = kept.setdefault(section, {})
     for entry in root.named(section, section, name=name):
         key = entry.text(name)
         if key in nouns:
@@ -72,7 +75,14 @@ def _by_name(root: Entry, section: str, build: Callable[[Entry], Noun], name: st
             entry.refuse("duplicate_name", name, text, "give one of them another name", label)
             continue
         first[key] = entry
+        before = same.get(id(entry.node))
+        if before is not None:
+            nouns[key] = cast("Noun", before[1])
+            continue
+        quiet = len(entry.found)
         nouns[key] = build(entry)
+        if len(entry.found) == quiet:  # a finding is for every version
+            same[id(entry.node)] = entry.node, nouns[key]
     return nouns
 
 
