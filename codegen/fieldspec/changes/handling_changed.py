@@ -42,9 +42,9 @@ _PATHS = ("saved_by", "opposite_of")
 
 
 def handling_changed(both: Comparison) -> Iterator[Change]:
-    for pair in both.of(Register):
+    for pair in both.any_of(Register, Parameter):
         for key in ("atomic", "trigger"):
-            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            old, new = getattr(pair.old, key, False), getattr(pair.new, key, False)
             if old != new:
                 text = f"{named(pair.new)} {_SAID[key, new]}"
                 yield change("handling_changed", Effect.BEHAVIOUR, pair, key, text, old, new)

@@ -10,6 +10,7 @@ Cure: Put the access right and write an erratum, or take `trigger` out.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
@@ -17,9 +18,10 @@ from fieldspec.model.device import Device
 
 
 def triggers_writable(device: Device) -> Iterator[Diagnostic]:
-    for register in device.registers():
-        if register.trigger and register.access == "ro":
-            text = f"{register.name} starts an action when it is written, but its access is ro"
-            there = label(register.place, "trigger", "only writing starts an action")
+    parameters = (one for held in device.parameters.values() for one in held.parameters)
+    for fact in chain(device.registers(), parameters):
+        if fact.trigger and fact.access == "ro":
+            text = f"{fact.name} starts an action when it is written, but its access is ro"
+            there = label(fact.place, "trigger", "only writing starts an action")
             help = "put the access right, or take `trigger` out"
-            yield finding("triggers_writable", register.place, "access", text, help, there)
+            yield finding("triggers_writable", fact.place, "access", text, help, there)

@@ -36,6 +36,7 @@ class Parameter(Fact):
     subindices: tuple[Subindex, ...]
     access: str
     restart: bool | None
+    trigger: bool
     handling: Handling
     applies_to: tuple[str, ...]
     messages: tuple[str, ...]

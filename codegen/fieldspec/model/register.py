@@ -17,7 +17,7 @@ class Register(Fact):
 
     `words`, `decimal` and `number` are what the manual prints; `copy_of` names the register of which this one is a
     copy, else empty; `access` is empty, and `restart` None, where it does not
-    say. `element_lines` has the place of each element, where they have rows of their own.
+    say. A reserved one has no meaning to the user. `element_lines` has the place of each element, where they have rows of their own.
     """
 
     address: int
@@ -30,6 +30,7 @@ class Register(Fact):
     restart: bool | None
     atomic: bool
     trigger: bool
+    reserved: bool
     handling: Handling
     same_as: str
     count: int

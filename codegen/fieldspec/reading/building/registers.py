@@ -57,6 +57,7 @@ def _register(entry: Entry) -> Register:
         restart=entry.maybe("restart"),
         atomic=entry.flag("atomic"),
         trigger=entry.flag("trigger"),
+        reserved=entry.flag("reserved"),
         handling=entry.handling(),
         same_as=entry.text("same_as"),
         count=count,
@@ -151,6 +152,7 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
         messages=entry.texts("messages"),
         access=entry.text("access"),
         restart=entry.maybe("restart"),
+        trigger=entry.flag("trigger"),
         handling=entry.handling(),
         reserved=entry.flag("reserved"),
     )
