@@ -10,8 +10,8 @@ from decimal import Decimal
 from typing import TypeAlias
 
 from fieldspec.lists.item import Item, plain
-from fieldspec.lists.sheet import clean, guarded
 from fieldspec.lists.workbook import workbook
+from fieldspec.spreadsheet import clean, guarded
 
 Cell: TypeAlias = int | Decimal | str | None
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from dataclasses import dataclass
 
 MOST_BYTES = 32 << 20
 MOST_ROWS = 100_000
 MOST_COLUMNS = 1_000
-
-_BLANK = re.compile(r"\s+")
 
 
 class ListError(Exception):
@@ -56,25 +52,6 @@ class Sheet:
     name: str = ""
     formulas: frozenset[tuple[int, int]] = frozenset()
     merged: tuple[Region, ...] = ()
-
-
-def clean(text: str) -> str:
-    """A cell's text in one line: no control characters, single blanks, no apostrophe before a sign of a formula."""
-    shown = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
-    shown = _BLANK.sub(" ", shown).strip()
-    return shown[1:] if shown[:1] == "'" and shown[1:2] in FORMULA_SIGNS else shown
-
-
-FORMULA_SIGNS = tuple("=+-@\t\r\n")
-"""What a text begins with that a spreadsheet takes for a formula."""
-
-_NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
-
-
-def guarded(text: str) -> str:
-    """A text that no spreadsheet takes for a formula: with an apostrophe before it, where it would be one."""
-    risky = text.startswith(FORMULA_SIGNS) and not _NUMBER.fullmatch(text)
-    return f"'{text}" if risky else text
 
 
 def letters(column: int) -> str:

@@ -9,7 +9,8 @@ import json
 import re
 from collections import Counter
 
-from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow, clean
+from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
+from fieldspec.spreadsheet import clean
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),

@@ -8,7 +8,8 @@ import zipfile
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Region, Sheet, SheetRow, clean
+from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Region, Sheet, SheetRow
+from fieldspec.spreadsheet import clean
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet

@@ -10,8 +10,8 @@ from fieldspec.lists.addresses import DECIMAL, HEXADECIMAL
 from fieldspec.lists.columns import folded
 from fieldspec.lists.comparison import Compared, Missing
 from fieldspec.lists.listed import Listed, Listing
-from fieldspec.lists.sheet import guarded
 from fieldspec.render.blocks import Block, Line, Table
+from fieldspec.spreadsheet import guarded
 
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}

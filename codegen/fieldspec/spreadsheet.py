@@ -1,0 +1,39 @@
+"""Cells of tables that spreadsheets open, and such tables as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+
+FORMULA_SIGNS = tuple("=+-@\t\r\n")
+"""What a text begins with that a spreadsheet takes for a formula."""
+
+BYTE_ORDER_MARK = "\ufeff"
+"""What tells spreadsheets that a text is UTF-8."""
+
+_BLANK = re.compile(r"\s+")
+_NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
+
+
+def clean(text: str) -> str:
+    """A cell's text in one line: no control characters, single blanks, no apostrophe before a sign of a formula."""
+    shown = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
+    shown = _BLANK.sub(" ", shown).strip()
+    return shown[1:] if shown[:1] == "'" and shown[1:2] in FORMULA_SIGNS else shown
+
+
+def guarded(text: str) -> str:
+    """A text that no spreadsheet takes for a formula: with an apostrophe before it, where it would be one."""
+    risky = text.startswith(FORMULA_SIGNS) and not _NUMBER.fullmatch(text)
+    return f"'{text}" if risky else text
+
+
+def csv_text(rows: Iterable[Sequence[int | str | None]], line_end: str = "\r\n") -> str:
+    """Rows as RFC 4180 has them: commas, quotes where they are needed, doubled within. Texts become one line each."""
+    made = io.StringIO()
+    writer = csv.writer(made, lineterminator=line_end)
+    writer.writerows([guarded(clean(cell)) if isinstance(cell, str) else cell for cell in row] for row in rows)
+    return made.getvalue()
