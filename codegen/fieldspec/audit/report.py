@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from fieldspec.audit.detection import detection
+from fieldspec.audit.ledger import ledger
 from fieldspec.audit.section import Report, Section
 from fieldspec.audit.subject import Subject
 
-PARTS: tuple[Callable[[Subject], Section], ...] = ()
+PARTS: tuple[Callable[[Subject], Section], ...] = (
+    ledger,
+    detection,
+)
 """One function a section, in the order of the report."""
 
 

@@ -8,16 +8,21 @@ from dataclasses import dataclass
 from fieldspec.facts import Row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
+from fieldspec.proofs.errata import Proof
 from fieldspec.reading.project import DeviceSpec
 
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A device at one version: its spec as written, its layout, and its facts, one row each."""
+    """A device at one version: its spec as written, its layout, its facts, one row each, and the proofs of its errata.
+
+    Errata are those of all versions.
+    """
 
     spec: DeviceSpec
     layout: DeviceLayout
     facts: Sequence[Row]
+    proofs: Sequence[Proof]
 
     @property
     def device(self) -> Device:

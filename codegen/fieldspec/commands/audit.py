@@ -14,10 +14,11 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.audit.report import report
     from fieldspec.audit.subject import Subject
     from fieldspec.facts import rows
+    from fieldspec.proofs.running import errata_proofs
 
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.laid(spec, version)
-    made = report(Subject(spec, layout, rows(layout)))
+    made = report(Subject(spec, layout, rows(layout), errata_proofs(spec)))
     found = in_order(made.findings())
     if arguments.format == "json":
         from fieldspec.render.audit_json import rendered

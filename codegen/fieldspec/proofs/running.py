@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from fieldspec import checks
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import device_layout
 from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
-from fieldspec.proofs.errata import errata_proven
+from fieldspec.proofs.errata import Proof, errata_by_version, errata_proven, proofs
 from fieldspec.proofs.examples import examples_proven
 from fieldspec.proofs.twins import LAYING_OUT, lines_alike
 from fieldspec.reading.project import DeviceSpec
@@ -41,9 +43,30 @@ def findings(device: Device, name: str) -> list[Diagnostic]:
     return [found for found in examples_proven(device_layout(device)) if found.code == name]
 
 
+def everything(device: Device, broken: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """The findings of all checks, and of the proofs of examples where the device can be laid out.
+
+    `broken` is what reading has found, which comes with them.
+    """
+    found = [*broken, *checks.run(device)]
+    if has_errors(broken) or any(one.code in LAYING_OUT for one in found):
+        return found
+    return [*found, *examples_proven(device_layout(device))]
+
+
 def known() -> frozenset[str]:
     """The names of all checks that an erratum may name as its proof."""
     return frozenset(name for name, _ in checks.CHECKS) | frozenset(EXAMPLE_PROOFS + READING_PROOFS)
+
+
+def errata_proofs(spec: DeviceSpec) -> list[Proof]:
+    """What becomes of every erratum of a device, each at the newest version that has it, in the order of the spec."""
+    made = [
+        proof
+        for version, device, errata in errata_by_version(spec)
+        for proof in proofs(spec, version, device, errata, findings, known())
+    ]
+    return sorted(made, key=lambda proof: proof.erratum.place.whole.order())
 
 
 def proven(spec: DeviceSpec) -> list[Diagnostic]:

@@ -1,0 +1,220 @@
+"""Blind detection: what the checks find in the spec as the manual prints it, with no erratum written."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.audit.ledger import EFFECTS, by_effect
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable
+from fieldspec.audit.subject import Subject
+from fieldspec.diagnostics import Diagnostic, in_order
+from fieldspec.model.device import Device
+from fieldspec.model.erratum import Erratum
+from fieldspec.proofs.errata import Proof, finding_key, printed_tree, put_back
+from fieldspec.proofs.running import everything
+from fieldspec.reading.building.device import built
+from fieldspec.reading.nodes import Mapping
+from fieldspec.reading.project import DeviceSpec
+
+WIRE = ("bytes", "range")
+"""The effects by which the tool's power is measured: those that reach the wire."""
+
+CLASSES = {
+    "frame": ("frame", "values", "characters"),
+    "address or number": ("at", "base", "decimal", "number", "wire_number", "code", "refusal_code", "index", "stride"),
+    "size or position": ("words", "span", "word_span", "length", "request", "response", "repeat", "count", "elements"),
+    "bits": ("bit", "bits"),
+    "order": ("byte_order", "word_order", "start", "bit_order"),
+    "type": ("type",),
+    "range or default": ("range", "unit_range", "default", "unit_default", "min", "max", "numbers", "gaps"),
+    "unit or scale": ("unit", "scale", "offset"),
+    "code or cell": ("value", "enum", "flags", "cells", "members", "enum_values"),
+    "condition": ("since", "until", "only", "applies_to", "messages", "supplements", "access", "restart", "reserved"),
+    "left out": ("present",),
+    "name": ("name", "printed_name", "label"),
+    "description": ("doc", "title", "one", "zero", "problem", "cause", "remedy"),
+}
+"""The classes of misprints, by the first key that is misprinted."""
+
+WORDING = "wording"
+"""The class of what no key holds: a sentence that is wrong, unclear, or missing."""
+
+OF_WRITING = ("allowances_used", "facts_verified", "inferred_keys_given", "sources_present")
+"""What finds slips of who writes the spec. Who does not know of an erratum would have written it otherwise."""
+
+
+@dataclass(frozen=True, slots=True)
+class Detection:
+    """What is found with one erratum's print put back `alone`, and whether that shows `together` with the others."""
+
+    erratum: Erratum
+    alone: tuple[Diagnostic, ...]
+    together: bool
+
+    @property
+    def kind(self) -> str:
+        """The class of the misprint."""
+        return misprint(self.erratum)
+
+    @property
+    def checks(self) -> tuple[str, ...]:
+        """The names of the checks that find it."""
+        return tuple(sorted({found.code for found in self.alone}))
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A device as the manual prints it: what each erratum's print shows, and what all of them show at once."""
+
+    detections: tuple[Detection, ...]
+    findings: tuple[Diagnostic, ...]
+
+
+def misprint(erratum: Erratum) -> str:
+    """The class of an erratum's misprint."""
+    kinds = (kind for key in erratum.printed for kind, keys in CLASSES.items() if key in keys)
+    return next(kinds, WORDING)
+
+
+def as_printed(spec: DeviceSpec, proofs: Iterable[Proof]) -> Printed:
+    """The findings in the print of a device that the right spec does not have."""
+    of_version: dict[str, list[Erratum]] = {}
+    for proof in proofs:
+        of_version.setdefault(proof.version, []).append(proof.erratum)
+    detections: list[Detection] = []
+    findings: list[Diagnostic] = []
+    for version, errata in of_version.items():
+        device, _ = spec.at(version)
+        tree = spec.tree_at(version)
+        clean = {finding_key(found) for found in everything(device, ())}
+        whole = _new(_whole(spec, tree, version, device), clean)
+        findings += whole
+        for erratum in errata:
+            alone = in_order(_new(_alone(spec, tree, version, device, erratum), clean))
+            detections.append(Detection(erratum, tuple(alone), _shows(erratum, alone, whole)))
+    order = [proof.erratum.id for proof in by_effect(proofs)]
+    detections.sort(key=lambda one: order.index(one.erratum.id))
+    return Printed(tuple(detections), tuple(in_order(findings)))
+
+
+def _new(found: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) -> list[Diagnostic]:
+    """What is found in the print, and neither in the right spec nor in how the spec is written."""
+    return [one for one in found if finding_key(one) not in clean and one.code not in OF_WRITING]
+
+
+def _alone(spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratum: Erratum) -> list[Diagnostic]:
+    if not erratum.printed:
+        return []
+    wrong, broken = put_back(spec, tree, version, device, erratum)
+    return everything(wrong, broken) if wrong is not device else broken
+
+
+def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device) -> list[Diagnostic]:
+    """What is found with all prints at once. What cannot stand in the language is found by reading, and left out."""
+    refused: list[Diagnostic] = []
+    for erratum in device.errata:
+        tree, broken = printed_tree(tree, erratum)
+        refused += broken
+    wrong, found = built(tree, version, spec.kept)
+    return [*refused, *everything(wrong, found)]
+
+
+def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagnostic]) -> bool:
+    """Whether a finding of all prints together points to the print of an erratum, or is one that it has alone."""
+    known = {finding_key(found) for found in alone}
+    printed = erratum.place.spans.get("printed")
+    for found in whole:
+        if finding_key(found) in known:
+            return True
+        spans = (found.span, *(label.span for label in found.labels))
+        if printed and any(
+            span.file is printed.file and printed.start <= span.start and span.end <= printed.end for span in spans
+        ):
+            return True
+    return False
+
+
+def detection(subject: Subject) -> Section:
+    """The section of the report: how many errata a check finds by itself, by class, and which ones none does."""
+    made = as_printed(subject.spec, subject.proofs)
+    return section(made)
+
+
+def section(made: Printed) -> Section:
+    """How much of a device's errata is found blindly, as a part of the report."""
+    every = made.detections
+    wire = [one for one in every if one.erratum.effect in WIRE]
+    return Section(
+        "detection",
+        "Blind detection",
+        (
+            "Every print is put back, as if no erratum had been written, and all checks run: each print by itself, and "
+            "all of them together.",
+        ),
+        (
+            _figure("errata with an effect on the wire or on ranges that a check finds by itself", wire, True),
+            _figure("errata of any effect that a check finds by itself", every, None),
+            Figure(
+                "errata with an effect on the wire or on ranges that show with all prints together",
+                sum(one.together for one in wire),
+                len(wire),
+            ),
+        ),
+        (_classes(every), _missed(every), _details(every)),
+    )
+
+
+def _figure(what: str, of: Sequence[Detection], judged: bool | None) -> Figure:
+    found = sum(bool(one.alone) for one in of)
+    return Figure(what, found, len(of), 2 * found > len(of) or not of if judged else None)
+
+
+def _classes(every: Sequence[Detection]) -> SectionTable:
+    rows = []
+    for kind in (*CLASSES, WORDING):
+        own = [one for one in every if one.kind == kind]
+        wire = [one for one in own if one.erratum.effect in WIRE]
+        if own:
+            found, blind = (sum(bool(one.alone) for one in part) for part in (own, wire))
+            checks = sorted({check for one in own for check in one.checks})
+            rows.append((kind, len(own), found, len(wire), blind, ", ".join(checks) or None))
+    columns = ("misprint", "errata", "found", "on_the_wire", "found_on_the_wire", "checks")
+    return SectionTable("detection_by_class", "By class of misprint", columns, tuple(rows))
+
+
+def _missed(every: Sequence[Detection]) -> SectionTable:
+    rows = [
+        (EFFECTS[one.erratum.effect], one.erratum.id, one.erratum.fact, one.erratum.confidence, _why(one.erratum))
+        for one in every
+        if not one.alone and one.erratum.effect in WIRE
+    ]
+    columns = ("effect", "erratum", "fact", "confidence", "why")
+    return SectionTable("missed", "Not found, though the wire or a range is concerned", columns, tuple(rows))
+
+
+def _why(erratum: Erratum) -> str:
+    if not erratum.printed:
+        return "no key holds the slip"
+    return "the print contradicts nothing else that is printed"
+
+
+def _details(every: Sequence[Detection]) -> SectionTable:
+    rows = tuple(_row(one) for one in every)
+    columns = ("effect", "misprint", "erratum", "fact", "found_by", "finding", "together")
+    kinds = tuple("good" if one.alone else "" for one in every)
+    return SectionTable("detections", "Every erratum and what finds it", columns, rows, kinds, detail=True)
+
+
+def _row(one: Detection) -> tuple[Cell, ...]:
+    erratum = one.erratum
+    message = next(_first(one), None)
+    found_by = ", ".join(one.checks) or None
+    together = "yes" if one.together else "no"
+    return EFFECTS[erratum.effect], one.kind, erratum.id, erratum.fact, found_by, message, together
+
+
+def _first(one: Detection) -> Iterator[str]:
+    """The messages of the findings, that of the check that the erratum names first."""
+    for found in sorted(one.alone, key=lambda found: found.code != one.erratum.proof):
+        yield found.message

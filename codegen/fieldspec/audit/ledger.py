@@ -1,0 +1,140 @@
+"""The ledger of errata: what is printed, what is used, why, how sure, and what proves it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias
+
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable
+from fieldspec.audit.subject import Subject
+from fieldspec.model.erratum import Erratum
+from fieldspec.proofs.errata import Proof, node_text
+from fieldspec.reading.nodes import Mapping
+from fieldspec.reading.paths import find
+
+EFFECTS = {
+    "bytes": "wrong bytes",
+    "range": "wrong range",
+    "name": "wrong name",
+    "ambiguous": "ambiguous",
+}
+"""What happens to who trusts the print, the worst first."""
+
+UNPROVEN = "not proven"
+KINDS = {"proven": "good", "judgement": "", "open": "warning", UNPROVEN: "bad"}
+"""The verdicts: a named check fails with the print put back, a person has judged, the manual does not decide it, or the
+check that should fail does not. Each with how a row of it stands."""
+
+COLUMNS = (
+    "effect",
+    "erratum",
+    "fact",
+    "printed",
+    "literal",
+    "used",
+    "reason",
+    "confidence",
+    "verdict",
+    "proof",
+    "evidence",
+    "versions",
+    "source",
+    "spec",
+)
+
+Trees: TypeAlias = dict[str, Mapping]
+"""The trees of all versions of a device."""
+
+_SAYS = (
+    "Where the spec departs from the print, or where the print leaves a fact open. Each printed value has been put "
+    "back into the spec, and the evidence is what the named check then finds."
+)
+
+
+def ledger(subject: Subject) -> Section:
+    """The section of the report: how many errata of each effect have which verdict, and the ledger itself."""
+    proofs = by_effect(subject.proofs)
+    trees = {version: subject.spec.tree_at(version) for version in subject.spec.versions()}
+    verdicts = Counter(verdict(proof) for proof in proofs)
+    figures = [Figure("errata", len(proofs))]
+    figures += [
+        Figure(f"errata {kind}", verdicts[kind], len(proofs), kind == "proven" or None)
+        for kind in KINDS
+        if kind != UNPROVEN
+    ]
+    if verdicts[UNPROVEN]:
+        figures.append(Figure("errata whose proof does not fail", verdicts[UNPROVEN], len(proofs), False))
+    table = SectionTable(
+        "ledger",
+        "Every erratum",
+        COLUMNS,
+        tuple(_row(trees, proof) for proof in proofs),
+        tuple(KINDS[verdict(proof)] for proof in proofs),
+        detail=True,
+    )
+    found = tuple(fault for proof in proofs for fault in proof.faults)
+    return Section("errata", "Errata", (_SAYS,), tuple(figures), (_summary(proofs), table), found)
+
+
+def by_effect(proofs: Iterable[Proof]) -> list[Proof]:
+    """The proofs of a device's errata, the worst effect first, else in the order of the spec."""
+    order = list(EFFECTS)
+    return sorted(proofs, key=lambda proof: order.index(proof.erratum.effect))
+
+
+def verdict(proof: Proof) -> str:
+    """One of KINDS."""
+    return UNPROVEN if proof.faults else proof.erratum.verdict
+
+
+def _summary(proofs: Sequence[Proof]) -> SectionTable:
+    counts = Counter((proof.erratum.effect, verdict(proof)) for proof in proofs)
+    rows: list[tuple[Cell, ...]] = [
+        (title, sum(counts[effect, kind] for kind in KINDS), *(counts[effect, kind] for kind in KINDS))
+        for effect, title in EFFECTS.items()
+    ]
+    return SectionTable("errata_by_effect", "Errata by effect", ("effect", "errata", *KINDS), tuple(rows))
+
+
+def _row(trees: Trees, proof: Proof) -> tuple[Cell, ...]:
+    erratum = proof.erratum
+    tree = trees[proof.version]
+    return (
+        EFFECTS[erratum.effect],
+        erratum.id,
+        erratum.fact,
+        printed_text(tree, erratum),
+        erratum.literal or None,
+        used_text(tree, erratum),
+        erratum.reason,
+        erratum.confidence,
+        verdict(proof),
+        erratum.proof if erratum.verdict == "proven" else None,
+        "; ".join(dict.fromkeys(found.message for found in proof.evidence)) or None,
+        ", ".join(_versions(trees, erratum)) or None,
+        "; ".join(citation.text() for citation in erratum.sources) or None,
+        erratum.place.whole,
+    )
+
+
+def _versions(trees: Trees, erratum: Erratum) -> list[str]:
+    """The versions that have an erratum; none where all have it."""
+    having = [version for version, tree in trees.items() if find(tree, f"errata/{erratum.id}") is not None]
+    return having if len(having) < len(trees) else []
+
+
+def printed_text(tree: Mapping, erratum: Erratum) -> str | None:
+    """What is printed, key by key and as the spec writes it; None where no key of the fact holds the slip."""
+    printed = find(tree, f"errata/{erratum.id}/printed")
+    if not isinstance(printed, Mapping):
+        return None
+    return "; ".join(f"{key} {node_text(value) or 'missing'}" for key, value in printed.values.items())
+
+
+def used_text(tree: Mapping, erratum: Erratum) -> str | None:
+    """What the spec has instead, under the same keys."""
+    fact = find(tree, erratum.fact)
+    if not isinstance(fact, Mapping) or not erratum.printed:
+        return None
+    return "; ".join(f"{key} {node_text(fact.values.get(key)) or 'none'}" for key in erratum.printed)
