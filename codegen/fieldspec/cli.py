@@ -180,8 +180,15 @@ def parser() -> argparse.ArgumentParser:
 
     audit = verb("audit", "tell what shows that the spec of a device is right, and what does not")
     audit.add_argument("device", metavar="DEVICE[@VERSION]")
+    audit.add_argument("--manual", metavar="FILE", help="the text of the manual; left out: its recorded index")
+    audit.add_argument("--record", action="store_true", help="write the index of that text beside the spec")
     audit.add_argument("--all", action="store_true", help="the long tables too")
-    audit.add_argument("--format", choices=("text", "json", "sarif"), default="text")
+    audit.add_argument(
+        "--as-printed", action="store_true", help="what the checks find in the print, as if no erratum were written"
+    )
+    audit.add_argument("--table", metavar="NAME", help="one table alone, such as ledger; csv and xlsx hold one")
+    audit.add_argument("--format", choices=("text", "json", "sarif", "csv", "xlsx"), default="text")
+    audit.add_argument("--out", metavar="FILE", help="the file for the table; left out: the output")
 
     versions = verb("versions", "list the versions of a device, and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from fieldspec.audit.detection import detection
+from fieldspec.audit.coverage import coverage
+from fieldspec.audit.detection import as_printed, detection, section
 from fieldspec.audit.ledger import ledger
 from fieldspec.audit.section import Report, Section
 from fieldspec.audit.subject import Subject
+from fieldspec.diagnostics import Diagnostic
 
 PARTS: tuple[Callable[[Subject], Section], ...] = (
+    coverage,
     ledger,
     detection,
 )
@@ -18,6 +21,15 @@ PARTS: tuple[Callable[[Subject], Section], ...] = (
 
 def report(subject: Subject) -> Report:
     """The audit of a device at one version."""
+    return _report(subject, tuple(part(subject) for part in PARTS))
+
+
+def printed_report(subject: Subject) -> tuple[Report, tuple[Diagnostic, ...]]:
+    """What the checks find in the print, as a report of one section, and these findings."""
+    printed = as_printed(subject.spec, subject.proofs)
+    return _report(subject, (section(printed),)), printed.findings
+
+
+def _report(subject: Subject, sections: tuple[Section, ...]) -> Report:
     device = subject.device
-    sections = tuple(part(subject) for part in PARTS)
     return Report(device.id, device.name, device.version, subject.layout.identity, sections)

@@ -3,34 +3,90 @@
 from __future__ import annotations
 
 import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from fieldspec.commands import specs
+from fieldspec.commands.lists import write
 from fieldspec.commands.output import print_blocks, print_findings
-from fieldspec.diagnostics import has_errors, in_order
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.diagnostics import Diagnostic, has_errors, in_order
+
+if TYPE_CHECKING:
+    from fieldspec.audit.section import Report
+
+LISTS = ("csv", "xlsx")
+"""The formats that hold one table."""
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the audit. Exit code 1 where a section has a finding that is an error."""
-    from fieldspec.audit.report import report
+    """Prints the audit, or one table of it. Exit code 1 where a section has a finding that is an error.
+
+    What is found in the print says nothing against the spec, and has the exit code 0.
+    """
+    from fieldspec.audit.report import printed_report, report
     from fieldspec.audit.subject import Subject
     from fieldspec.facts import rows
     from fieldspec.proofs.running import errata_proofs
 
+    if arguments.format in LISTS and not arguments.table:
+        raise UsageError(f"{arguments.format} holds one table; name it with --table, such as --table ledger")
+    if arguments.table and arguments.format == "sarif":
+        raise UsageError("sarif holds findings and no table; give --table with text, json, csv or xlsx")
+    if arguments.out and not arguments.table:
+        raise UsageError("--out writes one table; name it with --table, such as --table ledger")
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layout = specs.laid(spec, version)
-    made = report(Subject(spec, layout, rows(layout), errata_proofs(spec)))
-    found = in_order(made.findings())
-    if arguments.format == "json":
+    subject = Subject(spec, layout, rows(layout), errata_proofs(spec))
+    if arguments.as_printed:
+        made, found = printed_report(subject)
+    else:
+        made = report(subject)
+        found = tuple(in_order(made.findings()))
+    if arguments.table:
+        _print_table(made, arguments)
+    else:
+        _print_report(made, found, arguments.format, arguments.all or arguments.as_printed)
+    return 1 if has_errors(found) and not arguments.as_printed else 0
+
+
+def _print_report(made: Report, found: tuple[Diagnostic, ...], form: str, everything: bool) -> None:
+    if form == "json":
         from fieldspec.render.audit_json import rendered
 
         print(rendered(made), end="")
-    elif arguments.format == "sarif":
+    elif form == "sarif":
         print_findings(found, "sarif", "")
     else:
         from fieldspec.render.audit_text import blocks
 
-        print_blocks(blocks(made, arguments.all))
+        print_blocks(blocks(made, everything))
         if found:
             print()
             print_findings(found, "text", "")
-    return 1 if has_errors(found) else 0
+
+
+def _print_table(made: Report, arguments: argparse.Namespace) -> None:
+    """Prints one table, or writes it to a file."""
+    from fieldspec.render.audit_table import as_csv, as_json, as_xlsx
+    from fieldspec.render.audit_text import table_block
+
+    tables = {table.name: table for section in made.sections for table in section.tables}
+    if arguments.table not in tables:
+        raise unknown("table", arguments.table, tables)
+    table = tables[arguments.table]
+    if arguments.format == "text":
+        if arguments.out:
+            raise UsageError("a table in a file has a format; give --format csv, xlsx or json")
+        print_blocks([table_block(table)])
+        return
+    data = {"csv": as_csv, "xlsx": as_xlsx, "json": as_json}[arguments.format](table)
+    if arguments.out:
+        write(Path(arguments.out), data)
+    elif arguments.format != "xlsx":
+        print(data.decode("utf-8"), end="")
+    elif sys.stdout.isatty():
+        raise UsageError("a workbook is no text; name its file with --out")
+    else:
+        sys.stdout.buffer.write(data)

@@ -29,12 +29,13 @@ def _section(section: Section) -> dict[str, object]:
             {"what": figure.what, "number": figure.number, "of": figure.whole, "good": figure.good}
             for figure in section.figures
         ],
-        "tables": {table.name: _rows(table) for table in section.tables},
+        "tables": {table.name: rows(table) for table in section.tables},
         "findings": json.loads(findings_json.rendered(section.findings)),
     }
 
 
-def _rows(table: SectionTable) -> list[dict[str, object]]:
+def rows(table: SectionTable) -> list[dict[str, object]]:
+    """The rows of a table as objects."""
     return [dict(zip(table.columns, map(_cell, row), strict=True)) for row in table.rows]
 
 

@@ -29,13 +29,14 @@ def _section(section: Section, everything: bool) -> Iterator[Block]:
         if table.rows and (everything or not table.detail):
             yield Line("")
             yield Line(table.title)
-            yield _table(table)
+            yield table_block(table)
 
 
 def _style(figure: Figure) -> str:
     return "" if figure.good is None else "green" if figure.good else "red"
 
 
-def _table(table: SectionTable) -> Table:
+def table_block(table: SectionTable) -> Table:
+    """A table without its empty columns."""
     rows = tuple(tuple(cell_text(cell) for cell in row) for row in table.rows)
     return narrowed(Table(table.columns, rows, tuple(_STYLES[kind] for kind in table.kinds)))
