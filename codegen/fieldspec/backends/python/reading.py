@@ -152,14 +152,9 @@ def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
         table = f"{{**{enum.table}, {others}}}"
     if field.listed:
         return [f"{held} = _members({title}, {raw}, {table}, {name}, {at}, {field.field.size})"]
-    found = f"{enum.table}.get({raw})"
-    if field.sentinels:
-        others = ", ".join(map(str, field.sentinels)) + ","
-        found = f"{enum.table}.get({raw}, {raw} if {raw} in ({others}) else None)"
-    member = f"{field.title}__member"
-    return [
-        f"{member} = {found}",
-        f"if {member} is None:",
-        f"    raise _unknown_member({title}, {raw}, {name}, {at})",
-        f"{held} = {member}",
-    ]
+    wrong = f"raise _unknown_member({title}, {raw}, {name}, {at}) from None"
+    lines = ["try:", f"    {held} = {enum.table}[{raw}]", "except KeyError:"]
+    if not field.sentinels:
+        return [*lines, f"    {wrong}"]
+    others = ", ".join(map(str, field.sentinels)) + ","
+    return [*lines, f"    if {raw} not in ({others}):", f"        {wrong}", f"    {held} = {raw}"]

@@ -49,6 +49,11 @@ class EnumView:
         """The type of a decoded value."""
         return f"{self.name} | int" if self.open else self.name
 
+    @property
+    def values(self) -> list[int]:
+        """The values of its members."""
+        return [int(member.value) for member in self.members]
+
 
 @dataclass(frozen=True, slots=True)
 class BitView:

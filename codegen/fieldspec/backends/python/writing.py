@@ -4,15 +4,30 @@ from __future__ import annotations
 
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
+from fieldspec.backends.python.words import EnumView
 from fieldspec.model.primitive import Kind
 from fieldspec.model.ranges import Ranges
+
+FEW = 3
+"""Comparisons up to which a test is written out."""
 
 
 def within(held: str, ranges: Ranges, others: tuple[int, ...] = ()) -> str:
     """The condition that a number lies in one of several intervals, or is one of some others."""
-    parts = [f"{held} == {low}" if low == high else f"{low} <= {held} <= {high}" for low, high in ranges.intervals]
-    parts += [f"{held} == {value}" for value in others if value not in ranges]
+    pairs = _joined([*ranges.intervals, *((value, value) for value in others)])
+    parts = [f"{held} == {low}" if low == high else f"{low} <= {held} <= {high}" for low, high in pairs]
     return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
+
+
+def _joined(intervals: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The same whole numbers in as few intervals as there can be, in order."""
+    joined: list[tuple[int, int]] = []
+    for low, high in sorted(intervals):
+        if joined and low <= joined[-1][1] + 1:
+            joined[-1] = (joined[-1][0], max(joined[-1][1], high))
+        else:
+            joined.append((low, high))
+    return joined
 
 
 def fixed(field: Slots) -> list[str]:
@@ -70,9 +85,7 @@ def _one(field: Slots, held: str) -> list[str]:
     raw = f"{held}.raw" if field.value.flags and not field.deferred else held
     enum = field.enum
     if enum is not None and not enum.open:
-        others = ", ".join(map(str, field.sentinels)) + ","
-        known = f"{held} in {enum.table}"
-        found.append(f"({known} or {held} in ({others}))" if field.sentinels else known)
+        return [_member_test(enum, field, held)]
     if field.kind is Kind.BOOLEAN:
         found.append(f"0 <= {held} <= 1")
     elif field.ranges is not None:
@@ -80,6 +93,23 @@ def _one(field: Slots, held: str) -> list[str]:
     elif field.parted:
         found.append(f"{field.value.type.low} <= {raw} <= {field.value.type.high}")
     return found
+
+
+def _member_test(enum: EnumView, field: Slots, held: str) -> str:
+    """The condition that a number is one of the members that the ranges allow, or a sentinel.
+
+    Two comparisons are faster than a look-up, so it is one only where the members lie apart.
+    """
+    members = [value for value in enum.values if field.ranges is None or value in field.ranges]
+    test = within(held, Ranges(tuple((value, value) for value in members)), field.sentinels) if members else ""
+    if members and test.count("<=") + test.count("==") <= FEW:
+        return test
+    known = f"{held} in {enum.table}"
+    if field.sentinels:
+        known = f"({known} or {within(held, Ranges(tuple((value, value) for value in field.sentinels)))})"
+    if field.ranges is None or len(members) == len(enum.values):
+        return known
+    return f"{known} and {within(held, field.ranges, field.sentinels)}"
 
 
 def values(field: Slots, held: str) -> list[str]:

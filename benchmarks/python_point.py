@@ -1,0 +1,40 @@
+"""The point record of CK10 in Python: decode and encode 64 bytes, against hand-written code and other libraries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib.metadata import version
+
+from peers.point import CONSTRUCT, FIELDS, Bare, Checked
+from rows import Row, printed, timed, use_generated
+
+use_generated()
+
+GROUP = "Python, CK10 point record"
+VALUES = dict.fromkeys(FIELDS, 1) | {"position": -12345, "push_torque_ratio": 50, "jump_point": 10127}
+
+
+def rows() -> Iterator[Row]:
+    """The rows."""
+    from fieldspec_devices.ck10.v1 import CheckInPosition, Point, PointCommand
+
+    checked, bare = Checked(**VALUES), Bare(**VALUES)
+    data = checked.encode()
+    point = Point.decode(data)
+    named = {**VALUES, "command": PointCommand(1), "check_in_position": CheckInPosition(1)}
+    assert point == Point(**named)
+    assert point.encode() == bare.encode() == CONSTRUCT.build(VALUES) == data
+
+    def decoded() -> object:
+        return Point.decode(data)
+
+    hand, library = "struct, slotted class", f"construct {version('construct')}, compiled"
+    yield timed(GROUP, "decode", decoded, hand, lambda: Bare.decode(data), at_most=1.10)
+    yield timed(GROUP, "decode", decoded, library, lambda: CONSTRUCT.parse(data), at_least=9)
+    yield timed(GROUP, "encode", point.encode, f"{hand}, same tests of ranges", checked.encode, at_most=1.10)
+    yield timed(GROUP, "encode", point.encode, f"{hand}, no tests of ranges", bare.encode)
+    yield timed(GROUP, "encode", point.encode, library, lambda: CONSTRUCT.build(VALUES), at_least=20)
+
+
+if __name__ == "__main__":
+    printed(rows())
