@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from fieldspec.audit.rules import RULES as OF_AUDITS
 from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
@@ -18,6 +19,7 @@ _TITLES = {
     "reading": "What holds of the files",
     "checks": "What holds of a device",
     "proofs": "What holds of examples and errata",
+    "audits": "What holds of a spec beside its manual",
 }
 _INTRODUCTION = """\
 <!-- Written by `fieldspec.rules.page`; a test keeps it fresh. -->
@@ -53,7 +55,7 @@ cannot be read. The forms `sarif` and `github` leave out the class `docs`.
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule's documentation. `stage` is `reading`, `checks`, `proofs` or `changes`; `classes` are those of changes."""
+    """A rule's documentation. `stage` is one of the keys of `_TITLES`, or `changes`; `classes` are those of changes."""
 
     code: str
     stage: str
@@ -114,6 +116,8 @@ def _rules() -> Iterator[Rule]:
         yield _parsed(code, "checks", _text(check))
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
+    for code, text in OF_AUDITS.items():
+        yield _parsed(code, "audits", text)
 
 
 def _text(function: object) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from fieldspec.audit.manual_index import ManualIndex
 from fieldspec.facts import Row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
@@ -16,13 +17,17 @@ from fieldspec.reading.project import DeviceSpec
 class Subject:
     """A device at one version: its spec as written, its layout, its facts, one row each, and the proofs of its errata.
 
-    Errata are those of all versions.
+    Errata are those of all versions. `layouts` are those of all versions that are built, the oldest first. `recorded`
+    is the index of the manual that stands beside the spec, `manual` that of the text at hand; either may be missing.
     """
 
     spec: DeviceSpec
     layout: DeviceLayout
     facts: Sequence[Row]
     proofs: Sequence[Proof]
+    layouts: Sequence[DeviceLayout] = ()
+    recorded: ManualIndex | None = None
+    manual: ManualIndex | None = None
 
     @property
     def device(self) -> Device:

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from fieldspec.commands import specs
+from fieldspec.commands import manuals, specs
 from fieldspec.commands.lists import write
 from fieldspec.commands.output import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
@@ -37,8 +37,13 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.out and not arguments.table:
         raise UsageError("--out writes one table; name it with --table, such as --table ledger")
     spec, version = specs.spec_at(arguments.specs, arguments.device)
-    layout = specs.laid(spec, version)
-    subject = Subject(spec, layout, rows(layout), errata_proofs(spec))
+    layouts = {one: specs.laid(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
+    layout = layouts[version]
+    if arguments.record:
+        return manuals.record(arguments.specs, layout.device, arguments.manual)
+    index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)
+    proofs = errata_proofs(spec)
+    subject = Subject(spec, layout, rows(layout), proofs, tuple(layouts.values()), index, manual)
     if arguments.as_printed:
         made, found = printed_report(subject)
     else:

@@ -9,7 +9,7 @@ from fieldspec.facts.row import Cell, Row
 
 SAME = "same"
 # What places a fact in the spec and in the manual, and not what it says.
-_PLACES = ("kind", "path", "section", "line", "printed", "errata")
+_PLACES = ("kind", "path", "section", "line", "printed", "errata", "sources")
 _LONGEST = 40
 
 

@@ -41,6 +41,7 @@ COLUMNS = (
     "direction",
     "restart",
     "unverified",
+    "sources",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -75,9 +76,10 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row
     """A row with the first place of the manual; cells that are empty texts stay empty."""
     made: Row = dict.fromkeys(COLUMNS)
     made.update(kind=kind, path=path, errata=[])
-    first = next(iter(sources), None)
-    if first is not None:
-        made.update(section=first.section or None, line=first.line())
+    cited = tuple(sources)
+    if cited:
+        text = "; ".join(citation.text() for citation in cited)
+        made.update(section=cited[0].section or None, line=cited[0].line(), sources=text)
     made.update({key: cell for key, cell in cells.items() if cell not in ("", None)})
     return made
 

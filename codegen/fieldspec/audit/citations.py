@@ -1,0 +1,167 @@
+"""Whether the lines that the spec cites hold what the facts say that they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+
+from fieldspec.audit.alignment import Aligned
+from fieldspec.audit.plan import Plan, Unprinted
+from fieldspec.audit.reduced import reduced
+from fieldspec.audit.spelling import byte_pairs, numbers, readings, words
+from fieldspec.checks.walking import facts
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Citation
+from fieldspec.model.flags import Bit
+from fieldspec.model.register import Register
+from fieldspec.source import Span
+
+NUMBERS = ("at", "decimal", "base", "value", "code", "number", "wire_number", "bit", "bits", "span", "word_span")
+"""The keys of what is known by a number: each of them is printed where its fact is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """Something that the cited lines do not hold: the fact's path, what it is, and where the spec says it."""
+
+    path: str
+    what: str
+    span: Span
+    source: Citation
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """The citations that were looked up, those that fail, and exceptions that nothing needs."""
+
+    looked_up: int
+    missing: tuple[Missing, ...]
+    excepted: int
+    unused: tuple[Unprinted, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Claimed:
+    """What a fact, or another place that states it, says of itself, and where the manual prints it.
+
+    `means` are the numbers that stand for it, whichever of them is printed.
+    """
+
+    path: str
+    key: str
+    text: str
+    span: Span
+    sources: tuple[Citation, ...]
+    means: tuple[int, ...] = ()
+
+
+def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
+    """Looks up what the facts of a device at all its versions cite."""
+    claims: dict[tuple[str, str, int], _Claimed] = {}
+    corrected: dict[str, list[str]] = {}
+    for device in devices:
+        for claim in _claims(device):
+            claims.setdefault((claim.path, claim.key, claim.span.start), claim)
+        for erratum in device.errata:
+            texts = [erratum.literal, *map(str, erratum.printed.values())]
+            corrected.setdefault(erratum.fact, []).extend(texts)
+    looked_up, used, missing = 0, set(), []
+    for claim in claims.values():
+        found = [*_failing(claim, manual, plan, corrected.get(claim.path, []))]
+        looked_up += 1
+        for one in found:
+            out = _excepted(plan, claim.path)
+            if out is None:
+                missing.append(one)
+            else:
+                used.add(id(out))
+    unused = tuple(one for one in plan.unprinted if id(one) not in used)
+    excepted = sum(_excepted(plan, claim.path) is not None for claim in claims.values())
+    return Judged(looked_up, tuple(missing), excepted, unused)
+
+
+def _excepted(plan: Plan, path: str) -> Unprinted | None:
+    return next((one for one in plan.unprinted if any(fnmatchcase(path, like) for like in one.facts)), None)
+
+
+def _claims(device: Device) -> Iterator[_Claimed]:
+    """What the facts of a device say of themselves."""
+    for fact in facts(device):
+        path, place = fact.place.path, fact.place
+        if fact.sources:
+            for key in NUMBERS:
+                if key in place:
+                    means = tuple(range(fact.first, fact.last + 1)) if isinstance(fact, Bit) else ()
+                    yield _Claimed(path, key, _text(place[key]), place[key], fact.sources, means)
+            if "printed_name" in place:
+                yield _Claimed(path, "printed_name", fact.printed_name, place["printed_name"], fact.sources)
+        for claim in fact.restated:
+            for key in (*NUMBERS, "printed_name"):
+                held = claim.values.get(key)
+                if held is not None and claim.sources:
+                    yield _Claimed(claim.place.path, key, str(held), claim.place[key], claim.sources)
+        if isinstance(fact, Register):
+            for number, source in enumerate(fact.element_sources):
+                address = fact.address + number * fact.stride
+                at = f"{path}/{fact.index_from + number}"
+                yield _Claimed(at, "at", str(address), place["at"], (source,), (address,))
+    for table in device.tables.values():
+        for element in table.elements:
+            address = table.address(element.index)
+            place = element.place
+            yield _Claimed(place.path, "at", str(address), place["at"], element.sources, (address,))
+    for example in device.examples.values():
+        if example.origin == "printed":
+            yield _Claimed(example.place.path, "frame", example.frame.hex(" "), example.place["frame"], example.sources)
+    for erratum in device.errata:
+        if erratum.literal:
+            yield _Claimed(erratum.place.path, "literal", erratum.literal, erratum.place["literal"], erratum.sources)
+
+
+def _text(span: Span) -> str:
+    return span.file.text[span.start : span.end].strip("\"'")
+
+
+def _failing(claim: _Claimed, manual: Aligned, plan: Plan, printed: list[str]) -> Iterator[Missing]:
+    """What is wrong with a citation: the section, or that none of its lines hold what the fact says."""
+    for source in claim.sources:
+        for first, _ in source.lines:
+            section = plan.section(first)
+            if source.section and not _in_section(source.section, section):
+                text = f"line {first}, which is in section {section or 'none'}, as one of section {source.section}"
+                yield Missing(claim.path, text, claim.span, source)
+    texts = [manual.line(line) for source in claim.sources for a, b in source.lines for line in range(a, b + 1)]
+    if not _printed(claim, texts) and not any(_printed_as(text, claim, texts) for text in printed if text):
+        yield Missing(claim.path, f"`{claim.key}` {claim.text}", claim.span, claim.sources[0])
+
+
+def _in_section(cited: str, section: str) -> bool:
+    return cited == section or section.startswith(f"{cited}.") or cited.startswith(f"{section}.")
+
+
+def _printed(claim: _Claimed, texts: list[str]) -> bool:
+    """Whether lines hold what a fact says of itself, in any spelling."""
+    if claim.key == "frame":
+        return bytes.fromhex(claim.text) in bytes(pair for text in texts for pair in byte_pairs(text))
+    if claim.key in ("printed_name", "literal"):
+        wanted_words = set(words(reduced(claim.text)))
+        return wanted_words <= {word for text in texts for word in words(text)}
+    spelled = claim.means or tuple(int(one) for one in readings(claim.text, "number") if one == int(one))
+    if not spelled:
+        bounds = numbers(claim.text.replace("..", "~")).values
+        return all(any(numbers(text).holds(bound) for text in texts) for bound in bounds)
+    wanted = {*spelled} if claim.key not in ("bit", "bits") else {*spelled, *(1 << bit for bit in spelled if bit < 64)}
+    return any(numbers(text).holds(one) for text in texts for one in wanted)
+
+
+def _printed_as(printed: str, claim: _Claimed, texts: list[str]) -> bool:
+    """Whether lines hold what an erratum calls the print of a fact."""
+    if claim.key == "frame":
+        return bytes(byte_pairs(printed)) in bytes(pair for text in texts for pair in byte_pairs(text))
+    have = {word for text in texts for word in words(text)}
+    said = words(reduced(printed))
+    if said and set(said) <= have:
+        return True
+    values = numbers(reduced(printed)).values
+    return bool(values) and all(any(numbers(text).holds(value) for text in texts) for value in values)

@@ -1,0 +1,160 @@
+"""What the spec says of each line of the manual: the facts that cite it, with their values, and its errata."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+from fieldspec.audit.pattern import Held
+from fieldspec.audit.reduced import reduced
+from fieldspec.audit.spelling import byte_pairs, numbers, readings, words
+from fieldspec.facts import Row, rows
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.erratum import Erratum
+from fieldspec.model.fact import Citation
+from fieldspec.reading.building.context import citations
+from fieldspec.reading.nodes import Node, Scalar, children
+from fieldspec.reading.project import DeviceSpec
+
+_ALSO = {"code": ("code", "number"), "number": ("number", "code")}
+_SCALED = ("min", "max", "default")
+_VALUES = ("code", "number", "address", "bit", "words", "bytes", "count", "position", "min", "max", "default")
+_IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
+_FIGURES = re.compile(r"[0-9]+")
+
+
+@dataclass(slots=True)
+class OnLine:
+    """What cites a line: rows of facts, and errata."""
+
+    facts: list[Row] = field(default_factory=list)
+    errata: list[Erratum] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Cited:
+    """What cites each line, and all lines that are cited, be it in a remark."""
+
+    by_line: Mapping[int, OnLine]
+    lines: frozenset[int]
+
+    def at(self, line: int) -> OnLine:
+        """What cites a line."""
+        return self.by_line.get(line) or OnLine()
+
+
+def cited(spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> Cited:
+    """What cites each line of the manual, in any version."""
+    by_line: dict[int, OnLine] = defaultdict(OnLine)
+    known: set[str] = set()
+    for layout in layouts:
+        for row in rows(layout):
+            key = repr(row)
+            if key not in known:
+                known.add(key)
+                for line in lines_of(citations(str(row["sources"] or ""), "")):
+                    by_line[line].facts.append(row)
+        for erratum in layout.device.errata:
+            if f"erratum {erratum.id}" not in known:
+                known.add(f"erratum {erratum.id}")
+                for line in lines_of(erratum.sources):
+                    by_line[line].errata.append(erratum)
+    told = frozenset(line for tree in (spec.tree, *spec.trees.values()) for line in _told(tree))
+    return Cited(dict(by_line), told | by_line.keys())
+
+
+def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
+    """All lines of some citations."""
+    for citation in sources:
+        for first, last in citation.lines:
+            yield from range(first, last + 1)
+
+
+def _told(node: Node) -> Iterator[int]:
+    """The lines that any text of the spec cites."""
+    if isinstance(node, Scalar):
+        for found in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
+            yield from lines_of(citations(found[0], ""))
+        return
+    for key, inner in children(node):
+        if key != "audit":
+            yield from _told(inner)
+
+
+def says(row: Row, held: Held) -> bool:
+    """Whether a fact says what is printed."""
+    if held.column == "frame":
+        return row["kind"] == "example" and bytes(byte_pairs(held.text)) == _frame(row)
+    if held.column == "name":
+        return _named(row, held.text)
+    if held.column == "value":
+        return any(_counts(row, column, held) for column in _VALUES) or _in_text(row, held)
+    return any(_counts(row, column, held) for column in _ALSO.get(held.column, (held.column,)))
+
+
+def _frame(row: Row) -> bytes:
+    return bytes.fromhex(str(row["printed_name"]))
+
+
+def _named(row: Row, text: str) -> bool:
+    """Whether a printed text is the name or the label of a fact, as far as an index has it."""
+    printed = words(reduced(text))
+    names = [words(reduced(str(row[key]))) for key in ("printed_name", "label", "name") if row[key]]
+    return printed in names or (len(names) > 1 and printed in (names[0] + names[1], names[1] + names[0]))
+
+
+def _counts(row: Row, column: str, held: Held) -> bool:
+    """Whether a number of a fact is the printed one; bounds and defaults may be printed in the unit."""
+    cell = row[column]
+    if cell is None:
+        return False
+    if isinstance(cell, str):
+        return cell == held.text or _same_range(cell, held)
+    if not isinstance(cell, int | Decimal):
+        return False
+    scale = row["scale"]
+    known = {Decimal(cell)}
+    if column in _SCALED and isinstance(scale, Decimal):
+        known.add(cell * scale)
+    means = _means(held)
+    return bool(known.intersection(means))
+
+
+def _means(held: Held) -> tuple[Decimal, ...]:
+    return readings(held.text, "decimal" if held.form == "range" else held.form)
+
+
+def _same_range(cell: str, held: Held) -> bool:
+    """Whether two texts of numbers, such as `4..5` and `4 ~ 5`, have the same bounds."""
+    return [int(one) for one in _FIGURES.findall(cell)] == [int(one) for one in _FIGURES.findall(held.text)]
+
+
+def _in_text(row: Row, held: Held) -> bool:
+    texts = (row[key] for key in ("printed_name", "label", "ranges", "name"))
+    return any(numbers(reduced(str(text))).values.intersection(_means(held)) for text in texts if text)
+
+
+def corrects(erratum: Erratum, held: Held) -> bool:
+    """Whether an erratum is about what is printed: its print has the number, the word or the bytes."""
+    values = [_plain(value) for value in erratum.printed.values()]
+    texts = [reduced(text) for text in (erratum.literal, *values) if text]
+    if held.column == "frame":
+        return any(bytes(byte_pairs(held.text)) == bytes(byte_pairs(text)) for text in texts)
+    if held.column == "name":
+        wanted = words(reduced(held.text))
+        return any(_holds(words(text), wanted) for text in texts)
+    means = _means(held)
+    return any(numbers(text).holds(one) for text in texts for one in means)
+
+
+def _plain(value: object) -> str:
+    return " ".join(map(_plain, value)) if isinstance(value, list | tuple) else str(value)
+
+
+def _holds(have: Sequence[str], wanted: Sequence[str]) -> bool:
+    """Whether some words stand in others, one behind the other."""
+    size = len(wanted)
+    return any(tuple(have[at : at + size]) == tuple(wanted) for at in range(len(have) - size + 1))

@@ -1,0 +1,220 @@
+"""The section of the report that compares the spec with its manual, in both directions."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from fieldspec.audit.accounting import CORRECTED, COVERED, LEFT_OUT, LINE, OPEN, Accounts, Candidate, accounts
+from fieldspec.audit.alignment import Aligned, aligned, unmoved
+from fieldspec.audit.citations import Judged, judged
+from fieldspec.audit.cited import cited
+from fieldspec.audit.pattern import Held
+from fieldspec.audit.plan import Pattern, Plan, plan
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable
+from fieldspec.audit.subject import Subject
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.source import Span
+
+NAME, TITLE = "coverage", "Coverage of the manual"
+_KINDS = {
+    "address": "addresses",
+    "code": "codes",
+    "bit_row": "rows of bits",
+    "table_row": "rows of tables",
+    "frame": "frames",
+    LINE: "other lines with numbers",
+}
+
+
+def coverage(subject: Subject) -> Section:
+    """How the manual is covered, and whether what the spec cites is there."""
+    told = subject.device.manual
+    found: list[Diagnostic] = []
+    recorded = subject.recorded
+    manual = _manual(subject, found)
+    made, wrong = plan(subject.spec, len((recorded or manual.index).lines) if manual else told.lines)
+    found += wrong
+    if made is None:
+        text = "the spec does not say how an audit reads the manual"
+        help = "write a section `audit`, with the sections of the manual and what looks like a fact"
+        found.append(Diagnostic("audit_sound", text, _head(subject), help=help))
+    if made is None or manual is None:
+        return Section(NAME, TITLE, ("The manual cannot be compared.",), findings=tuple(found))
+    layouts = subject.layouts or (subject.layout,)
+    counted = accounts(manual, made, cited(subject.spec, layouts))
+    claims = judged([layout.device for layout in layouts], manual, made)
+    found += [
+        *_open(counted, manual),
+        *_uncited(claims),
+        *_unused(counted, claims),
+    ]
+    return Section(
+        NAME,
+        TITLE,
+        tuple(_says(subject, manual)),
+        tuple(_figures(counted, claims)),
+        (_by_kind(counted), _by_section(counted, made), _reasons(made), _rows(counted, manual)),
+        tuple(found),
+    )
+
+
+def _head(subject: Subject) -> Span:
+    return subject.device.place["id"]
+
+
+def _manual(subject: Subject, found: list[Diagnostic]) -> Aligned | None:
+    """The manual at hand in the lines that the spec cites; what is wrong with its index is found."""
+    told, recorded, manual = subject.device.manual, subject.recorded, subject.manual
+    if recorded is None and manual is None:
+        text = f"there is no index of the manual {told.file}"
+        help = f"record it: fieldspec audit {subject.device.id} --manual FILE --record"
+        found.append(Diagnostic("manual_recorded", text, _head(subject), help=help))
+        return None
+    fresh = recorded is not None and recorded.sha256 == told.sha256 and len(recorded.lines) == told.lines
+    same = manual is None or manual.sha256 != told.sha256 or recorded is None or manual == recorded
+    if recorded is None or not fresh or not same:
+        text = "the index of the manual is not that of the text which the spec cites"
+        help = f"record it anew: fieldspec audit {subject.device.id} --manual FILE --record"
+        found.append(Diagnostic("manual_recorded", text, _head(subject), help=help))
+    if manual is None:
+        assert recorded is not None
+        return unmoved(recorded)
+    return aligned(recorded, manual) if recorded is not None else unmoved(manual)
+
+
+def _says(subject: Subject, manual: Aligned) -> Iterator[str]:
+    """Which text is compared, and how much of it is the one that the spec cites."""
+    told = subject.device.manual
+    edition = f", {told.edition}" if told.edition else ""
+    yield f"{told.title}{edition}: {told.file}, {told.lines} lines, sha256 {told.sha256}"
+    if subject.manual is None:
+        yield "Compared with the index that is recorded beside the spec."
+    elif subject.manual.sha256 == told.sha256:
+        yield "Compared with the text itself, which is the edition that the spec cites."
+    else:
+        share = 100 * manual.same // max(manual.whole, 1)
+        yield (
+            f"The text is another edition, or was saved in another way: sha256 {subject.manual.sha256}, "
+            f"{len(manual.index.lines)} lines."
+        )
+        moved = sum(cited != here for cited, here in manual.here.items() if cited not in manual.changed)
+        yield (
+            f"{manual.same} of {manual.whole} lines with text are there unchanged ({share} %), {moved} of them "
+            f"elsewhere; {len(manual.changed)} lines are changed, {len(manual.gone)} gone, {len(manual.new)} new."
+        )
+
+
+def _figures(counted: Accounts, claims: Judged) -> Iterator[Figure]:
+    states = Counter(one.status for one in counted.candidates)
+    whole = len(counted.candidates)
+    yield Figure("places in the manual that look like facts are covered", states[COVERED], whole)
+    yield Figure("are covered with a correction", states[CORRECTED], whole)
+    yield Figure("are left out on purpose", states[LEFT_OUT], whole)
+    yield Figure("are not accounted for", states[OPEN], whole, states[OPEN] == 0)
+    failing = len({(one.path, one.what) for one in claims.missing})
+    yield Figure(
+        "addresses, codes, identifiers and prints stand where the spec cites them",
+        claims.looked_up - failing,
+        claims.looked_up,
+        failing == 0,
+    )
+
+
+def _states(candidates: list[Candidate]) -> tuple[int, ...]:
+    states = Counter(one.status for one in candidates)
+    return states[COVERED], states[CORRECTED], states[LEFT_OUT], states[OPEN]
+
+
+def _by_kind(counted: Accounts) -> SectionTable:
+    """How many of each kind there are."""
+    rows: list[tuple[Cell, ...]] = []
+    for kind, words in _KINDS.items():
+        held = [one for one in counted.candidates if one.kind == kind]
+        if held:
+            rows.append((words, len(held), *_states(held)))
+    columns = ("what", "number", COVERED, CORRECTED, LEFT_OUT, OPEN)
+    kinds = tuple("bad" if row[-1] else "" for row in rows)
+    return SectionTable("kinds", "By kind", columns, tuple(rows), kinds)
+
+
+def _by_section(counted: Accounts, made: Plan) -> SectionTable:
+    """How many there are in each section of the manual."""
+    rows: list[tuple[Cell, ...]] = []
+    titles = {section.name: section.title for section in made.sections}
+    for name in ("", *titles):
+        held = [one for one in counted.candidates if one.section == name]
+        if held:
+            rows.append((name, titles.get(name, "before the first section"), len(held), *_states(held)))
+    columns = ("section", "title", "number", COVERED, CORRECTED, LEFT_OUT, OPEN)
+    kinds = tuple("bad" if row[-1] else "" for row in rows)
+    return SectionTable("sections", "By section of the manual", columns, tuple(rows), kinds)
+
+
+def _reasons(made: Plan) -> SectionTable:
+    """What is left out, and why."""
+    rows = []
+    for out in made.left_out:
+        lines = "; ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in out.lines)
+        rows.append((lines, out.reason, out.place.whole))
+    return SectionTable("left_out", "Left out on purpose", ("lines", "reason", "place"), tuple(rows))
+
+
+def _rows(counted: Accounts, manual: Aligned) -> SectionTable:
+    """Every place that is not simply covered."""
+    held = [one for one in counted.candidates if one.status in (CORRECTED, OPEN)]
+    rows = tuple(
+        (one.section, one.line, _KINDS[one.kind], one.status, manual.index.lines[one.line - 1][one.start : one.end])
+        for one in held
+    )
+    kinds = tuple("bad" if one.status == OPEN else "warning" for one in held)
+    columns = ("section", "line", "what", "how", "print")
+    return SectionTable("places", "Corrected, and not accounted for", columns, rows, kinds, detail=True)
+
+
+def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:
+    for one in counted.candidates:
+        if one.status != OPEN:
+            continue
+        printed = manual.index.lines[one.line - 1][one.start : one.end]
+        where = f"line {one.line} of the manual" + (f", section {one.section}," if one.section else "")
+        if one.pattern is None:
+            text = f"{where} has numbers, and nothing in the spec cites it"
+            yield Diagnostic("manual_accounted", text, manual.index.span(one.line), help=_CURE)
+            continue
+        what = ", ".join(_held(held) for held in one.missing) or f"`{printed}`"
+        text = f"{where} prints {what}, and no fact that cites it says so"
+        label = Label(one.pattern.place["name"], "the pattern that finds it")
+        yield Diagnostic("manual_accounted", text, manual.index.span(one.line), (label,), _CURE)
+
+
+_CURE = "transcribe it, put it right with an erratum, or say why it is left out"
+
+
+def _held(held: Held) -> str:
+    return f"`{held.column}` {held.text}"
+
+
+def _uncited(claims: Judged) -> Iterator[Diagnostic]:
+    for one in claims.missing:
+        if one.what.startswith("`"):
+            text = f"{one.path} cites {one.source.text()}, where the manual does not print {one.what}"
+        else:
+            text = f"{one.path} cites {one.what}"
+        help = "put the section or the lines right, or the value; an erratum says what is printed instead"
+        yield Diagnostic("citations_hold", text, one.span, help=help)
+
+
+def _unused(counted: Accounts, claims: Judged) -> Iterator[Diagnostic]:
+    for one in counted.unused:
+        what = f"the pattern `{one.name}` finds" if isinstance(one, Pattern) else "this leaves out"
+        text = f"{what} nothing in its lines of the manual"
+        yield Diagnostic(
+            "audit_sound",
+            text,
+            one.place.whole,
+            help="put its lines or its form right, or remove it",
+        )
+    for held in claims.unused:
+        text = "what these facts cite does hold them, or there are no such facts"
+        yield Diagnostic("audit_sound", text, held.place["facts"], help="remove the entry, or put the paths right")

@@ -1,0 +1,183 @@
+"""Patterns of what looks like a fact, as specs declare them, matched in time that grows with the line alone.
+
+A pattern is text with placeholders: `{address:hex} H` is a number and an H. `*` skips as little as it can, blanks may
+be there or not, everything else is itself. Each placeholder takes as much as its form does. So a pattern is a chain of
+pieces that are looked for one behind the other, and none of them is tried twice from the same place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.audit.reduced import CELL
+
+_HEX = r"0[xX][0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16}"
+_DECIMAL = r"[+-]?(?:[0-9]{1,3}(?:,[0-9]{3}){1,6}|[0-9]{1,20})(?:\.[0-9]{1,10})?(?![0-9])"
+_PAIR = r"(?:0x)?[0-9A-Fa-f]{2}[Hh]?"
+FORMS = {
+    "hex": f"(?:{_HEX})",
+    "hex2": r"(?:0[xX])?[0-9A-Fa-f]{2}(?![0-9A-Fa-f])",
+    "hex4": r"(?:0[xX])?[0-9A-Fa-f]{4}(?![0-9A-Fa-f])",
+    "hex8": r"(?:0[xX])?[0-9A-Fa-f]{8}(?![0-9A-Fa-f])",
+    "decimal": _DECIMAL,
+    "number": rf"(?:0[xX][0-9A-Fa-f]{{1,16}}|[0-9A-Fa-f]{{1,16}} ?[Hh](?![A-Za-z0-9])|{_DECIMAL})",
+    "word": r"[A-Za-z_][A-Za-z0-9_]{0,63}",
+    "text": r"[^|\s](?:[^|]{0,200}[^|\s])?",
+    "range": rf"{_DECIMAL}(?: ?(?:~|-|\.\.) ?{_DECIMAL})?",
+    "bytes": rf"{_PAIR}(?:[ |,+]{{1,5}}{_PAIR}){{1,300}}(?![0-9A-Za-z])",
+}
+"""What a placeholder may look like. `bytes` is a frame of two bytes or more."""
+
+COLUMNS = {
+    "address": "number",
+    "code": "number",
+    "number": "number",
+    "bit": "range",
+    "words": "decimal",
+    "bytes": "decimal",
+    "count": "decimal",
+    "position": "range",
+    "name": "text",
+    "min": "decimal",
+    "max": "decimal",
+    "default": "decimal",
+    "value": "number",
+    "frame": "bytes",
+}
+"""What a placeholder stands for, and its form where none is given. All but `name`, `value` and `frame` are columns of
+the table of facts."""
+
+_PLACE = re.compile(r"\{([a-z]+)(?::([a-z0-9]+))?\}")
+_EDGE = r"(?<![0-9A-Za-z])"
+
+
+class PatternError(Exception):
+    """What is wrong with a pattern, and what would make it right."""
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """A value of a piece: what it stands for, its form, and as it is printed."""
+
+    column: str
+    form: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A piece of a line that looks like a fact: its values, and where it stands in the line."""
+
+    values: tuple[Held, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Template:
+    """A pattern ready for use: the pieces between its `*`, with the columns and forms of their groups.
+
+    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`.
+    """
+
+    pieces: tuple[re.Pattern[str], ...]
+    whole_pieces: tuple[re.Pattern[str], ...]
+    columns: tuple[tuple[str, str], ...]
+
+    def whole(self, text: str) -> Found | None:
+        """The match of a whole text, from its first character to its last."""
+        return self._chained(self.whole_pieces, text, 0)
+
+    def each(self, text: str) -> Iterator[Found]:
+        """All places in a text, none within another."""
+        at = 0
+        while at <= len(text) and (found := self._chained(self.pieces, text, at)) is not None:
+            yield found
+            at = max(found.end, at + 1)
+
+    def _chained(self, pieces: Sequence[re.Pattern[str]], text: str, start: int) -> Found | None:
+        """The pieces one behind the other, each at the first place behind the one before it."""
+        at, begin = start, start
+        held: list[str] = []
+        for number, piece in enumerate(pieces):
+            match = piece.search(text, at)
+            if match is None:
+                return None
+            begin = begin if number else match.start()
+            held += match.groups()
+            at = match.end()
+        values = (Held(*column, text) for column, text in zip(self.columns, held, strict=True))
+        return Found(tuple(values), begin, at)
+
+
+def template(text: str) -> Template:
+    """A pattern as specs write it. Raises PatternError where it cannot be understood."""
+    parts = [part.strip() for part in text.split("*")]
+    sources = []
+    columns: list[tuple[str, str]] = []
+    for part in filter(None, parts):
+        source, names = _piece(part)
+        sources.append(source)
+        columns += names
+    tied = list(sources)
+    if parts[0]:
+        tied[0] = rf"\A\s*{tied[0]}"
+    if parts[-1]:
+        tied[-1] = rf"{tied[-1]}\s*\Z"
+    return Template(tuple(map(re.compile, sources)), tuple(map(re.compile, tied)), tuple(columns))
+
+
+def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
+    """The expression of a piece without `*`, and the columns and forms of its groups."""
+    source, at = "", 0
+    names: list[tuple[str, str]] = []
+    for held in _PLACE.finditer(part):
+        column, form = held[1], held[2]
+        if column not in COLUMNS:
+            raise PatternError(f"nothing is called `{column}`; a placeholder is one of {', '.join(COLUMNS)}")
+        if form is not None and form not in FORMS:
+            raise PatternError(f"there is no form `{form}`; there are {', '.join(FORMS)}")
+        form = form or COLUMNS[column]
+        literal = _literal(part[at : held.start()])
+        edge = "" if form in ("text", "bytes", "range", "decimal") and literal else _EDGE
+        source += f"{literal}{edge}({FORMS[form]})"
+        names.append((column, form))
+        at = held.end()
+    source += _literal(part[at:])
+    return source, names
+
+
+def _literal(text: str) -> str:
+    if "{" in text or "}" in text:
+        raise PatternError("a placeholder is written as {column} or {column:form}")
+    spaced = [re.escape(word) for word in text.split()]
+    start = r"\s*" if text[:1].isspace() or not spaced else ""
+    end = r"\s*" if text[-1:].isspace() and spaced else ""
+    return start + r"\s*".join(spaced) + end if text else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """The first cells of a row, each a template; the values are those of all of them."""
+
+    cells: Sequence[Template | None]
+
+    def find(self, line: str) -> Found | None:
+        """The row, where a line is one. An empty cell is only like an empty one."""
+        held = line.split(CELL.strip())
+        if len(held) < len(self.cells):
+            return None
+        values: list[Held] = []
+        for cell, text in zip(self.cells, held, strict=False):
+            found = cell.whole(text.strip()) if cell is not None else None
+            if (found is None and cell is not None) or (cell is None and text.strip()):
+                return None
+            values += found.values if found is not None else ()
+        return Found(tuple(values), 0, len(line))
+
+
+def row(cells: Sequence[str]) -> Row:
+    """A row as specs write it. Raises PatternError where a cell cannot be understood."""
+    return Row([template(cell) if cell.strip() else None for cell in cells])

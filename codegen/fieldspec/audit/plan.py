@@ -1,0 +1,169 @@
+"""How an audit reads a manual, as the spec's section `audit` says it.
+
+It says nothing of the device, so it is no part of the model.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fieldspec.audit.pattern import PatternError, Row, Template, row, template
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.place import Place
+from fieldspec.reading.building.context import Entry
+from fieldspec.reading.nodes import Mapping
+from fieldspec.reading.project import DeviceSpec
+
+Lines = tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ManualSection:
+    """A section of the manual, and the lines from its heading to the next one, both included."""
+
+    name: str
+    title: str
+    first: int
+    last: int
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """What looks like a fact: a row, or any piece of a line."""
+
+    name: str
+    kind: str
+    place: Place
+    lines: Lines
+    row: Row | None
+    each: Template | None
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """Lines that are left out, all of them or those that are wholly `like` something, and why."""
+
+    place: Place
+    lines: Lines
+    like: Template | None
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Unprinted:
+    """Paths of facts, with `*` for any text, that are not printed as such where they are cited, and why."""
+
+    place: Place
+    facts: tuple[str, ...]
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """The sections of the manual, the patterns, and what is left out."""
+
+    place: Place
+    sections: tuple[ManualSection, ...]
+    patterns: tuple[Pattern, ...]
+    left_out: tuple[LeftOut, ...]
+    unprinted: tuple[Unprinted, ...]
+
+    def section(self, line: int) -> str:
+        """The name of the section in which a line stands; empty before the first one."""
+        at = bisect_right([section.first for section in self.sections], line)
+        return self.sections[at - 1].name if at else ""
+
+
+def plan(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
+    """The plan of a device whose manual has so many lines, or None where it has none; and what is wrong with it."""
+    found: list[Diagnostic] = []
+    node = spec.tree.values.get("audit")
+    if not isinstance(node, Mapping):
+        return None, found
+    entry = Entry(node, "audit", found)
+    sections = _sections(entry, lines)
+    return (
+        Plan(
+            entry.place(),
+            sections,
+            tuple(_patterns(entry, sections, lines)),
+            tuple(_left_out(entry, sections, lines)),
+            tuple(
+                Unprinted(held.place(), held.texts("facts"), held.text("reason")) for held in entry.entries("unprinted")
+            ),
+        ),
+        found,
+    )
+
+
+def _sections(entry: Entry, lines: int) -> tuple[ManualSection, ...]:
+    """The sections in their order; one that begins before the one above it, or behind the end, is a finding."""
+    made: list[ManualSection] = []
+    held = list(entry.entries("sections", "section"))
+    starts = [inner.integer("line") or 1 for inner in held]
+    for inner, first, after in zip(held, starts, [*starts[1:], lines + 1], strict=True):
+        if (made and first < made[-1].first) or first > lines:
+            text = f"section {inner.text('section')} begins at line {first}, out of the order of the manual's lines"
+            inner.refuse("audit_sound", "line", text, "put the line, or the order of the sections, right")
+        made.append(ManualSection(inner.text("section"), inner.text("title"), first, after - 1))
+    return tuple(made)
+
+
+def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Pattern]:
+    for inner in entry.entries("patterns"):
+        try:
+            rows = row(inner.texts("row")) if "row" in inner.node.values else None
+            each = template(inner.text("each")) if rows is None else None
+            if each is not None and not each.pieces:
+                raise PatternError("it holds nothing but `*`; say what it looks like")
+        except PatternError as error:
+            key = "row" if "row" in inner.node.values else "each"
+            inner.refuse("audit_sound", key, f"the pattern is not understood: {error}", "see docs/audit.md")
+            continue
+        where = _lines(inner, sections, lines)
+        yield Pattern(inner.text("name"), inner.text("kind"), inner.place(), where, rows, each)
+
+
+def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[LeftOut]:
+    for inner in entry.entries("left_out"):
+        like = inner.text("like")
+        try:
+            made = template(like) if like else None
+        except PatternError as error:
+            inner.refuse("audit_sound", "like", f"the pattern is not understood: {error}", "see docs/audit.md")
+            continue
+        yield LeftOut(inner.place(), _lines(inner, sections, lines), made, inner.text("reason"))
+
+
+def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lines:
+    """The lines that an entry is about: those given, those of its sections, what is in both, or all."""
+    given: list[tuple[int, int]] = []
+    for part in filter(None, entry.text("lines").split(", ")):
+        low, _, high = part.partition("-")
+        given.append((int(low), int(high or low)))
+    for first, last in given:
+        if not 1 <= first <= last <= lines:
+            text = f"there are no lines {first} to {last}; the manual has the lines 1 to {lines}"
+            entry.refuse("audit_sound", "lines", text, "put the lines right")
+    names = entry.texts("sections")
+    whole = [
+        (section.first, section.last)
+        for section in sections
+        if any(section.name == name or section.name.startswith(f"{name}.") for name in names)
+    ]
+    for name in names:
+        if not any(section.name == name or section.name.startswith(f"{name}.") for section in sections):
+            entry.refuse("audit_sound", "sections", f"there is no section {name}", "list it under `audit: sections`")
+    if not names:
+        return tuple(given) or ((1, lines),)
+    if not given:
+        return tuple(whole)
+    both = ((max(a, c), min(b, d)) for a, b in given for c, d in whole)
+    return tuple((first, last) for first, last in both if first <= last)
+
+
+def within(line: int, lines: Lines) -> bool:
+    """Whether a line is one of some."""
+    return any(first <= line <= last for first, last in lines)

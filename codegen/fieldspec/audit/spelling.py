@@ -1,0 +1,84 @@
+"""Numbers, intervals, words and bytes as manuals spell them, read from reduced lines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import lru_cache
+
+_HEX = r"0[xX][0-9A-Fa-f]{1,16}|&H[0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16} ?[Hh](?![A-Za-z0-9])"
+_DECIMAL = r"[0-9]{1,3}(?:,[0-9]{3})+(?![0-9])|[0-9]{1,20}(?:\.[0-9]{1,10})?"
+_POWER = r"2 ?\^ ?\{?[0-9]{1,2}\}?(?: ?- ?1(?![0-9]))?"
+_BARE = r"[0-9A-Fa-f]{1,16}"
+_NUMBER = re.compile(rf"(?<![A-Za-z0-9])(?:{_POWER}|{_HEX}|{_DECIMAL}|{_BARE})(?![0-9])")
+_TO = re.compile(r"\s*(?:~|-|\.\.+|to)\s*([+(-]*)")
+_WORD = re.compile(r"[A-Za-z_0-9]+")
+_BYTES = re.compile(r"(?<![0-9A-Za-z])(?:0x)?([0-9A-Fa-f]{2})[Hh]?(?![0-9A-Za-z])")
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """What a line can be read to say: numbers, and intervals from one number to another."""
+
+    values: frozenset[Decimal]
+    intervals: tuple[tuple[Decimal, Decimal], ...]
+
+    def holds(self, number: int | Decimal) -> bool:
+        """Whether the number stands in the line, as such or within an interval."""
+        return number in self.values or any(low <= number <= high for low, high in self.intervals)
+
+
+def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
+    """The numbers that a spelling may mean: `10h` and `0x10` are sixteen, `1,000` is a thousand.
+
+    `10` is ten or sixteen, unless the form of a pattern says that it is decimal or hexadecimal.
+    """
+    bare = text.replace(" ", "")
+    sign = -1 if bare.startswith("-") else 1
+    bare = bare.lstrip("+-")
+    power = re.fullmatch(r"2\^\{?([0-9]{1,2})\}?(-1)?", bare)
+    if power:
+        return (sign * (Decimal(2) ** int(power[1]) - (1 if power[2] else 0)),)
+    marked = re.fullmatch(r"(?:0[xX]|&H)([0-9A-Fa-f]{1,16})|([0-9A-Fa-f]{1,16})[Hh]", bare)
+    if marked:
+        return (sign * Decimal(int(marked[1] or marked[2], 16)),)
+    found: list[Decimal] = []
+    hexadecimal = form.startswith("hex")
+    if not hexadecimal and re.fullmatch(r"[0-9]{1,3}(?:,[0-9]{3})+|[0-9]{1,20}(?:\.[0-9]{1,10})?", bare):
+        found.append(sign * Decimal(bare.replace(",", "")))
+    if (hexadecimal or not form) and re.fullmatch(r"[0-9A-Fa-f]{1,16}", bare):
+        found.append(sign * Decimal(int(bare, 16)))
+    return tuple(found)
+
+
+@lru_cache(maxsize=16384)
+def numbers(line: str) -> Numbers:
+    """All numbers of a reduced line in all their readings."""
+    values: set[Decimal] = set()
+    intervals: list[tuple[Decimal, Decimal]] = []
+    before: tuple[int, tuple[Decimal, ...]] | None = None
+    for found in _NUMBER.finditer(line):
+        text = found[0]
+        negative = found.start() and line[found.start() - 1] == "-"
+        means = readings(text)
+        values.update(means)
+        if negative:
+            values.update(-one for one in means)
+        if before is not None and (between := _TO.fullmatch(line, before[0], found.start())):
+            ends = tuple(-one for one in means) if "-" in between[1] else means
+            intervals += ((low, high) for low, high in zip(before[1], ends, strict=False) if low < high)
+        before = found.end(), tuple(-one for one in means) if negative else means
+    return Numbers(frozenset(values), tuple(intervals))
+
+
+def words(text: str) -> tuple[str, ...]:
+    """The words of a text as they are compared: in lower case, without what stands between them."""
+    return tuple(word.lower() for word in _WORD.findall(text))
+
+
+def byte_pairs(line: str) -> Iterator[int]:
+    """The bytes of a frame: `01 | 06`, `04H+00H`, `0x3A`."""
+    for found in _BYTES.finditer(line):
+        yield int(found[1], 16)
