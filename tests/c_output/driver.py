@@ -89,4 +89,5 @@ def source(layout: DeviceLayout) -> str:
                 " if (status == 0) { second = 0; length = value.body_length; memcpy(again, value.body, length); } }"
             )
     name = stem(layout.device.id, layout.device.version) + ".h"
-    return f'#include "{name}"\n#include <stdio.h>\n' + _MAIN.replace("CASES", "\n        ".join(cases))
+    included = f'#include "{name}"\n#include <stdio.h>\n#include <string.h>\n'
+    return included + _MAIN.replace("CASES", "\n        ".join(cases))

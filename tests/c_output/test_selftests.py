@@ -72,7 +72,7 @@ def test_a_self_test_fails_when_the_header_is_wrong(name: str, right: str, wrong
 
 def test_a_machine_without_double_gets_none(tmp_path: Path) -> None:
     source = written(tmp_path, "glider_x_v1_1.h")
-    assert compiled("gcc", source, tmp_path / "selftest", "-DGLIDER_X_WITHOUT_DOUBLE", "-ffreestanding")
+    assert compiled("gcc", source, tmp_path / "selftest.o", "-DGLIDER_X_WITHOUT_DOUBLE", "-ffreestanding", "-c")
     command = [require_tool("gcc"), "-E", "-P", "-DGLIDER_X_WITHOUT_DOUBLE", str(tmp_path / "glider_x_v1_1.h")]
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     assert "glider_x_telegram_3_request_encode" in text

@@ -21,7 +21,7 @@ def same(what: str, left: str, right: str) -> str:
 
 def same_bytes(what: str, target: str, data: bytes) -> str:
     """Some bytes of memory are these."""
-    return f"expect(memcmp({target}, {_bytes_literal(data)}, {len(data)}u) == 0, {string(what)});"
+    return f"expect(same_bytes({target}, {_bytes_literal(data)}, {len(data)}u), {string(what)});"
 
 
 def _bytes_literal(data: bytes) -> str:
@@ -69,7 +69,7 @@ def _items(field: FieldLayout, name: str, held: Any) -> list[tuple[str, Any]]:
 def _assign(naming: Naming, field: FieldLayout, target: str, held: Any) -> list[str]:
     if field.primitive.kind in (Kind.TEXT, Kind.BYTES):
         data = _data(held)
-        return [f"memcpy({target}, {_bytes_literal(data)}, {len(data)}u);"] if data else []
+        return [f"copy({target}, {_bytes_literal(data)}, {len(data)}u);"] if data else []
     if field.primitive.kind is Kind.FLOAT:
         return [f"{target} = {naming.own('float_of')}({_float_bits(held)});"]
     return [f"{target} = {_literal(field, held)};"]

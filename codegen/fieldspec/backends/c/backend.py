@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.backends.c.comments import told
 from fieldspec.backends.c.enums import enum_lines, text_lines
 from fieldspec.backends.c.frames import link_lines
+from fieldspec.backends.c.machine import OWN_MACROS, machine_lines
 from fieldspec.backends.c.naming import Naming, stem
 from fieldspec.backends.c.parameters import parameter_lines
 from fieldspec.backends.c.records import record_lines
@@ -21,7 +22,7 @@ from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 
 _PLAIN_KINDS = ("enum", "function", "type")
-_OWN_TYPES = ("codec_status", "code_text")
+_OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
 
 
@@ -54,6 +55,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     }
     signals = [signal_lines(naming, signal) for signal in device.signals.values()]
     sections = [
+        ("Compilers and machines", [machine_lines(naming)]),
         ("What functions return", [status_lines(naming)]),
         ("Numbers and characters, independent of the machine", number_lines(naming, layout)),
         ("Checks", check_lines(naming, algorithms)),
@@ -92,7 +94,7 @@ def _claim(naming: Naming, version: str, versions: Sequence[str]) -> None:
     """Settles the names that every header has before those of the device are."""
     for name in _OWN_TYPES:
         naming.own(name)
-    for name in (*_OWN_MACROS, *(status for status, _ in STATUSES)):
+    for name in (*_OWN_MACROS, *OWN_MACROS, *(status for status, _ in STATUSES)):
         naming.own_macro(name)
     naming.own_macro("version", "is", version)
     claim_selection(naming, versions)

@@ -9,8 +9,8 @@ from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.value import Value
 
-# What the constants of an enum may be: an int of C99.
-_LEAST, _LARGEST = -(2**31) + 1, 2**31 - 1
+# What the constants of an enum may be: an int, which has 16 bits on small machines.
+_LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = 2**63 - 1
 
 

@@ -6,8 +6,8 @@ from fieldspec.backends.c.comments import told
 from fieldspec.backends.c.enums import closed_test
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, argument, frame_member
-from fieldspec.backends.c.text import array, comment, indented, integer
-from fieldspec.backends.c.values import Wire, access_name, const_test, declaration, load, range_test
+from fieldspec.backends.c.text import comment, indented, integer
+from fieldspec.backends.c.values import Wire, access_name, const_test, declaration, load, range_test, refused
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
@@ -55,10 +55,6 @@ def _form(link: LinkLayout) -> str:
     return " ".join([text, *marks])
 
 
-def _fits(naming: Naming, test: str, error: str) -> list[str]:
-    return [f"if ({test}) {{", f"    return {naming.own_macro(error)};", "}"]
-
-
 def _parts(naming: Naming, link: LinkLayout) -> list[str]:
     """The function that takes a frame's marks away, and turns characters into bytes."""
     start, end = link.link.start, link.link.end
@@ -70,25 +66,22 @@ def _parts(naming: Naming, link: LinkLayout) -> list[str]:
         "{",
     ]
     body = ["size_t at;"]
-    for mark, mark_name in ((start, "start"), (end, "end")):
-        if mark:
-            body.append(f"static const uint8_t {mark_name}[] = {{{array(mark)}}};")
     marks = len(start) + len(end)
-    body += _fits(naming, f"size < {marks}u", "err_wrong_mark")
-    if start:
-        body += _fits(naming, f"memcmp(frame, start, {len(start)}u) != 0", "err_wrong_mark")
-    if end:
-        body += _fits(naming, f"memcmp(frame + size - {len(end)}u, end, {len(end)}u) != 0", "err_wrong_mark")
+    body += refused(naming, f"size < {marks}u", "err_wrong_mark") if marks else []
+    tests = [f"frame[{at}] != 0x{byte:02X}u" for at, byte in enumerate(start)]
+    tests += [f"frame[size - {len(end) - at}u] != 0x{byte:02X}u" for at, byte in enumerate(end)]
+    if tests:
+        body += refused(naming, " || ".join(tests), "err_wrong_mark")
     body.append(f"*length = size - {marks}u;")
     if link.link.encoding == "binary":
-        body += _fits(naming, "capacity < *length", "err_capacity")
+        body += refused(naming, "capacity < *length", "err_capacity")
         body += ["for (at = 0; at < *length; at++) {", f"    out[at] = frame[{len(start)}u + at];", "}"]
     else:
         digit = naming.own("digit")
         body += ["for (at = 0; at < *length; at++) {"]
-        body += indented(_fits(naming, f"{digit}(frame[{len(start)}u + at]) > 15u", "err_not_hex"))
-        body += ["}", *_fits(naming, "*length % 2u != 0", "err_wrong_length"), "*length /= 2u;"]
-        body += _fits(naming, "capacity < *length", "err_capacity")
+        body += indented(refused(naming, f"{digit}(frame[{len(start)}u + at]) > 15u", "err_not_hex"))
+        body += ["}", *refused(naming, "*length % 2u != 0", "err_wrong_length"), "*length /= 2u;"]
+        body += refused(naming, "capacity < *length", "err_capacity")
         first = f"frame[{len(start)}u + 2u * at]"
         second = f"frame[{len(start) + 1}u + 2u * at]"
         body += ["for (at = 0; at < *length; at++) {"]
@@ -135,24 +128,24 @@ def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
         body += ["const uint8_t *in = frame;", "size_t length = size;"]
     least = shape.head_size + shape.tail_size
     if least:
-        body += _fits(naming, f"length < {least}u", "err_incomplete")
+        body += refused(naming, f"length < {least}u", "err_incomplete")
     length = shape.role("length")
     if length is not None:
-        body += _fits(
+        body += refused(
             naming, f"{load(naming, part_wire(length), f'in + {length.offset}')} != length", "err_wrong_length"
         )
     check = shape.check
     if check is not None:
-        at = f"length - {-check.offset}u"
+        at = _sum("length", check.offset)
         held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {at})"
-        body += _fits(naming, f"{naming.own(check.algorithm)}(in, {at}) != {held}", "err_wrong_check")
+        body += refused(naming, f"{naming.own(check.algorithm)}(in, {at}) != {held}", "err_wrong_check")
     for part in shape.head:
         if part.value is not None and part.value.const is not None and part.role != "length":
             body += const_test(naming, part_wire(part), f"in + {part.offset}")
     for part in head_members(shape):
         body.append(f"out->{frame_member(part.name)} = {load(naming, part_wire(part), f'in + {part.offset}')};")
     body += _code(naming, link, shape)
-    body += [f"out->body = in + {shape.head_size};", f"out->body_length = length - {least}u;"]
+    body += [f"out->body = {_sum('in', shape.head_size)};", f"out->body_length = {_sum('length', -least)};"]
     body.append(f"return {naming.own_macro('ok')};")
     return [*lines, *indented(body), "}"]
 
@@ -171,7 +164,7 @@ def _code(naming: Naming, link: LinkLayout, shape: FrameLayout) -> list[str]:
     codes = sorted({m.message.code for m in link.messages.values() if m.message.code is not None})
     if codes:
         tests = " && ".join(f"out->code != {code}u" for code in codes)
-        lines += _fits(naming, f"{guard}{tests}", "err_unknown_code")
+        lines += refused(naming, f"{guard}{tests}", "err_unknown_code")
     return lines
 
 
@@ -194,23 +187,36 @@ def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: st
     ]
     marks = len(link.link.start) + len(link.link.end)
     width = 2 if link.link.encoding == "hex_ascii" else 1
-    body = [f"const size_t total = {shape.head_size + shape.tail_size}u + body_length;"]
+    around = shape.head_size + shape.tail_size
+    least = width * around + marks
+    room = _sum("capacity", -least) if width == 1 else f"({_sum('capacity', -least)}) / {width}u"
+    body = [f"const size_t total = {_sum('body_length', around)};"]
     if marks or width == 2:
         body.append("size_t at;")
-    body += _fits(naming, f"capacity < total * {width}u + {marks}u", "err_capacity")
+    # No sum is compared: it would wrap around for lengths that no buffer has.
+    tests = [f"capacity < {least}u"] if least else []
+    body += refused(naming, " || ".join([*tests, f"body_length > {room}"]), "err_capacity")
     for part in shape.head:
         body += _head(naming, layout, link, part)
     if shape.check is not None:
         check = shape.check
         store = naming.own("store", access_name(check.size, check.order, False))
-        at = f"total - {-check.offset}u"
+        at = _sum("total", check.offset)
         body.append(f"{store}(out + {at}, {naming.own(check.algorithm)}(out, {at}));")
     if marks or width == 2:
         body += _wrap(naming, link)
     if not any("out" in line for line in body):
         body.append("(void)out;")
-    body += [f"*length = total * {width}u + {marks}u;", f"return {naming.own_macro('ok')};"]
+    size = "total" if width == 1 else f"total * {width}u"
+    body += [f"*length = {_sum(size, marks)};", f"return {naming.own_macro('ok')};"]
     return [*lines, *indented(body), "}"]
+
+
+def _sum(term: str, number: int) -> str:
+    """A sum of sizes, or the term alone where there is nothing to add."""
+    if number < 0:
+        return f"{term} - {-number}u"
+    return f"{term} + {number}u" if number else term
 
 
 def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayout) -> list[str]:
@@ -219,11 +225,11 @@ def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayo
     number = f"uint{8 * held.size}_t"
     at = f"out + {part.offset}"
     if part.role == "length":
-        limit = _fits(naming, f"total > {held.value.type.high}u", "err_wrong_length")
+        limit = refused(naming, f"total > {held.value.type.high}u", "err_wrong_length")
         return [*limit, f"{store}({at}, ({number})total);"]
     if part.role == "code":
         return [
-            *_fits(naming, f"code > {held.value.type.high}u", "err_unknown_code"),
+            *refused(naming, f"code > {held.value.type.high}u", "err_unknown_code"),
             f"{store}({at}, ({number})code);",
         ]
     if held.value.const is not None:
@@ -232,7 +238,7 @@ def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayo
     lines = []
     closed = closed_test(naming, layout.device, held.value, name)
     if closed:
-        lines += _fits(naming, closed, "err_unknown_value")
+        lines += refused(naming, closed, "err_unknown_value")
     test = range_test(held.value, name)
     stations = link.link.stations
     if part.role == "station" and stations is not None and stations.ranges is not None:
@@ -245,7 +251,7 @@ def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayo
             tests.append(f"({name} == {stations.broadcast})")
         test = f"!({' || '.join(tests)})"
     if test:
-        lines += _fits(naming, test, "err_out_of_range")
+        lines += refused(naming, test, "err_out_of_range")
     return [*lines, f"{store}({at}, ({number}){name});"]
 
 
@@ -296,7 +302,7 @@ def _message(
     body = [
         "size_t body_length = 0;",
         f"{naming.own('codec_status')} status;",
-        *(_fits(naming, f"capacity < {head}u", "err_capacity") if head else []),
+        *(refused(naming, f"capacity < {head}u", "err_capacity") if head else []),
         f"status = {encode}({held}{room}, &body_length);",
         f"if (status != {naming.own_macro('ok')}) {{",
         "    return status;",

@@ -77,7 +77,7 @@ def _enum(naming: Naming, enum: Enum) -> Iterator[str]:
         for member in [member for member in enum.members if member.value < 2**63]:
             call, number = f"{text}({integer(member.value, 8)})", -1 if member.number is None else member.number
             names = ((member.name, "name"), (member.printed_name, "printed"))
-            tests = [f"strcmp({call}->{end}, {string(name)}) == 0" for name, end in names]
+            tests = [f"same_text({call}->{end}, {string(name)})" for name, end in names]
             tests = [f"{call} != NULL", f"{call}->number == {integer(number, 8)}", *tests]
             yield f"expect({' && '.join(tests)}, {string(text)});"
         unknown = next(code for code in range(len(enum.members) + 1) if enum.member(code) is None)

@@ -33,14 +33,16 @@ def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> lis
     wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
     buffer = "buffer, sizeof buffer, " if wrapped else ""
     open_ = naming.function("link", link.name, example.direction, "open")
-    opened = f"{open_}(frame, sizeof frame, {buffer}&opened)"
+    opened = f"{open_}(received, sizeof received, {buffer}&opened)"
     what = f"example {example.id}"
     lines = [f"static const uint8_t frame[] = {{{array(example.frame)}}};"]
+    lines.append("uint8_t received[sizeof frame];")
     if wrapped:
         lines.append("uint8_t buffer[sizeof frame];")
     lines.append(f"{naming.type('link', link.name, example.direction, 'frame')} opened;")
+    started = ["copy(received, frame, sizeof frame);", "clear(&opened, sizeof opened);"]
     if example.refused:
-        return [*lines, "memset(&opened, 0, sizeof opened);", *_refused(layout, naming, example, opened)]
+        return [*lines, *_refused(layout, naming, example, opened, started)]
     body = body_of(layout, link.name, example.direction, example.message, example.error)
     values = raw_values(layout, example)
     form = of_values(body, values)
@@ -50,8 +52,8 @@ def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> lis
         lines += [f"{naming.type('record', body.name)} in, out;"]
     lines += [f"uint8_t again[sizeof frame + {len(link.link.start) + len(link.link.end)}];", "size_t length = 0;"]
     if members(body):
-        lines += ["memset(&in, 0, sizeof in);", "memset(&out, 0, sizeof out);"]
-    lines += ["memset(&opened, 0, sizeof opened);", same(f"{what} opens", opened, naming.own_macro("ok"))]
+        lines += ["clear(&in, sizeof in);", "clear(&out, sizeof out);"]
+    lines += [*started, same(f"{what} opens", opened, naming.own_macro("ok"))]
     for part in head_members(shape):
         number: Any = values[part.name]
         lines.append(
@@ -98,17 +100,17 @@ def _body(layout: DeviceLayout, example: Example) -> RecordLayout | None:
     return message.data(example.direction) if message is not None else None
 
 
-def _refused(layout: DeviceLayout, naming: Naming, example: Example, opened: str) -> list[str]:
+def _refused(layout: DeviceLayout, naming: Naming, example: Example, opened: str, started: list[str]) -> list[str]:
     """The frame, or the body in it, is refused for the reason that the example gives."""
     refusal, ok = naming.own_macro(_REFUSALS[example.refused]), naming.own_macro("ok")
     what = f"example {example.id}"
     body = _body(layout, example)
     if body is None:
-        return [same(what, opened, refusal)]
+        return [*started, same(what, opened, refusal)]
     held = members(body)
     lines = [f"{naming.type('record', body.name)} out;"] if held else []
     lines.append(f"{naming.own('codec_status')} status;")
-    lines += ["memset(&out, 0, sizeof out);"] if held else []
+    lines += [*started, *(["clear(&out, sizeof out);"] if held else [])]
     decode = naming.function("record", body.name, "decode")
     return [
         *lines,
@@ -136,5 +138,5 @@ def _written(
     call = f"{function}({', '.join([*arguments, 'again', 'sizeof again', '&length'])})"
     return [
         same(f"{what} encodes", call, naming.own_macro("ok")),
-        f"expect(length == sizeof frame && memcmp(again, frame, length) == 0, {string(what + ' bytes')});",
+        f"expect(length == sizeof frame && same_bytes(again, frame, length), {string(what + ' bytes')});",
     ]

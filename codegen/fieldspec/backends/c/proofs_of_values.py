@@ -61,13 +61,15 @@ def _value(
             same(f"{label} wrong", f"{decode}(bytes)", wrong),
         ]
         return
-    lines.append(f"{'' if value.type.signed else 'u'}int{8 * value.size}_t out = 0;")
+    kind = f"{'' if value.type.signed else 'u'}int{8 * value.size}_t"
+    lines += [f"{kind} out = 0;", f"volatile {kind} in = 0;"]
     for number in sorted(set(legal(device, value))):
         data = raw_bytes(value, *order, number).ljust(size, b"\0")
         literal = integer(number, value.size, value.type.signed)
         what = f"{label} {number}"
         lines += [
-            same(what, f"{encode}({literal}, bytes)", ok),
+            f"in = {literal};",
+            same(what, f"{encode}(in, bytes)", ok),
             same_bytes(f"{what} bytes", "bytes", data),
             same(what, f"{decode}(bytes, &out)", ok),
             same(what, "out", literal),

@@ -7,6 +7,7 @@ from fieldspec.backends.c.coding import decode_function, encode_function
 from fieldspec.backends.c.comments import of_value, told
 from fieldspec.backends.c.fields import count_member, members, most, wire
 from fieldspec.backends.c.naming import Naming, member
+from fieldspec.backends.c.packing import pack_functions, packed
 from fieldspec.backends.c.text import comment, indented
 from fieldspec.backends.c.values import declaration
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -27,6 +28,8 @@ def record_lines(naming: Naming, device: Device, record: RecordLayout, doc: list
         lines += [f"}} {name};"]
     else:
         lines += comment("There is nothing to give: no struct is needed.")
+    if packed(record):
+        lines += ["", *pack_functions(naming, device, record)]
     lines += ["", *comment(f"Writes {name}: {size}.", "Length receives how many bytes were written.")]
     lines += encode_function(naming, device, record)
     lines += ["", *comment(f"Reads {name} from exactly {size}.")]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.backends.c.machine import cleared, copied
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import comment
 from fieldspec.backends.c.values import access_functions, signed_functions
@@ -80,18 +81,19 @@ def number_lines(naming: Naming, layout: DeviceLayout) -> list[list[str]]:
 
 
 def _floats(naming: Naming) -> list[str]:
+    inline = naming.own_macro("inline")
     return [
-        f"static inline float {naming.own('float_of')}(uint32_t bits)",
+        f"{inline} float {naming.own('float_of')}(uint32_t bits)",
         "{",
         "    float value;",
-        "    memcpy(&value, &bits, sizeof value);",
+        f"    {copied(naming, '&value', '&bits', 'sizeof value')}",
         "    return value;",
         "}",
         "",
-        f"static inline uint32_t {naming.own('bits_of')}(float value)",
+        f"{inline} uint32_t {naming.own('bits_of')}(float value)",
         "{",
         "    uint32_t bits;",
-        "    memcpy(&bits, &value, sizeof bits);",
+        f"    {copied(naming, '&bits', '&value', 'sizeof bits')}",
         "    return bits;",
         "}",
     ]
@@ -110,17 +112,26 @@ def _texts(naming: Naming) -> list[str]:
         "    return true;",
         "}",
         "",
-        *comment(
-            "Writes a text of at most size characters, filled up with zeros; other characters than ASCII are refused."
-        ),
-        f"static inline bool {naming.own('put_text')}(uint8_t *out, const char *text, size_t size)",
+        *comment("Whether a text of at most size characters has no others than those of ASCII."),
+        f"static inline bool {naming.own('is_text')}(const char *text, size_t size)",
         "{",
         "    size_t at;",
-        "    memset(out, 0, size);",
+        "    for (at = 0; at < size && text[at] != '\\0'; at++) {",
+        "        if ((uint8_t)text[at] > 127u) {",
+        "            return false;",
+        "        }",
+        "    }",
+        "    return true;",
+        "}",
+        "",
+        *comment("Writes a text of at most size characters, filled up with zeros."),
+        f"static inline void {naming.own('put_text')}(uint8_t *out, const char *text, size_t size)",
+        "{",
+        "    size_t at;",
+        f"    {cleared(naming, 'out', 'size')}",
         "    for (at = 0; at < size && text[at] != '\\0'; at++) {",
         "        out[at] = (uint8_t)text[at];",
         "    }",
-        f"    return {naming.own('is_ascii')}(out, size);",
         "}",
     ]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from fieldspec.backends.c.machine import cleared, copied
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import integer
 from fieldspec.model.primitive import Kind
@@ -73,25 +74,55 @@ def access_name(size: int, order: str, swapped: bool) -> str:
 
 
 def access_functions(naming: Naming, size: int, order: str, swapped: bool) -> list[str]:
-    """The functions that load and store an unsigned number, byte by byte: right on every machine."""
-    kind = f"uint{8 * size}_t"
-    wide = "uint64_t" if size == 8 else "uint32_t"
-    name = access_name(size, order, swapped)
+    """The functions that load and store an unsigned number: right whatever the order of the machine."""
+    kind, wide = f"uint{8 * size}_t", "uint64_t" if size == 8 else "uint32_t"
+    name, inline = access_name(size, order, swapped), naming.own_macro("inline")
+    load, store = naming.own("load", name), naming.own("store", name)
+    if size == 1:
+        return [
+            *(f"{inline} {kind} {load}(const uint8_t *in)", "{", "    return in[0];", "}", ""),
+            *(f"{inline} void {store}(uint8_t *out, {kind} value)", "{", "    out[0] = value;", "}"),
+        ]
     steps = shifts(size, order, swapped)
     parts = [f"({wide})in[{at}]" + (f" << {step}" if step else "") for at, step in enumerate(steps)]
-    lines = [
-        f"static inline {kind} {naming.own('load', name)}(const uint8_t *in)",
+    return [
+        f"{inline} {kind} {load}(const uint8_t *in)",
         "{",
-        f"    return ({kind})({' | '.join(parts if size == 1 else [f'({part})' for part in parts])});",
+        *_returned(kind, wide, parts),
         "}",
         "",
-        f"static inline void {naming.own('store', name)}(uint8_t *out, {kind} value)",
+        f"{inline} void {store}(uint8_t *out, {kind} value)",
         "{",
+        *_stored(naming, size, steps),
+        "}",
     ]
-    for at, step in enumerate(steps):
-        shifted = f"(value >> {step})" if step else "value"
-        lines.append(f"    out[{at}] = (uint8_t){shifted};")
-    return [*lines, "}"]
+
+
+def _returned(kind: str, wide: str, parts: list[str]) -> list[str]:
+    """The statement that joins the bytes, two of them on a line where there are more."""
+    rows = [
+        " | ".join(part if "<<" not in part else f"({part})" for part in parts[at : at + 2])
+        for at in range(0, len(parts), 2)
+    ]
+    if kind != wide:
+        return [f"    return ({kind})({rows[0]});"]
+    return [f"    return {rows[0]} |", *(f"           {row} |" for row in rows[1:-1]), f"           {rows[-1]};"]
+
+
+def _stored(naming: Naming, size: int, steps: list[int]) -> list[str]:
+    """The statements that store a number: at once where the machine may and its bytes lie in one order."""
+    single = [f"    out[{at}] = (uint8_t){f'(value >> {step})' if step else 'value'};" for at, step in enumerate(steps)]
+    if steps not in (sorted(steps), sorted(steps, reverse=True)):
+        return single
+    turned = [f"    value = __builtin_bswap{8 * size}(value);"] if steps[0] else []
+    return [
+        f"#ifdef {naming.own_macro('stores_at_once')}",
+        *turned,
+        f"    {copied(naming, 'out', '&value', 'sizeof value')}",
+        "#else",
+        *single,
+        "#endif",
+    ]
 
 
 def load(naming: Naming, wire: Wire, source: str) -> str:
@@ -109,7 +140,7 @@ def signed_functions(naming: Naming) -> list[str]:
         kind = f"uint{bits}_t"
         top = f"UINT64_C(0x{1 << (bits - 1):X})" if bits == 64 else f"0x{1 << (bits - 1):X}u"
         lines += [
-            f"static inline int{bits}_t {naming.own('signed', str(bits))}({kind} raw)",
+            f"{naming.own_macro('inline')} int{bits}_t {naming.own('signed', str(bits))}({kind} raw)",
             "{",
             f"    return (int{bits}_t)((raw & {top}) ? -({wide})({kind})~raw - 1 : ({wide})raw);",
             "}",
@@ -148,80 +179,88 @@ def range_test(value: Value, name: str) -> str:
     return "!(" + " || ".join(parts if len(parts) == 1 else [f"({part})" for part in parts]) + ")"
 
 
+def load_lines(naming: Naming, wire: Wire, source: str, target: str) -> list[str]:
+    """Statements that move the value at `source` to `target` without a look at it."""
+    if wire.kind is Kind.TEXT:
+        return [copied(naming, target, source, f"{wire.size}u"), f"{target}[{wire.size}] = '\\0';"]
+    if wire.kind is Kind.BYTES:
+        return [copied(naming, target, source, f"{wire.size}u")]
+    if wire.kind is Kind.FLOAT:
+        return [f"{target} = {naming.own('float_of')}({load(naming, wire, source)});"]
+    if wire.kind is Kind.BOOLEAN:
+        return [f"{target} = {load(naming, wire, source)} != 0;"]
+    return [f"{target} = {load(naming, wire, source)};"]
+
+
+def found_tests(naming: Naming, wire: Wire, source: str, closed: str) -> list[str]:
+    """Statements that return where the value at `source`, which has been loaded, is refused."""
+    if wire.value.const is not None:
+        return const_test(naming, wire, source)
+    if wire.kind is Kind.TEXT:
+        return refused(naming, f"!{naming.own('is_ascii')}({source}, {wire.size}u)", "err_unknown_value")
+    if wire.kind is Kind.BOOLEAN:
+        return refused(naming, f"{load(naming, wire, source)} > 1u", "err_unknown_value")
+    return refused(naming, closed, "err_unknown_value") if closed else []
+
+
 def decode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
     """Statements that read the value at `source` into `target`, and return where it is refused.
 
     `closed` is the condition under which a closed enum refuses the value, over the name `target`, or empty.
     """
-    value = wire.value
-    if wire.kind is Kind.TEXT:
-        return [
-            f"if (!{naming.own('is_ascii')}({source}, {wire.size}u)) {{",
-            f"    return {naming.own_macro('err_unknown_value')};",
-            "}",
-            f"memcpy({target}, {source}, {wire.size}u);",
-            f"{target}[{wire.size}] = '\\0';",
-        ]
-    if wire.kind is Kind.BYTES:
-        return [f"memcpy({target}, {source}, {wire.size}u);"]
-    if wire.kind is Kind.FLOAT:
-        return [f"{target} = {naming.own('float_of')}({load(naming, wire, source)});"]
-    if wire.kind is Kind.BOOLEAN:
-        return [
-            f"if ({load(naming, wire, source)} > 1u) {{",
-            f"    return {naming.own_macro('err_unknown_value')};",
-            "}",
-            f"{target} = {load(naming, wire, source)} == 1u;",
-        ]
-    lines = [f"{target} = {load(naming, wire, source)};"]
-    if value.const is not None:
+    if wire.value.const is not None:
         return const_test(naming, wire, source)
-    if closed:
-        lines += [f"if ({closed}) {{", f"    return {naming.own_macro('err_unknown_value')};", "}"]
-    return lines
+    return [*load_lines(naming, wire, source, target), *found_tests(naming, wire, source, closed)]
+
+
+def refused(naming: Naming, test: str, error: str) -> list[str]:
+    """Statements that return an error where a condition holds."""
+    return [f"if ({test}) {{", f"    return {naming.own_macro(error)};", "}"]
 
 
 def const_test(naming: Naming, wire: Wire, source: str) -> list[str]:
     """Statements that refuse another value than the constant at `source`."""
     assert wire.value.const is not None
     wanted = integer(wire.value.const, wire.size, wire.value.type.signed)
-    return [
-        f"if ({load(naming, wire, source)} != {wanted}) {{",
-        f"    return {naming.own_macro('err_wrong_const')};",
-        "}",
-    ]
+    return refused(naming, f"{load(naming, wire, source)} != {wanted}", "err_wrong_const")
 
 
-def encode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
-    """Statements that check the value `source` and write it at `target`, and return where it is refused."""
-    store = naming.own("store", access_name(wire.size, wire.order, wire.swapped)) if wire.size in (1, 2, 4, 8) else ""
+def given_tests(naming: Naming, wire: Wire, source: str, closed: str) -> list[str]:
+    """Statements that return where the value `source`, which is to be written, is refused."""
     if wire.kind is Kind.TEXT:
-        return [
-            f"if (!{naming.own('put_text')}({target}, {source}, {wire.size}u)) {{",
-            f"    return {naming.own_macro('err_unknown_value')};",
-            "}",
-        ]
+        return refused(naming, f"!{naming.own('is_text')}({source}, {wire.size}u)", "err_unknown_value")
+    if wire.kind is not Kind.INTEGER:
+        return []
+    lines = refused(naming, closed, "err_unknown_value") if closed else []
+    test = range_test(wire.value, source)
+    return [*lines, *refused(naming, test, "err_out_of_range")] if test else lines
+
+
+def store_lines(naming: Naming, wire: Wire, source: str, target: str) -> list[str]:
+    """Statements that write the value `source` at `target` without a look at it."""
+    if wire.kind is Kind.TEXT:
+        return [f"{naming.own('put_text')}({target}, {source}, {wire.size}u);"]
     if wire.kind is Kind.BYTES:
-        return [f"memcpy({target}, {source}, {wire.size}u);"]
+        return [copied(naming, target, source, f"{wire.size}u")]
+    store = naming.own("store", access_name(wire.size, wire.order, wire.swapped))
     if wire.kind is Kind.FLOAT:
         return [f"{store}({target}, {naming.own('bits_of')}({source}));"]
     number = f"uint{8 * wire.size}_t"
     if wire.kind is Kind.BOOLEAN:
         return [f"{store}({target}, ({number})({source} ? 1 : 0));"]
-    lines = []
-    if closed:
-        lines += [f"if ({closed}) {{", f"    return {naming.own_macro('err_unknown_value')};", "}"]
-    test = range_test(wire.value, source)
-    if test:
-        lines += [f"if ({test}) {{", f"    return {naming.own_macro('err_out_of_range')};", "}"]
     cast = f"({number})" if wire.value.type.signed else ""
-    return [*lines, f"{store}({target}, {cast}{source});"]
+    return [f"{store}({target}, {cast}{source});"]
+
+
+def encode_lines(naming: Naming, wire: Wire, source: str, target: str, closed: str) -> list[str]:
+    """Statements that check the value `source` and write it at `target`, and return where it is refused."""
+    return [*given_tests(naming, wire, source, closed), *store_lines(naming, wire, source, target)]
 
 
 def fixed_lines(naming: Naming, wire: Wire, number: int, target: str) -> list[str]:
     """Statements that write a number that nobody gives: a constant, or that of a reserved field."""
     if wire.kind in (Kind.TEXT, Kind.BYTES):
-        return [f"memset({target}, 0, {wire.size}u);"]
+        return [cleared(naming, target, f"{wire.size}u")]
     store = naming.own("store", access_name(wire.size, wire.order, wire.swapped))
     raw = number & ((1 << (8 * wire.size)) - 1)
     return [f"{store}({target}, {integer(raw, wire.size, False)});"]
