@@ -204,6 +204,7 @@ ALLOWED = {
     "enum",
     "importlib",
     "operator",
+    "re",
     "struct",
     "types",
     "typing",
