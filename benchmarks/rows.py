@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import gc
 import json
+import os
 import sys
 import timeit
 from collections.abc import Callable, Iterable
@@ -17,7 +18,7 @@ from pathlib import Path
 from statistics import median
 
 ROOT = Path(__file__).resolve().parent.parent
-GENERATED = ROOT / "generated" / "python"
+GENERATED = Path(os.environ.get("FIELDSPEC_GENERATED", ROOT / "generated" / "python"))
 ROUNDS = 15
 LEAST = 0.004
 """Seconds that one side takes in one round, at least."""
