@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers import modbus
-from rows import Row, print_rows
-from timing import timed, use_generated
+from rows import Row, printed, timed, use_generated
 
 use_generated()
 
@@ -48,14 +47,14 @@ def rows() -> Iterator[Row]:
     assert built() == modbus.ReadRequest(1, 0x1000, 1).build() == FRAME
     assert by_construct().body.value.start == 0x1000
     hand = "struct, CRC by a loop over 256 entries"
-    yield timed("build", built, hand, lambda: modbus.ReadRequest(1, 0x1000, 1).build())
-    yield timed("parse", parsed, hand, lambda: modbus.ReadRequest.parse(FRAME))
-    yield timed("build and parse", both, hand, by_hand, at_most=0.55)
-    yield timed("build and parse", both, "pymodbus", by_pymodbus, version=version("pymodbus"), at_least=8)
+    yield timed(GROUP, "build", built, hand, lambda: modbus.ReadRequest(1, 0x1000, 1).build())
+    yield timed(GROUP, "parse", parsed, hand, lambda: modbus.ReadRequest.parse(FRAME))
+    yield timed(GROUP, "build and parse", both, hand, by_hand, at_most=0.55)
+    yield timed(GROUP, "build and parse", both, f"pymodbus {version('pymodbus')}", by_pymodbus, at_least=8)
     yield timed(
         GROUP, "build and parse", both, f"construct {version('construct')}, compiled", by_construct, at_least=30
     )
 
 
 if __name__ == "__main__":
-    print_rows(GROUP, rows())
+    printed(rows())

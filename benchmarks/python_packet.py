@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers.packet import CONSTRUCT, GripOpen
-from rows import Row, print_rows
-from timing import timed, use_generated
+from rows import Row, printed, timed, use_generated
 
 use_generated()
 
@@ -38,13 +37,13 @@ def rows() -> Iterator[Row]:
     assert built() == GripOpen(0, 500, 800, 50, 70).build() == FRAME
     assert by_construct().body.value.upper == serial.decode_request(FRAME).message.zone_limit_2 == 800
     hand = "struct, one pack and unpack, sum()"
-    yield timed("build", built, hand, lambda: GripOpen(0, 500, 800, 50, 70).build())
-    yield timed("parse", parsed, hand, lambda: GripOpen.parse(FRAME))
-    yield timed("build and parse", both, hand, by_hand, at_most=1.15)
+    yield timed(GROUP, "build", built, hand, lambda: GripOpen(0, 500, 800, 50, 70).build())
+    yield timed(GROUP, "parse", parsed, hand, lambda: GripOpen.parse(FRAME))
+    yield timed(GROUP, "build and parse", both, hand, by_hand, at_most=1.15)
     yield timed(
         GROUP, "build and parse", both, f"construct {version('construct')}, compiled", by_construct, at_least=33
     )
 
 
 if __name__ == "__main__":
-    print_rows(GROUP, rows())
+    printed(rows())

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers.point import CONSTRUCT, FIELDS, Bare, Checked
-from rows import Row, print_rows
-from timing import timed, use_generated
+from rows import Row, printed, timed, use_generated
 
 use_generated()
 
@@ -29,15 +28,13 @@ def rows() -> Iterator[Row]:
     def decoded() -> object:
         return Point.decode(data)
 
-    hand, library = "struct, slotted class", "construct, compiled"
-    yield timed("decode", decoded, hand, lambda: Bare.decode(data), at_most=1.10)
-    yield timed("decode", decoded, library, lambda: CONSTRUCT.parse(data), version=version("construct"), at_least=9)
-    yield timed("encode", point.encode, f"{hand}, same tests of ranges", checked.encode, at_most=1.10)
-    yield timed("encode", point.encode, f"{hand}, no tests of ranges", bare.encode)
-    yield timed(
-        "encode", point.encode, library, lambda: CONSTRUCT.build(VALUES), version=version("construct"), at_least=20
-    )
+    hand, library = "struct, slotted class", f"construct {version('construct')}, compiled"
+    yield timed(GROUP, "decode", decoded, hand, lambda: Bare.decode(data), at_most=1.10)
+    yield timed(GROUP, "decode", decoded, library, lambda: CONSTRUCT.parse(data), at_least=9)
+    yield timed(GROUP, "encode", point.encode, f"{hand}, same tests of ranges", checked.encode, at_most=1.10)
+    yield timed(GROUP, "encode", point.encode, f"{hand}, no tests of ranges", bare.encode)
+    yield timed(GROUP, "encode", point.encode, library, lambda: CONSTRUCT.build(VALUES), at_least=20)
 
 
 if __name__ == "__main__":
-    print_rows(GROUP, rows())
+    printed(rows())

@@ -8,8 +8,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers.telegram import Words, with_construct
-from rows import Row, print_rows
-from timing import timed, use_generated
+from rows import Row, printed, timed, use_generated
 
 use_generated()
 
@@ -39,16 +38,16 @@ def rows() -> Iterator[Row]:
         return first.flags(), second.flags(), third.flags(), fourth.flags(), fifth.flags()
 
     number = sum(map(len, bits))
-    yield timed("decode", lambda: Telegram111Response.decode(DATA), "struct, bare words",
+    yield timed(GROUP, "decode", lambda: Telegram111Response.decode(DATA), "struct, bare words",
                 lambda: Words.decode(DATA), at_most=1.10)  # fmt: skip
-    yield timed("read a bit", lambda: first.operation_enabled, "a property", lambda: words.operation_enabled,
+    yield timed(GROUP, "read a bit", lambda: first.operation_enabled, "a property", lambda: words.operation_enabled,
                 at_most=1.10)  # fmt: skip
-    yield timed(f"all {number} bits by snapshots", snapshot, f"{number} reads", read_each, at_most=0.60)
-    yield timed("decode", lambda: Telegram111Response.decode(DATA),
-                "construct, FlagsEnum, compiled", lambda: library.parse(DATA), version=version("construct"),
+    yield timed(GROUP, f"all {number} bits by snapshots", snapshot, f"{number} reads", read_each, at_most=0.60)
+    yield timed(GROUP, "decode", lambda: Telegram111Response.decode(DATA),
+                f"construct {version('construct')}, FlagsEnum, compiled", lambda: library.parse(DATA),
                 at_least=18)  # fmt: skip
-    yield Row(f"memory kept after {WORDS} different words", grown(StatusWord1Positioning), "bytes", 1024,
-              "a kilobyte", goal=1)  # fmt: skip
+    yield Row(GROUP, f"memory kept after {WORDS} different words", "one word", grown(StatusWord1Positioning), 0,
+              "bytes", 0)  # fmt: skip
 
 
 def grown(word: type) -> float:
@@ -66,4 +65,4 @@ def grown(word: type) -> float:
 
 
 if __name__ == "__main__":
-    print_rows(GROUP, rows())
+    printed(rows())

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import gc
 import json
-import os
 import sys
 import timeit
 from collections.abc import Callable, Iterable
@@ -18,7 +17,7 @@ from pathlib import Path
 from statistics import median
 
 ROOT = Path(__file__).resolve().parent.parent
-GENERATED = Path(os.environ.get("FIELDSPEC_GENERATED", ROOT / "generated" / "python"))
+GENERATED = ROOT / "generated" / "python"
 ROUNDS = 15
 LEAST = 0.004
 """Seconds that one side takes in one round, at least."""
