@@ -41,5 +41,6 @@ OUTPUTS = {
         Output("c", "C headers with self-tests"),
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
+        Output("kv", "Word maps and device comments for word-based PLCs as CSV"),
     )
 }

@@ -1,0 +1,249 @@
+"""The word map and the device comments say where values lie, are read by an independent reader, and harm nobody."""
+
+from __future__ import annotations
+
+import csv
+import io
+import random
+import re
+import struct
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
+import pytest
+
+from fieldspec.backends.kv.areas import Area, areas
+from fieldspec.backends.kv.backend import files
+from fieldspec.backends.kv.dialect import KV
+from fieldspec.backends.kv.held import Held
+from fieldspec.backends.vectors.view import vector
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout
+from fieldspec.reference.records import value_construct
+from laid_out import MADE_UP, SPECS, laid_at, layouts, newest
+from reading import gadget
+from word_memory import ROOTS, Row, comments, memory, number, signed, texts, word_map
+
+VERSIONS = [
+    pytest.param(layout, id=f"{layout.device.id}-{layout.device.version}")
+    for root in (SPECS, MADE_UP)
+    for versions in layouts(root).values()
+    for layout in versions
+]
+
+
+def rows_of(layout: DeviceLayout) -> list[Row]:
+    return word_map(layout.device.id, layout.device.version)
+
+
+def is_number(row: Row) -> bool:
+    return bool(row["bits"]) and row["type"] not in ("bit", "bits")
+
+
+def at_path(values: Any, name: str) -> Any:
+    """What lies in nested values at `points[0].mode`; None where it is not there."""
+    for step in re.findall(r"[^.\[\]]+", name):
+        if isinstance(values, list):
+            values = values[int(step)] if int(step) < len(values) else None
+        elif isinstance(values, dict):
+            values = values.get(step)
+        if values is None:
+            return None
+    return values
+
+
+EXAMPLES = [
+    pytest.param(layout, example.id, id=f"{layout.device.id}-{layout.device.version}-{example.id}")
+    for root in (SPECS, MADE_UP)
+    for versions in layouts(root).values()
+    for layout in versions
+    for example in layout.device.examples.values()
+    if example.message
+    and not (example.refused or example.error or layout.messages[example.message].message.accesses)
+    and layout.links[example.link].link.encoding == "binary"
+]
+
+
+@pytest.mark.parametrize(("layout", "example_id"), EXAMPLES)
+def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayout, example_id: str) -> None:
+    example = layout.device.examples[example_id]
+    link = layout.links[example.link]
+    values = vector(layout, example)["values"]
+    assert isinstance(values, dict)
+    marks = len(link.link.start), len(example.frame) - len(link.link.end)
+    unit = 1 if link.frame(example.direction).check else 2
+    words = memory(example.frame[slice(*marks)], unit)
+    ends = (f"{example.message} {example.direction}", f"{example.message} on {link.name} {example.direction}")
+    compared = 0
+    for row in rows_of(layout):
+        if row["area"] not in ends or not is_number(row):
+            continue
+        selector, _, cases = row["case"].partition(": ")
+        if cases and not chosen(layout, example.message, example.direction, values, selector, cases.split(", ")):
+            continue
+        for element in range(int(row["elements"] or 1)):
+            name = re.sub(r"\[[0-9]+\.\.[0-9]+\]", f"[{element}]", row["name"])
+            held = at_path(values, name)
+            if held is None:
+                continue
+            if isinstance(held, float):
+                held = struct.unpack(">I", struct.pack(">f", held))[0]
+            assert signed(row, words, element) == held, row
+            compared += 1
+    assert compared >= sum(not isinstance(held, str | list) for held in values.values())
+
+
+def chosen(layout: DeviceLayout, message: str, direction: str, values: Any, selector: str, cases: list[str]) -> bool:
+    """Whether the selector has one of some values."""
+    by = layout.messages[message].data(direction).named(selector)
+    assert by is not None
+    assert by.value is not None
+    member = layout.device.enums[by.value.enum].member(values[selector])
+    return member is not None and member.name in cases
+
+
+@pytest.mark.parametrize("layout", VERSIONS)
+def test_the_bits_of_the_map_are_those_that_the_reference_writes(layout: DeviceLayout) -> None:
+    chance = random.Random(layout.identity)
+    found = {(row["area"], row["name"], row["case"]): row for row in rows_of(layout)}
+    for area in areas(layout):
+        for held in area.held:
+            if held.value is not None and held.value.type.letter != "s":
+                check_element(found[area.name, held.title, held.case], area, held, chance)
+
+
+def check_element(row: Row, area: Area, held: Held, chance: random.Random) -> None:
+    raw = chance.getrandbits(8 * held.size)
+    assert held.value is not None
+    letter = held.value.type.letter
+    endian = ">" if (held.order == "big") != held.swapped else "<"
+    given = struct.unpack(f"{endian}{letter}", raw.to_bytes(held.size, "big" if endian == ">" else "little"))[0]
+    if given != given:
+        return
+    written = value_construct(held.value, held.order, held.swapped).build(given)
+    element = chance.randrange(held.elements)
+    data = bytearray(area.size)
+    at = held.start + element * held.stride
+    data[at : at + held.size] = written
+    assert number(row, memory(bytes(data), area.unit), element) == raw
+
+
+def fields_of(layout: DeviceLayout) -> Iterator[FieldLayout]:
+    for message in layout.messages.values():
+        yield from (*message.request.fields, *message.response.fields)
+
+
+@pytest.mark.parametrize("layout", VERSIONS)
+def test_flags_have_rows_for_their_bits(layout: DeviceLayout) -> None:
+    rows = rows_of(layout)
+    found = {(row["area"], row["name"]): row for row in rows}
+    chance = random.Random(1)
+    checked = 0
+    for area in areas(layout):
+        for held in area.held:
+            flags = layout.device.flags.get(held.value.flags) if held.value and held.value.flags else None
+            for bit in flags.bits if flags else ():
+                words = [chance.getrandbits(16) for _ in range(held.start + held.size + 1)]
+                whole = number(found[area.name, held.title], words)
+                part = number(found[area.name, f"{held.title}.{bit.name}"], words)
+                assert part == (whole & bit.mask) >> bit.first
+                checked += 1
+    assert checked or not any(field.value and field.value.flags for field in fields_of(layout))
+
+
+@pytest.mark.parametrize("layout", VERSIONS)
+def test_every_register_and_every_field_of_a_table_is_in_the_map(layout: DeviceLayout) -> None:
+    rows = rows_of(layout)
+    addresses = {int(row["address"], 16) for row in rows if row["address"]}
+    wanted = {laid.address + number * laid.stride for laid in layout.registers for number in range(laid.count)}
+    assert wanted <= addresses
+    for table in layout.tables.values():
+        names = {re.sub(r"\[[^\]]*\]", "", row["name"]) for row in rows if row["area"] == f"table {table.name}"}
+        assert {f"{table.name}.{field.name}" for field in table.record.fields if not field.record} <= names
+
+
+@pytest.mark.parametrize("layout", VERSIONS)
+def test_areas_lie_apart_and_behind_the_documented_base(layout: DeviceLayout) -> None:
+    first: dict[str, int] = {}
+    for row in rows_of(layout):
+        if row["device"]:
+            start = int(row["device"].removeprefix(KV.letters)) - int(row["word"])
+            assert first.setdefault(row["area"], start) == start
+    ends = {area.name: first[area.name] + area.words for area in areas(layout)}
+    spans = sorted((start, ends[name]) for name, start in first.items())
+    assert spans[0][0] == KV.base
+    assert all(end <= start for (_, end), (start, _) in pairwise(spans))
+    assert all(start % KV.step == 0 for start, _ in spans)
+    assert spans[-1][1] - 1 <= KV.last
+
+
+@pytest.mark.parametrize("layout", VERSIONS)
+def test_every_word_that_holds_something_has_one_short_comment_in_ascii(layout: DeviceLayout) -> None:
+    made = comments(layout.device.id, layout.device.version)
+    assert all(len(row) == 2 for row in made)
+    assert all(row[1].isascii() and row[1].isprintable() and 0 < len(row[1]) <= KV.width for row in made)
+    devices = [row[0] for row in made]
+    assert len(devices) == len(set(devices))
+    base = {row["area"]: int(row["device"][2:]) - int(row["word"]) for row in rows_of(layout) if row["device"]}
+    wanted = {
+        KV.device(base[area.name] + byte // area.unit)
+        for area in areas(layout)
+        for held in area.held
+        for _, start in held.names()
+        for byte in range(start, start + held.size)
+    }
+    assert set(devices) == wanted
+
+
+@pytest.mark.parametrize("device", ROOTS)
+def test_comments_are_the_same_bytes_in_every_encoding_that_they_may_be_read_in(device: str) -> None:
+    for path, text in texts(device).items():
+        if path.endswith("_comments.csv"):
+            assert text.encode("cp932") == text.encode("utf-8") == text.encode("gbk")
+
+
+@pytest.mark.parametrize("device", ROOTS)
+def test_lines_end_as_they_do_on_windows(device: str) -> None:
+    for text in texts(device).values():
+        assert text.count("\n") == text.count("\r\n") == text.count("\r")
+
+
+def test_a_value_of_two_words_says_what_must_be_done_before_it_is_read_as_one() -> None:
+    found = {row["name"]: row for row in word_map("widget", "2.0")}
+    by_bits: dict[str, set[str]] = {}
+    for row in found.values():
+        if is_number(row):
+            by_bits.setdefault(row["bits"], set()).add(row["in_memory"])
+    assert by_bits["15..0"] == {"direct"}
+    assert by_bits["0:15..0 1:15..0"] == {"swap words"}
+
+
+def test_a_label_that_is_a_formula_to_a_spreadsheet_is_a_text() -> None:
+    spec = gadget(
+        """
+registers:
+  - group: all
+    title: All
+    section: "1"
+    rows:
+      - {at: 0, name: first, type: u16, access: rw, label: '=HYPERLINK("http://x","y")', source: L1}
+      - {at: 1, name: second, type: u16, access: rw, label: "+1, \\"quoted\\"\\nline", source: L2}
+      - {at: 2, name: third, type: u16, access: rw, label: "@SUM(1)", source: L3}
+      - {at: 3, name: fourth, type: u16, access: rw, label: "-A1", source: L4}
+""",
+    )
+    made = files([laid_at(spec, "1")])
+    text = next(text for path, text in made.items() if path.endswith("_words.csv"))
+    labels = [row["label"] for row in csv.DictReader(io.StringIO(text[1:], newline=""))][1:]
+    assert labels == ['\'=HYPERLINK("http://x","y")', '\'+1, "quoted" line', "'@SUM(1)", "'-A1"]
+
+
+def test_words_behind_the_last_one_of_the_controller_have_no_device() -> None:
+    assert (KV.device(KV.last), KV.device(KV.last + 1)) == ("DM65534", "")
+
+
+def test_the_map_bears_the_identity() -> None:
+    layout = newest(SPECS, "esc11")
+    text = next(text for path, text in files([layout]).items() if path.endswith("_words.csv"))
+    assert layout.identity in text.splitlines()[1]
