@@ -42,7 +42,7 @@ _PATHS = ("saved_by", "opposite_of")
 
 
 def handling_changed(both: Comparison) -> Iterator[Change]:
-    for pair in both.any_of(Register, Parameter):
+    for pair in both.any_of(Register, Field, Parameter):
         for key in ("atomic", "trigger"):
             old, new = getattr(pair.old, key, False), getattr(pair.new, key, False)
             if old != new:

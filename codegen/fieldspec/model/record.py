@@ -56,6 +56,7 @@ class Field(Fact):
     word_span: tuple[int, int] | None
     access: str
     restart: bool | None
+    atomic: bool
     handling: Handling
     same_as: str
 

@@ -51,6 +51,7 @@ def _field(entry: Entry) -> Field:
         word_span=_span(entry.text("word_span")),
         access=entry.text("access"),
         restart=entry.maybe("restart"),
+        atomic=entry.flag("atomic"),
         handling=entry.handling(),
         same_as=entry.text("same_as"),
     )

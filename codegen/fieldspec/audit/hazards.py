@@ -1,0 +1,263 @@
+"""What may go wrong when values are read and written, although every single fact is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fieldspec.checks.walking import layers
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.handling import NOTHING_SAID, Handling
+from fieldspec.model.message import Message
+from fieldspec.model.parameter import Parameter, ParameterSet
+from fieldspec.model.place import Place
+from fieldspec.model.record import Field
+from fieldspec.model.register import Register
+from fieldspec.model.table import Table
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of hazard: its title, and what to do about all of that kind.
+
+    `unsafe` says that what was read must not simply be written back.
+    """
+
+    name: str
+    title: str
+    advice: str
+    unsafe: bool = False
+
+
+KINDS = {
+    kind.name: kind
+    for kind in (
+        Kind(
+            "trigger",
+            "Writing starts an action",
+            "What is read is not what was written. Never write back what was read; write only to start the action.",
+            True,
+        ),
+        Kind(
+            "write_only",
+            "Can only be written",
+            "A read is refused or has no meaning, so that what was written cannot be verified.",
+            True,
+        ),
+        Kind(
+            "clears_on_read",
+            "Reading changes the value",
+            "Only the first reader gets it: read it in one place of the program, and in no block that is polled.",
+            True,
+        ),
+        Kind(
+            "shared_word",
+            "Several things share what is written at once",
+            "To change one of them, write the others as they are; bits without a meaning keep what they hold.",
+            True,
+        ),
+        Kind(
+            "alias",
+            "One value at two addresses",
+            "Writing one changes the other; a program that keeps both keeps one of them wrong.",
+            True,
+        ),
+        Kind(
+            "atomic",
+            "All words must be accessed in one request",
+            "Read and write all of its words with one request, else halves of two values are put together.",
+        ),
+        Kind(
+            "opposite",
+            "Opposite senses",
+            "What is 1 in the one is 0 in the other: do not compare them, or copy the one to the other.",
+        ),
+        Kind("active_low", "True at 0", "The named thing is so while the bit is 0."),
+        Kind(
+            "edge",
+            "The change has the effect, not the level",
+            "Take the bit back before it is to have an effect again.",
+        ),
+        Kind(
+            "restart", "Takes effect after a restart", "Until the device was off and on, it works with the old value."
+        ),
+        Kind("save", "Must be saved", "Without the second step the value is lost with the power."),
+        Kind(
+            "wear",
+            "Writes to a memory that keeps its content",
+            "Do not write cyclically what wears out; where no number is printed, ask the maker for it.",
+        ),
+    )
+}
+"""The kinds of hazards by name, the gravest first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hazard:
+    """A fact that is one: its kind, where it is addressed, what it has to do with, and why in a few words."""
+
+    kind: Kind
+    name: str
+    where: str
+    why: str
+    other: str
+    path: str
+    place: Place
+    key: str
+    sources: tuple[Citation, ...]
+
+
+def hazards(layout: DeviceLayout) -> list[Hazard]:
+    """All hazards of a device, the gravest kind first, each kind in the order of the spec."""
+    order = list(KINDS)
+    return sorted(_found(layout), key=lambda hazard: order.index(hazard.kind.name))
+
+
+def _found(layout: DeviceLayout) -> Iterator[Hazard]:
+    device = layout.device
+    for register in device.registers():
+        yield from _of_register(device, register)
+    for table in device.tables.values():
+        yield from _handled(table, table.handling, f"{table.base:04X}h, {table.count} times", device)
+    placed = {field.field.place.path for laid in layout.records.values() for field in laid.fields}
+    for record in layers(device):
+        tables = [table for table in device.tables.values() if table.record == record.name]
+        for field in record.fields:
+            yield from _of_field(device, field, tables, field.place.path in placed)
+    for held in device.parameters.values():
+        for parameter in held.parameters:
+            yield from _of_parameter(device, held, parameter)
+    for message in device.messages.values():
+        yield from _handled(message, message.handling, _code(message), device)
+    for word in device.flags.values():
+        for bit in word.bits:
+            yield from _of_bit(device, word, bit)
+
+
+def _of_register(device: Device, register: Register) -> Iterator[Hazard]:
+    where = f"{register.address:04X}h"
+    if register.trigger:
+        yield _hazard("trigger", register, where, _started(register.value), key="trigger")
+    if register.access == "wo":
+        yield _hazard("write_only", register, where, "access wo", key="access")
+    yield from _shared(device, register, register.value, register.access, where)
+    if register.same_as:
+        yield _hazard("alias", register, where, f"the same as {register.same_as}", register.same_as, "same_as")
+    if register.atomic and register.width > 1:
+        last = register.address + register.width - 1
+        yield _hazard("atomic", register, f"{where}..{last:04X}h", f"{register.width} words", key="atomic")
+    if register.restart:
+        yield _hazard("restart", register, where, "restart", key="restart")
+    yield from _handled(register, register.handling, where, device)
+
+
+def _of_field(device: Device, field: Field, tables: list[Table], in_record: bool) -> Iterator[Hazard]:
+    where = ", ".join(table.name for table in tables) or field.place.path.rpartition("/")[0]
+    if field.access == "wo":
+        yield _hazard("write_only", field, where, "access wo", key="access")
+    if field.restart:
+        yield _hazard("restart", field, where, "restart", key="restart")
+    if field.atomic and field.value is not None and field.value.size > 2:
+        yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
+    if field.value is not None and tables and in_record:
+        access = field.access or next((table.access for table in tables if table.access == "rw"), "")
+        yield from _shared(device, field, field.value, access, where)
+    yield from _handled(field, field.handling, where, device)
+
+
+def _of_parameter(device: Device, held: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
+    where = held.written(parameter.number)
+    if parameter.trigger:
+        yield _hazard("trigger", parameter, where, _started(parameter.value), key="trigger")
+    if parameter.access == "wo":
+        yield _hazard("write_only", parameter, where, "access wo", key="access")
+    yield from _shared(device, parameter, parameter.value, parameter.access, where)
+    if parameter.restart:
+        yield _hazard("restart", parameter, where, "restart", key="restart")
+    yield from _handled(parameter, parameter.handling, where, device)
+
+
+def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
+    where = f"{word.name}, bit {bit.first}" + (f"..{bit.last}" if bit.width > 1 else "")
+    if bit.edge:
+        yield _hazard("edge", bit, where, f"its {bit.edge} edge", key="edge")
+    if bit.active == "low" and not bit.reserved:
+        yield _hazard("active_low", bit, where, "0 while it holds", key="active")
+    yield from _handled(bit, bit.handling, where, device)
+
+
+def _handled(fact: Fact, said: Handling, where: str, device: Device) -> Iterator[Hazard]:
+    """What the keys of handling say, which many kinds of facts have."""
+    if said == NOTHING_SAID:
+        return
+    if said.clears_on_read:
+        yield _hazard("clears_on_read", fact, where, "cleared by reading", key="clears_on_read")
+    if said.opposite_of:
+        yield _hazard("opposite", fact, where, f"against {said.opposite_of}", said.opposite_of, "opposite_of")
+    if said.saved_by:
+        why = "lost with the power until " if said.memory == "volatile" else ""
+        yield _hazard("save", fact, where, f"{why}saved by {said.saved_by}", said.saved_by, "saved_by")
+    access = getattr(fact, "access", "")
+    if said.endurance or (said.memory == "nonvolatile" and access != "ro"):
+        yield _hazard("wear", fact, where, _endurance(said.endurance), key="endurance" if said.endurance else "memory")
+
+
+def _endurance(said: str) -> str:
+    """How often a value may be written, as far as the manual says it."""
+    words = {"limited": "a limited number of writes, which is not printed", "unlimited": "as often as one likes"}
+    return words.get(said, f"{said} writes") if said else "how many writes it endures is not printed"
+
+
+def _started(value: Value) -> str:
+    """By what a trigger starts."""
+    if value.const is not None:
+        return f"started by {value.const:#x}"
+    return f"started by a value of {value.enum}" if value.enum else "started by writing"
+
+
+def _shared(device: Device, fact: Fact, value: Value, access: str, where: str) -> Iterator[Hazard]:
+    """A word of several named bits that is written as a whole, and another register that shows one of them alone."""
+    word = device.flags.get(value.flags)
+    if word is None or access not in ("rw", "wo"):
+        return
+    named = [bit for bit in word.bits if not bit.reserved]
+    used = sum(bit.mask for bit in named)
+    spare = (8 * word.type.size) - used.bit_count()
+    if len(named) > 1 or spare:
+        alone = sum(bit.name in _alone(device) for bit in named) if isinstance(fact, Register) else 0
+        kept = f", {spare} bits without a meaning" if spare else ""
+        also = f", {alone} of them with registers of their own" if alone else ""
+        why = f"{len(named)} things{kept}{also}"
+        yield _hazard("shared_word", fact, where, why, word.place.path, "flags")
+
+
+def _alone(device: Device) -> frozenset[str]:
+    """The names of single registers that can be written, each of several with its number."""
+    return frozenset(
+        f"{register.name}_{register.index_from + number}" if register.count > 1 else register.name
+        for register in device.registers()
+        if register.access != "ro"
+        for number in range(register.count)
+    )
+
+
+def _code(message: Message) -> str:
+    number = message.code if message.code is not None else message.number
+    return "" if number is None else f"{number:02X}h" if message.code is not None else str(number)
+
+
+def _hazard(kind: str, fact: Fact, where: str, why: str, other: str = "", key: str = "name") -> Hazard:
+    return Hazard(KINDS[kind], fact.name, where, why, other, fact.place.path, fact.place, key, fact.sources)
+
+
+def undivided(device: Device) -> list[Register]:
+    """The registers of several words of which the manual does not say that they must be accessed in one request."""
+    return [
+        register
+        for register in device.registers()
+        if register.width > 1 and not register.atomic and register.value.type.letter != "s" and not register.reserved
+    ]

@@ -1,0 +1,101 @@
+"""Who holds an address: a register, a field of a table, a parameter, or a message by its code."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from fieldspec.layout.device import TableLayout
+from fieldspec.layout.record import FieldLayout
+from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.message import Message
+from fieldspec.model.parameter import Parameter
+from fieldspec.model.place import Place
+from fieldspec.model.register import Register
+
+
+@dataclass(frozen=True, slots=True)
+class Holder:
+    """A fact that holds addresses. `about` is its type and access in a few words."""
+
+    name: str
+    printed_name: str
+    about: str
+    path: str
+    place: Place
+    sources: tuple[Citation, ...]
+    reserved: bool = False
+    allowed: Mapping[str, str] = field(default_factory=dict, compare=False)
+
+    @classmethod
+    def of(cls, fact: Fact, about: str, name: str = "") -> Holder:
+        """A fact as a holder."""
+        return cls(
+            name or fact.name,
+            fact.printed_name,
+            about,
+            fact.place.path,
+            fact.place,
+            fact.sources,
+            bool(getattr(fact, "reserved", False)),
+            fact.allowed,
+        )
+
+
+def of_register(register: Register) -> Iterator[tuple[int, int, Holder]]:
+    """The first and the last address of a register; of each of several that do not touch."""
+    about = _about(register.value.type.name, register.access)
+    width = max(1, register.width)
+    if register.count == 1 or register.stride == width:
+        last = register.index_from + register.count - 1
+        name = f"{register.name}[{register.index_from}..{last}]" if register.count > 1 else ""
+        yield register.address, register.address + register.count * width - 1, Holder.of(register, about, name)
+        return
+    for number in range(register.count):
+        first = register.address + number * register.stride
+        yield first, first + width - 1, Holder.of(register, about, f"{register.name}[{register.index_from + number}]")
+
+
+def of_parameter(parameter: Parameter) -> Iterator[tuple[int, int, Holder]]:
+    """The numbers of a parameter, as its set counts."""
+    about = _about(parameter.value.type.name, parameter.access)
+    yield parameter.number, parameter.number + parameter.count - 1, Holder.of(parameter, about)
+
+
+def of_message(message: Message) -> Holder:
+    """A message by its code."""
+    return Holder.of(message, message.title)
+
+
+def element_runs(laid: TableLayout) -> Iterator[tuple[int, int, Holder]]:
+    """The addresses of the fields of a table's first element; fields that share a word are one holder."""
+    base = laid.table.base
+    words = [_sharing(laid, word) for word in range(laid.words)]
+    first = 0
+    for at in range(1, len(words) + 1):
+        if at == len(words) or words[at] != words[first]:
+            if words[first]:
+                yield base + first, base + at - 1, _joined(laid, words[first])
+            first = at
+
+
+def _sharing(laid: TableLayout, word: int) -> tuple[str, ...]:
+    """The names of the fields that lie in a word of a record."""
+    return tuple(one.name for one in laid.record.fields if one.offset < 2 * word + 2 and _end(one) > 2 * word)
+
+
+def _end(field: FieldLayout) -> int:
+    return field.end if field.end is not None else field.offset + field.size
+
+
+def _joined(laid: TableLayout, names: tuple[str, ...]) -> Holder:
+    fields = [one for one in laid.record.fields if one.name in names]
+    first = fields[0]
+    held = first.value.type.name if first.value is not None else first.record.name if first.record else ""
+    about = _about(held, first.field.access or laid.table.access)
+    name = ", ".join(f"{one.name}[{one.count}]" if one.listed else one.name for one in fields)
+    return replace(Holder.of(first.field, about, name), reserved=all(one.field.reserved for one in fields))
+
+
+def _about(type_name: str, access: str) -> str:
+    return f"{type_name} {access}".strip()

@@ -1,0 +1,218 @@
+"""The longest reads that one request can make without touching a hole, as a list of poll blocks.
+
+A word may be read where the spec says that it can be read, or where it lies within what can be read and is reserved.
+What can only be written, what is cleared by reading, and what nothing says of whether it can be read, is left out. A
+value is never divided between two requests.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.audit.holders import Holder, element_runs
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Citation
+from fieldspec.model.handling import Handling
+from fieldspec.model.message import Message
+from fieldspec.model.record import Field
+from fieldspec.model.register import Register
+from fieldspec.source import Span
+
+READABLE = ("ro", "rw")
+
+WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
+    "can only be written",
+    "is cleared by reading",
+    "nothing says whether it can be read",
+    "has more words than one request reads",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class ReadLimit:
+    """The most words that one request of a message reads, None where nothing says it, and the place that says so.
+
+    `own` says that the device's spec gives it, and not the protocol. `sources` are the places of the manual.
+    """
+
+    message: str
+    words: int | None
+    span: Span | None
+    own: bool
+    sources: tuple[Citation, ...]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """Words that are read together, or not at all, with a reason why they cannot be read."""
+
+    first: int
+    words: int
+    name: str
+    refused: str
+    reserved: bool = False
+
+    @property
+    def end(self) -> int:
+        """The address behind it."""
+        return self.first + self.words
+
+
+@dataclass(frozen=True, slots=True)
+class PollBlock:
+    """One request: its first address, its words, and the values in it."""
+
+    start: int
+    words: int
+    names: tuple[str, ...]
+    reserved: int
+
+
+@dataclass(frozen=True, slots=True)
+class Polling:
+    """How a device is polled: the limit that counts, all limits, the blocks, and what cannot be polled."""
+
+    limits: tuple[ReadLimit, ...]
+    blocks: tuple[PollBlock, ...]
+    left_out: tuple[Unit, ...]
+
+    @property
+    def limit(self) -> ReadLimit | None:
+        """The widest of the limits: the message with it needs the fewest requests."""
+        known = [limit for limit in self.limits if limit.words is not None]
+        return max(known, key=lambda limit: limit.words or 0, default=None)
+
+
+def polling(layout: DeviceLayout) -> Polling:
+    """The poll blocks of the register space; none where no message reads registers, or nothing limits it."""
+    limits = tuple(_limit(layout.device, one) for one in layout.device.messages.values() if _reads(one))
+    made = Polling(limits, (), ())
+    if made.limit is None or made.limit.words is None:
+        return made
+    units = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
+    most = made.limit.words
+    too_long = [Unit(one.first, one.words, one.name, TOO_LONG) for one in units if not one.refused and one.words > most]
+    usable = [one for one in units if not one.refused and one.words <= most]
+    stops = [one for one in units if one.refused]
+    blocks = tuple(block for run in _together(usable, stops) for block in _cut(run, most))
+    return Polling(limits, blocks, tuple(sorted([*stops, *too_long], key=lambda unit: unit.first)))
+
+
+def _reads(message: Message) -> bool:
+    return message.accesses is not None and message.accesses.operation == "read"
+
+
+def _limit(device: Device, message: Message) -> ReadLimit:
+    """What bounds a message: the range of its number of words, how often its values repeat, or their size in bytes."""
+    access = message.accesses
+    assert access is not None
+    if not access.count:
+        return ReadLimit(message.name, 1, message.place["accesses"], True, message.sources, message.notes)
+    found: list[tuple[int, int, Field, str]] = []
+    for field in (*message.request.fields, *message.response.fields):
+        ranges = field.value.ranges if field.value is not None else None
+        key = "unit_range" if "unit_range" in field.place else "range"
+        if field.name == access.count and ranges is not None:
+            found.append((ranges.high, 0, field, key))
+        if field.name == access.values and field.repeat is not None:
+            found.append((field.repeat.high, 1, field, "repeat"))
+        measured = field.measures
+        if measured is not None and measured.field == access.values and ranges is not None:
+            found.append((ranges.high // (2 if measured.of == "bytes" else 1), 2, field, key))
+    if not found:
+        return ReadLimit(message.name, None, None, False, (), message.notes)
+    words, _, field, key = min(found, key=lambda one: one[:2])
+    span = field.place[key]
+    own = _folder(span) == _folder(device.place.whole)
+    return ReadLimit(message.name, words, span, own, field.sources if own else (), message.notes)
+
+
+def _folder(span: Span) -> str:
+    return span.file.path.rpartition("/")[0]
+
+
+def _units(layout: DeviceLayout) -> Iterator[Unit]:
+    for register in layout.device.registers():
+        yield from _of_register(register)
+    for laid in layout.tables.values():
+        yield from _of_table(laid)
+
+
+def _of_register(register: Register) -> Iterator[Unit]:
+    refused = _refused(register.access, register.handling)
+    width = max(1, register.width)
+    for number in range(register.count):
+        name = f"{register.name}[{register.index_from + number}]" if register.count > 1 else register.name
+        yield Unit(register.address + number * register.stride, width, name, refused, register.reserved)
+
+
+def _of_table(laid: TableLayout) -> Iterator[Unit]:
+    """The fields of all elements. A reserved field in the midst of others is read with them."""
+    table = laid.table
+    fields = {field.field.place.path: field.field for field in laid.record.fields}
+    shapes = [
+        (first, last, holder, _of_field(laid, fields[holder.path], holder))
+        for first, last, holder in element_runs(laid)
+    ]
+    for number in range(table.count):
+        at = number * table.stride
+        for first, last, holder, refused in shapes:
+            name = f"{table.name}[{table.index_from + number}].{holder.name}"
+            yield Unit(first + at, last - first + 1, name, refused, holder.reserved)
+
+
+def _of_field(laid: TableLayout, field: Field, holder: Holder) -> str:
+    if holder.reserved and not field.access:
+        return ""
+    return _refused(field.access or laid.table.access, field.handling)
+
+
+def _refused(access: str, handling: Handling) -> str:
+    """Why a value is not polled; nothing where it may be."""
+    if access == "wo":
+        return WRITE_ONLY
+    if handling.clears_on_read:
+        return CLEARED
+    return "" if access in READABLE else UNSAID
+
+
+def _together(usable: Sequence[Unit], stops: Sequence[Unit]) -> Iterator[list[Unit]]:
+    """Units that follow one another without a hole; what cannot be read is one, even where it shares its address."""
+    closed = {address for one in stops for address in range(one.first, one.end)}
+    run: list[Unit] = []
+    end = 0
+    for unit in usable:
+        if any(address in closed for address in range(unit.first, unit.end)):
+            continue
+        if run and unit.first > end:
+            yield run
+            run = []
+        end = max(end, unit.end) if run else unit.end
+        run.append(unit)
+    if run:
+        yield run
+
+
+def _cut(run: Sequence[Unit], most: int) -> Iterator[PollBlock]:
+    """The longest blocks of a run: each begins where the one before ends. Reserved words at its ends are left out."""
+    at = 0
+    while at < len(run):
+        if run[at].reserved:
+            at += 1
+            continue
+        start = run[at].first
+        behind = next((n for n in range(at, len(run)) if run[n].end - start > most), len(run))
+        # What overlaps may reach further than what follows it: the block ends where nothing is divided.
+        taken = run[at:behind]
+        while len(taken) > 1 and behind < len(run) and max(unit.end for unit in taken) > run[behind].first:
+            behind -= 1
+            taken = run[at:behind]
+        at = behind
+        while taken[-1].reserved:
+            taken = taken[:-1]
+        words = max(unit.end for unit in taken) - start
+        names = tuple(unit.name for unit in taken if not unit.reserved)
+        yield PollBlock(start, words, names, sum(unit.words for unit in taken if unit.reserved))
