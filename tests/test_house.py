@@ -240,8 +240,8 @@ from fieldspec.pipeline import checked, layouts, load, outputs
 root = pathlib.Path("tests/specs")
 project = load({path.relative_to(root).as_posix(): path.read_bytes() for path in root.glob("*/*.yaml")})
 found = [finding.message for finding in checked(project)]
-texts = outputs([layouts(spec) for spec in project.devices.values()])
-print(json.dumps([found, {path: hashlib.sha256(text.encode()).hexdigest() for path, text in texts.items()}]))
+files = outputs([layouts(spec) for spec in project.devices.values()])
+print(json.dumps([found, {path: hashlib.sha256(content).hexdigest() for path, content in files.items()}]))
 """
 
 

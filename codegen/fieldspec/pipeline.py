@@ -1,4 +1,4 @@
-"""The whole compiler as a table of contents: files -> project -> findings -> layouts -> texts by path."""
+"""The whole compiler as a table of contents: files -> project -> findings -> layouts -> files by path."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from dataclasses import replace
 from fieldspec.backends import OUTPUTS
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.lists.workbook import packed
 from fieldspec.proofs.running import proven
 from fieldspec.proofs.twins import twins
 from fieldspec.reading.project import DeviceSpec, Project, read
+from fieldspec.spreadsheet import Workbook
 
 
 def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Project:
@@ -34,12 +36,16 @@ def layouts(spec: DeviceSpec) -> list[DeviceLayout]:
     ]
 
 
-def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, str]:
-    """The texts of some outputs of some devices, by path relative to the folder of generated files."""
+def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, bytes]:
+    """The files of some outputs of some devices, by path relative to the folder of generated files."""
     devices = list(devices)
-    texts: dict[str, str] = {}
+    made: dict[str, bytes] = {}
     for name in names:
         output = OUTPUTS[name]
         files = [output.shared(), *(output.files(versions) for versions in devices)]
-        texts |= {f"{name}/{path}": text for part in files for path, text in part.items()}
-    return texts
+        made |= {f"{name}/{path}": _content(held) for part in files for path, held in part.items()}
+    return made
+
+
+def _content(held: str | Workbook) -> bytes:
+    return held.encode("utf-8") if isinstance(held, str) else packed(held)

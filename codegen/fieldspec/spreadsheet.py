@@ -1,4 +1,4 @@
-"""Cells of tables that spreadsheets open, and such tables as CSV."""
+"""Cells of tables that spreadsheets open, such tables as CSV, and workbooks before they are packed."""
 
 from __future__ import annotations
 
@@ -6,7 +6,11 @@ import csv
 import io
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+Cell: TypeAlias = int | str | None
 
 FORMULA_SIGNS = tuple("=+-@\t\r\n")
 """What a text begins with that a spreadsheet takes for a formula."""
@@ -31,9 +35,25 @@ def guarded(text: str) -> str:
     return f"'{text}" if risky else text
 
 
-def csv_text(rows: Iterable[Sequence[int | str | None]], line_end: str = "\r\n") -> str:
+def csv_text(rows: Iterable[Sequence[Cell]], line_end: str = "\r\n") -> str:
     """Rows as RFC 4180 has them: commas, quotes where they are needed, doubled within. Texts become one line each."""
     made = io.StringIO()
     writer = csv.writer(made, lineterminator=line_end)
     writer.writerows([guarded(clean(cell)) if isinstance(cell, str) else cell for cell in row] for row in rows)
     return made.getvalue()
+
+
+@dataclass(frozen=True, slots=True)
+class Worksheet:
+    """A sheet by its title: rows of equal length, the first one the heading."""
+
+    title: str
+    rows: tuple[tuple[Cell, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Workbook:
+    """Sheets that a program imports, and what the file says of itself: properties by name."""
+
+    sheets: tuple[Worksheet, ...]
+    properties: Mapping[str, str] = field(default_factory=dict)

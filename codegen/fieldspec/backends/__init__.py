@@ -1,4 +1,4 @@
-"""The outputs: one folder each. A back end turns the layouts of a device's versions into texts by path."""
+"""The outputs: one folder each. A back end turns the layouts of a device's versions into files by path."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from importlib import import_module
 from typing import cast
 
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.spreadsheet import Workbook
 
-Texts = dict[str, str]
+Files = dict[str, str | Workbook]
+"""Texts, and workbooks that the pipeline packs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,13 +24,13 @@ class Output:
     name: str
     title: str
 
-    def files(self, versions: Sequence[DeviceLayout]) -> Texts:
-        """The texts for all versions of one device, the oldest first, by path."""
-        return cast("Callable[[Sequence[DeviceLayout]], Texts]", self._backend("files"))(versions)
+    def files(self, versions: Sequence[DeviceLayout]) -> Files:
+        """The files for all versions of one device, the oldest first, by path."""
+        return cast("Callable[[Sequence[DeviceLayout]], Files]", self._backend("files"))(versions)
 
-    def shared(self) -> Texts:
-        """The texts that belong to no device, by path."""
-        return cast("Callable[[], Texts]", self._backend("shared"))()
+    def shared(self) -> Files:
+        """The files that belong to no device, by path."""
+        return cast("Callable[[], Files]", self._backend("shared"))()
 
     def _backend(self, function: str) -> object:
         return getattr(import_module(f"fieldspec.backends.{self.name}.backend"), function)

@@ -42,21 +42,21 @@ def run(arguments: argparse.Namespace) -> int:
         layouts = pipeline.layouts(spec)
         devices.append([laid for laid in layouts if "" in named or laid.device.version in picked])
     with _progress(f"writing {', '.join(names)}"):
-        texts = pipeline.outputs(devices, names)
+        made = pipeline.outputs(devices, names)
     out = Path(arguments.out)
     before = _manifest(out)
     whole = not arguments.devices
-    gone = _gone(before, texts, names) if whole else []
+    gone = _gone(before, made, names) if whole else []
     identities = {} if whole else dict(before["identities"])
     for laid in (laid for some in devices for laid in some):
         identities |= {f"{laid.device.id}@{version}": laid.identity for version in (laid.device.version, *laid.twins)}
-    wanted_files = {**texts, MANIFEST: _renewed(before, texts, gone, identities)}
-    stale = sorted(path for path, text in wanted_files.items() if _differs(out / path, text))
+    wanted_files = {**made, MANIFEST: _renewed(before, made, gone, identities)}
+    stale = sorted(path for path, content in wanted_files.items() if _differs(out / path, content))
     if arguments.check:
         return _report(stale, gone)
     if stale or gone:
         _write(out, {path: wanted_files[path] for path in stale}, gone)
-    print(f"{len(texts)} files, {len(set(stale) - {MANIFEST})} written, {len(gone)} removed")
+    print(f"{len(made)} files, {len(set(stale) - {MANIFEST})} written, {len(gone)} removed")
     return 0
 
 
@@ -95,16 +95,16 @@ def _manifest(out: Path) -> dict[str, dict[str, str]]:
         return {"files": {}, "identities": {}}
 
 
-def _differs(path: Path, text: str) -> bool:
+def _differs(path: Path, content: bytes) -> bool:
     try:
-        return path.read_bytes() != text.encode("utf-8")
+        return path.read_bytes() != content
     except OSError:
         return True
 
 
-def _gone(before: Mapping[str, Mapping[str, str]], texts: Mapping[str, str], names: list[str]) -> list[str]:
+def _gone(before: Mapping[str, Mapping[str, str]], made: Mapping[str, bytes], names: list[str]) -> list[str]:
     """Files of an earlier build that the outputs being built no longer produce."""
-    ours = (path for path in before["files"] if path.partition("/")[0] in names and path not in texts)
+    ours = (path for path in before["files"] if path.partition("/")[0] in names and path not in made)
     return sorted(path for path in ours if ".." not in path.split("/"))
 
 
@@ -121,26 +121,26 @@ def _report(stale: list[str], gone: list[str]) -> int:
 
 
 def _renewed(
-    before: Mapping[str, Mapping[str, str]], texts: Mapping[str, str], gone: list[str], identities: Mapping[str, str]
-) -> str:
+    before: Mapping[str, Mapping[str, str]], made: Mapping[str, bytes], gone: list[str], identities: Mapping[str, str]
+) -> bytes:
     files = {path: digest for path, digest in before["files"].items() if path not in gone}
-    files |= {path: hashlib.sha256(text.encode("utf-8")).hexdigest() for path, text in texts.items()}
+    files |= {path: hashlib.sha256(content).hexdigest() for path, content in made.items()}
     data = {"identities": dict(sorted(identities.items())), "files": dict(sorted(files.items()))}
-    return json.dumps(data, indent=1) + "\n"
+    return f"{json.dumps(data, indent=1)}\n".encode()
 
 
-def _write(out: Path, texts: Mapping[str, str], gone: list[str]) -> None:
+def _write(out: Path, files: Mapping[str, bytes], gone: list[str]) -> None:
     """Writes all files beside their folder first, then moves them into place; on failure nothing has changed."""
     made = _missing(out)
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".fieldspec-", dir=out) as beside:
             new, old = Path(beside, "new"), Path(beside, "old")
-            for path, text in texts.items():
+            for path, content in files.items():
                 target = new / path
                 target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(text.encode("utf-8"))
-            _move(out, new, old, list(texts), gone)
+                target.write_bytes(content)
+            _move(out, new, old, list(files), gone)
     except OSError as error:
         for folder in made:
             with suppress(OSError):

@@ -8,10 +8,12 @@ import zipfile
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from fieldspec.lists.shared_strings import with_shared_strings
 from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Region, Sheet, SheetRow
-from fieldspec.spreadsheet import clean
+from fieldspec.spreadsheet import Workbook, clean
 
 if TYPE_CHECKING:
+    from openpyxl.cell.cell import Cell, MergedCell
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
@@ -28,6 +30,8 @@ _CORE = (
 # openpyxl writes its version and the time there.
 _FIXED = {"docProps/app.xml": _APP, "docProps/core.xml": _CORE}
 _WIDEST = 40
+# Stands for an empty text until the parts are settled, because openpyxl would leave such a cell without a value.
+_NOTHING = "\ue000"
 
 
 def workbook_sheet(content: bytes, named: str = "") -> Sheet:
@@ -119,13 +123,7 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
         for column, value in enumerate(row, 1):
             if value is None or value == "":
                 continue
-            shown = clean(value) if isinstance(value, str) else value
-            cell = sheet.cell(number, column)
-            cell.value = shown  # type: ignore[assignment]
-            if isinstance(shown, str):
-                cell.data_type = "s"  # a text that begins with `=` is a text
-                cell.style = "Normal"
-                cell.quotePrefix = shown.startswith(("=", "+", "-", "@"))
+            shown = _put(sheet.cell(number, column), value)
             widths[column - 1] = min(max(widths[column - 1], len(str(shown)) + 1), _WIDEST)
     for cell in sheet[1]:
         cell.font = Font(bold=True)
@@ -138,15 +136,52 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
     return _settled(made.getvalue())
 
 
+def packed(held: Workbook) -> bytes:
+    """The bytes of a workbook for a program that imports it.
+
+    Every cell is there, an empty one as an empty text, and texts are in a table of their own.
+    """
+    import openpyxl
+    from openpyxl.packaging.custom import StringProperty
+
+    book = openpyxl.Workbook()
+    del book[book.sheetnames[0]]
+    for sheet in held.sheets:
+        made = book.create_sheet(sheet.title)
+        for number, row in enumerate(sheet.rows, 1):
+            for column, value in enumerate(row, 1):
+                _put(made.cell(number, column), _NOTHING if value is None or value == "" else value)
+    for name, text in held.properties.items():
+        book.custom_doc_props.append(StringProperty(name=name, value=text))  # type: ignore[attr-defined]
+    made_book = io.BytesIO()
+    book.save(made_book)
+    return _zipped(with_shared_strings(_parts(made_book.getvalue())))
+
+
+def _put(cell: Cell | MergedCell, value: object) -> object:
+    """Writes a value and gives what the cell then shows. A text that begins with `=` is a text."""
+    shown = clean(value) if isinstance(value, str) else value
+    cell.value = shown  # type: ignore[assignment]
+    if isinstance(shown, str):
+        cell.data_type = "s"
+        cell.style = "Normal"
+        cell.quotePrefix = shown.startswith(("=", "+", "-", "@"))
+    return shown
+
+
 def _settled(content: bytes) -> bytes:
     """A workbook whose parts are in one form, without what the run has left in it."""
+    return _zipped(_parts(content))
+
+
+def _zipped(parts: Iterable[tuple[str, str]]) -> bytes:
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as packed:
-        for name, text in _parts(content):
+        for name, text in parts:
             part = zipfile.ZipInfo(name)
             part.create_system = 3
             part.external_attr = 0o644 << 16
-            packed.writestr(part, text)
+            packed.writestr(part, f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n{text}')
     return made.getvalue()
 
 
@@ -154,4 +189,4 @@ def _parts(content: bytes) -> Iterator[tuple[str, str]]:
     with zipfile.ZipFile(io.BytesIO(content)) as packed:
         for name in packed.namelist():
             text = _FIXED.get(name) or ElementTree.canonicalize(packed.read(name).decode("utf-8"))
-            yield name, f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n{text}'
+            yield name, text.replace(f"<t>{_NOTHING}</t>", "<t></t>")
