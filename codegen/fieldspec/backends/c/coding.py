@@ -71,9 +71,7 @@ def decode_function(naming: Naming, device: Device, record: RecordLayout) -> lis
         "{",
     ]
     body: list[str] = []
-    if record.least:
-        body += refused(naming, f"length < {record.least}u", "err_incomplete")
-    body += refused(naming, f"length > {record.most}u", "err_wrong_length")
+    body += _length_tests(naming, record)
     selector = selector_read(naming, record.selector) if record.selector is not None else ""
     if selector:
         body += sized_lines(naming, record, selector)
@@ -90,6 +88,17 @@ def decode_function(naming: Naming, device: Device, record: RecordLayout) -> lis
         body.insert(0, "(void)in;")
     body.append(f"return {naming.own_macro('ok')};")
     return [*lines, *indented([*variables(naming, body), *body]), "}"]
+
+
+def _length_tests(naming: Naming, record: RecordLayout) -> list[str]:
+    """Statements that refuse a length that the record cannot have."""
+    incomplete, wrong = naming.own_macro("err_incomplete"), naming.own_macro("err_wrong_length")
+    if record.least and record.least == record.most:
+        # One comparison where all is well.
+        shorter = f"length < {record.least}u ? {incomplete} : {wrong}"
+        return [f"if (length != {record.least}u) {{", f"    return {shorter};", "}"]
+    lines = refused(naming, f"length < {record.least}u", "err_incomplete") if record.least else []
+    return [*lines, *refused(naming, f"length > {record.most}u", "err_wrong_length")]
 
 
 def _measuring_last(record: RecordLayout) -> list[FieldLayout]:

@@ -77,15 +77,16 @@ def _known(naming: Naming, enum: Enum) -> list[str]:
         "{",
     ]
     runs = _runs(sorted({member.value for member in available(enum)}))
+    tests = []
     for low, high in runs:
         first, last = (integer(bound, 8, not _wide(enum)) for bound in (low, high))
         test = f"value == {first}" if low == high else f"value >= {first} && value <= {last}"
-        if low == 0 and high > 0 and _wide(enum):
-            test = f"value <= {last}"
+        tests.append(f"value <= {last}" if low == 0 and high > 0 and _wide(enum) else test)
+    for test in tests[:-1]:
         lines += [f"    if ({test}) {{", "        return true;", "    }"]
-    if not runs:
-        lines.append("    (void)value;")
-    return [*lines, "    return false;", "}"]
+    if tests:
+        return [*lines, f"    return {naming.own_macro('likely')}({tests[-1]});", "}"]
+    return [*lines, "    (void)value;", "    return false;", "}"]
 
 
 def _runs(values: list[int]) -> list[tuple[int, int]]:

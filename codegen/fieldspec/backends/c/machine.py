@@ -5,19 +5,20 @@ from __future__ import annotations
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import comment
 
-OWN_MACROS = ("inline", "copy", "clear", "stores_at_once")
+OWN_MACROS = ("inline", "likely", "copy", "clear", "stores_at_once")
 
 _AT_ONCE = "__x86_64__", "__i386__", "__aarch64__", "__ARM_FEATURE_UNALIGNED"
 
 
 def machine_lines(naming: Naming) -> list[str]:
     """The macros that the rest of a header is written with."""
-    inline, copy, clear, at_once = (naming.own_macro(name) for name in OWN_MACROS)
+    inline, likely, copy, clear, at_once = (naming.own_macro(name) for name in OWN_MACROS)
     machines = " || ".join(f"defined({name})" for name in _AT_ONCE)
     return [
         "#ifdef __GNUC__",
         *comment("A call of these functions would take more than what they do, even where size counts."),
         f"#define {inline} static inline __attribute__((always_inline))",
+        f"#define {likely}(test) __builtin_expect(!!(test), 1)",
         *comment(
             "Built in: without string.h, and without a call for a few bytes, where the compiler is a freestanding one."
         ),
@@ -35,6 +36,7 @@ def machine_lines(naming: Naming) -> list[str]:
         "#else",
         "#include <string.h>",
         f"#define {inline} static inline",
+        f"#define {likely}(test) (test)",
         f"#define {copy}(to, from, size) memcpy((to), (from), (size))",
         f"#define {clear}(to, size) memset((to), 0, (size))",
         "#endif",

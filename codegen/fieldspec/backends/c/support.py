@@ -167,8 +167,7 @@ def check_lines(naming: Naming, algorithms: set[str]) -> list[list[str]]:
 
 def _crc16(naming: Naming) -> list[str]:
     """CRC-16 with a table of 16 entries, or of 256 where speed counts more than 480 bytes."""
-    small = ", ".join(f"0x{_crc_entry(at, 4):04X}u" for at in range(16))
-    large = [", ".join(f"0x{_crc_entry(at, 8):04X}u" for at in range(row, row + 8)) for row in range(0, 256, 8)]
+    small, large = _crc_rows(4), _crc_rows(8)
     wide = naming.own_macro("wide_crc_table")
     return [
         *comment(
@@ -180,26 +179,32 @@ def _crc16(naming: Naming) -> list[str]:
         "    static const uint16_t table[256] = {",
         *(f"        {row}," for row in large),
         "    };",
-        "    uint32_t crc = 0xFFFFu;",
+        "    uint16_t crc = 0xFFFFu;",
         "    size_t at;",
         "    for (at = 0; at < size; at++) {",
-        "        crc = crc >> 8 ^ table[(crc ^ in[at]) & 0xFFu];",
+        "        crc = (uint16_t)(crc >> 8 ^ table[(crc ^ in[at]) & 0xFFu]);",
         "    }",
         "#else",
         "    static const uint16_t table[16] = {",
-        f"        {small},",
+        *(f"        {row}," for row in small),
         "    };",
-        "    uint32_t crc = 0xFFFFu;",
+        "    uint16_t crc = 0xFFFFu;",
         "    size_t at;",
         "    for (at = 0; at < size; at++) {",
-        "        crc ^= in[at];",
-        "        crc = crc >> 4 ^ table[crc & 15u];",
-        "        crc = crc >> 4 ^ table[crc & 15u];",
+        "        crc = (uint16_t)(crc ^ in[at]);",
+        "        crc = (uint16_t)(crc >> 4 ^ table[crc & 15u]);",
+        "        crc = (uint16_t)(crc >> 4 ^ table[crc & 15u]);",
         "    }",
         "#endif",
-        "    return (uint16_t)crc;",
+        "    return crc;",
         "}",
     ]
+
+
+def _crc_rows(bits: int) -> list[str]:
+    """The entries of a table for so many bits, eight on a line."""
+    entries = [f"0x{_crc_entry(at, bits):04X}u" for at in range(1 << bits)]
+    return [", ".join(entries[at : at + 8]) for at in range(0, len(entries), 8)]
 
 
 def _crc_entry(at: int, bits: int) -> int:
