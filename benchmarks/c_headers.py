@@ -96,9 +96,7 @@ def instructions(objdump: str, program: Path) -> tuple[Counter[str], Counter[str
         if found := re.match(r"[0-9a-f]+ <(\w+)>:", line):
             function = found[1]
         elif re.match(r"\s+[0-9a-f]+:\t[^.]", line):
-            if re.search(r"R_\w+\s+\w+", line):
-                calls[function] += bool(re.search(r"\bmem(cpy|move|set|cmp)\b", line))
-            else:
-                total[function] += 1
-                calls[function] += bool(re.search(r"<(__aeabi_)?mem\w+>", line))
+            total[function] += 1
+        elif re.match(r"\s+[0-9a-f]+: R_\w+\s+(__aeabi_)?mem\w+", line):
+            calls[function] += 1
     return total, calls
