@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import Enum
 
+from fieldspec.classes import dataclass
 from fieldspec.source import Span
 
 

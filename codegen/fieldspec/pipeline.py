@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 from fieldspec.backends import OUTPUTS
+from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.lists.workbook import packed

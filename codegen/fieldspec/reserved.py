@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from fieldspec.classes import dataclass
 
 # Fixed lists rather than those of some installed tool: an output is the same on every machine.
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import sys
 import textwrap
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from fieldspec.audit.rules import RULES as OF_AUDITS
 from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
+from fieldspec.classes import dataclass, replace
 from fieldspec.proofs.rules import RULES as OF_PROOFS
 from fieldspec.reading.rules import RULES as OF_READING
 

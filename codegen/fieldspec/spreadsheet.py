@@ -7,8 +7,9 @@ import io
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import TypeAlias
+
+from fieldspec.classes import dataclass, field
 
 Cell: TypeAlias = int | str | None
 

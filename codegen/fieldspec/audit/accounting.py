@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.audit.alignment import Aligned
 from fieldspec.audit.cited import Cited, OnLine, corrects, says
 from fieldspec.audit.pattern import Found, Held
 from fieldspec.audit.plan import LeftOut, Pattern, Plan, within
+from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
 STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)

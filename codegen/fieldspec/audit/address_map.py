@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 
 from fieldspec.audit.holders import Holder, element_runs, of_message, of_parameter, of_register
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link

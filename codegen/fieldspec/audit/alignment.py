@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from fieldspec.audit.manual_index import ManualIndex
+from fieldspec.classes import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 from fieldspec.audit.alignment import Aligned
@@ -11,6 +10,7 @@ from fieldspec.audit.plan import Plan, Unprinted
 from fieldspec.audit.reduced import reduced
 from fieldspec.audit.spelling import byte_pairs, numbers, readings, words
 from fieldspec.checks.walking import facts
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.model.flags import Bit

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from decimal import Decimal
 
 from fieldspec.audit.pattern import Held
 from fieldspec.audit.reduced import reduced
 from fieldspec.audit.spelling import byte_pairs, numbers, readings, words
+from fieldspec.classes import dataclass, field
 from fieldspec.facts import Row, rows
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.erratum import Erratum

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.audit.ledger import EFFECTS, by_effect
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
 from fieldspec.audit.subject import Subject
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
 from fieldspec.model.erratum import Erratum

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fieldspec.checks.walking import layers
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Fact

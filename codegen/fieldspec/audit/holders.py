@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
 
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.fact import Citation, Fact

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from hashlib import sha256
 
 from fieldspec.audit.reduced import digest, reduced
+from fieldspec.classes import dataclass, field
 from fieldspec.source import SourceFile, Span
 
 NAME = "manual.index"

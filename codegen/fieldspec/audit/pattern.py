@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.audit.reduced import CELL
+from fieldspec.classes import dataclass
 
 _HEX = r"0[xX][0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16}"
 _DECIMAL = r"[+-]?(?:[0-9]{1,3}(?:,[0-9]{3}){1,6}|[0-9]{1,20})(?:\.[0-9]{1,10})?(?![0-9])"

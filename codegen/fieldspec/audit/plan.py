@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fieldspec.audit.pattern import PatternError, Row, Template, row, template
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.place import Place
 from fieldspec.reading.building.context import Entry

@@ -8,9 +8,9 @@ value is never divided between two requests.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.audit.holders import Holder, element_runs
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import Citation
 from fieldspec.source import Span

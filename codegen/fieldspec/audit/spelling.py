@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import lru_cache
+
+from fieldspec.classes import dataclass
 
 _HEX = r"0[xX][0-9A-Fa-f]{1,16}|&H[0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16} ?[Hh](?![A-Za-z0-9])"
 _DECIMAL = r"[0-9]{1,3}(?:,[0-9]{3})+(?![0-9])|[0-9]{1,20}(?:\.[0-9]{1,10})?"

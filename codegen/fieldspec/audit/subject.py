@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from fieldspec.audit.manual_index import ManualIndex
+from fieldspec.classes import dataclass
 from fieldspec.facts import Row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device

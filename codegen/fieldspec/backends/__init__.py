@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from importlib import import_module
 from typing import cast
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.spreadsheet import Workbook
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 
+from fieldspec.classes import dataclass
 from fieldspec.source import Span
 
 

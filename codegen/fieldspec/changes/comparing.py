@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Generic, TypeVar, cast
 
 from fieldspec.changes.evidence import EVIDENCE, Around
 from fieldspec.changes.nouns import NOUNS, OWN
 from fieldspec.changes.offsets import Sizes
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.link import Part
 from fieldspec.model.place import Place
@@ -88,11 +88,8 @@ class _Side:
     """One of the two devices, and what is worked out of it when it is needed."""
 
     device: Device
-    sizes: Sizes = field(init=False)
+    sizes: Sizes
     _placed: dict[str, tuple[str, ...]] | None = None
-
-    def __post_init__(self) -> None:
-        self.sizes = Sizes(self.device)
 
     def placed(self) -> dict[str, tuple[str, ...]]:
         """The places of the fields that each signal fills."""
@@ -120,7 +117,7 @@ class Comparison:
         self.fields: list[Fields] = []
         self._pairs: dict[type, list[Pair[Any]]] = {noun: [] for noun in NOUNS}
         self._names: dict[str, str] = {}
-        self._sides = _Side(old), _Side(new)
+        self._sides = _Side(old, Sizes(old)), _Side(new, Sizes(new))
         self._enter(Device, Pair(old, new, (None, None)))
 
     def of(self, noun: type[T]) -> list[Pair[T]]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from fieldspec.changes.spelling import hexadecimal, spelled
+from fieldspec.classes import dataclass
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example

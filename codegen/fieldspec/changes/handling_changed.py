@@ -12,11 +12,11 @@ Cure: Tell users how to access the value.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields
 
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparing import Comparison
 from fieldspec.changes.finding import change, named, turned
+from fieldspec.classes import attributes
 from fieldspec.model.flags import Bit
 from fieldspec.model.handling import Handling
 from fieldspec.model.message import Message
@@ -51,7 +51,7 @@ def handling_changed(both: Comparison) -> Iterator[Change]:
     for held in both.any_of(Register, Field, Parameter, Table, Message, Bit):
         if held.old.handling == held.new.handling:
             continue
-        for key in (field.name for field in fields(Handling)):
+        for key in attributes(Handling):
             before, after = getattr(held.old.handling, key), getattr(held.new.handling, key)
             if key in _PATHS and before:
                 before = both.renamed_path(before)

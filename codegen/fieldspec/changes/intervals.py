@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from fieldspec.changes.comparing import Comparison, Pair, Values
 from fieldspec.changes.finding import named
+from fieldspec.classes import dataclass
 from fieldspec.model.flags import Flags
 from fieldspec.model.link import Link
 from fieldspec.model.parameter import ParameterSet

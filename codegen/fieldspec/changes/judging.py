@@ -7,9 +7,9 @@ versions, and counts between different ones; one without belongs to the spec, an
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.changes.change import Change
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.acceptance import Acceptance
 from fieldspec.model.device import Device

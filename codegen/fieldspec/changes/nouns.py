@@ -7,11 +7,12 @@ in the same holder.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, fields
 from operator import attrgetter
 from typing import Any
 
+from fieldspec import classes
 from fieldspec.changes.change import Effect
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device, Version, VersionLine
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
@@ -166,7 +167,7 @@ _NEVER = ("place",)
 
 def attributes(noun: type) -> tuple[str, ...]:
     """The attributes of a noun that are its own: neither its place nor what it holds."""
-    return tuple(field.name for field in fields(noun) if field.name not in (*_NEVER, *NOUNS[noun].within))
+    return tuple(name for name in classes.attributes(noun) if name not in (*_NEVER, *NOUNS[noun].within))
 
 
 OWN: dict[type, Callable[[Any], tuple[object, ...]]] = {noun: attrgetter(*attributes(noun)) for noun in NOUNS}

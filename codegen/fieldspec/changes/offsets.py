@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.link import CHECK_SIZES, Part
 from fieldspec.model.record import Field

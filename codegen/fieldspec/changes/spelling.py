@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
 from decimal import Decimal
 
+from fieldspec.classes import attributes
 from fieldspec.model.device import Manual
 from fieldspec.model.enum import Cause
 from fieldspec.model.fact import Citation, Claim
@@ -41,7 +41,7 @@ def spelled(held: object) -> str:
     if isinstance(held, Claim):
         return f"{spelled(held.values)} in {spelled(held.sources)}"
     if isinstance(held, Column | Cause | Manual):
-        parts = (spelled(getattr(held, field.name)) for field in fields(held))
+        parts = (spelled(getattr(held, name)) for name in attributes(held.__class__))
         return ": ".join(part for part in parts if part)
     if isinstance(held, Mapping):
         return ", ".join(f"{key}: {spelled(value)}" for key, value in held.items())

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.checks.sizes import Sizes
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.primitive import Kind

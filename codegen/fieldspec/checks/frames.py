@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.link import CHECK_SIZES, Link, Part
 from fieldspec.model.message import Message

@@ -11,14 +11,14 @@ Cure: Put the key right, give the value, or take the reason out.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import asdict
 
 from fieldspec.checks.finding import finding
 from fieldspec.checks.walking import facts
+from fieldspec.classes import attributes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.handling import NOTHING_SAID
+from fieldspec.model.handling import NOTHING_SAID, Handling
 from fieldspec.model.value import Value
 
 
@@ -58,7 +58,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "words": getattr(fact, "words", None) is not None,
         "atomic": getattr(fact, "atomic", False),
         "trigger": getattr(fact, "trigger", False),
-        **asdict(handling),
+        **{name: getattr(handling, name) for name in attributes(Handling)},
         "since": bool(fact.since),
         "until": bool(fact.until),
     }

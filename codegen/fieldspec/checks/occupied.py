@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from operator import itemgetter
 
 from fieldspec.checks.sizes import Sizes
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.register import Register

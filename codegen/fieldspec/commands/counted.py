@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.explaining.numbered import number_written
 from fieldspec.layout.explaining.worded import in_unit
 from fieldspec.model.device import Device

@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from importlib import import_module
 
 from fieldspec.changes import RULES, changes
 from fieldspec.changes.devices import device_added, device_removed
 from fieldspec.changes.judging import Compared, accepts_used, judged, rules_known
+from fieldspec.classes import dataclass
 from fieldspec.commands.output import print_blocks, print_findings
 from fieldspec.commands.sides import Side, side
 from fieldspec.commands.usage import UsageError

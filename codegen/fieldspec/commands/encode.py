@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Collection
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.commands import specs
 from fieldspec.commands.counted import nearest, parameter_number
 from fieldspec.commands.given import DIRECTIONS, given

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explanation import Reading

@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from contextlib import suppress
-from dataclasses import dataclass
 from itertools import islice
 
+from fieldspec.classes import dataclass
 from fieldspec.commands.spelled import Unreadable, in_characters, is_each_enclosed, is_spelled, spelled, unquoted
 from fieldspec.model.link import Link
 

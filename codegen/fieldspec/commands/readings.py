@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.commands.given import DIRECTIONS, Given
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explanation import Explanation, Reading, closest, explained, recognised

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import replace
 
+from fieldspec.classes import replace
 from fieldspec.commands import specs
 from fieldspec.reading.nodes import Mapping, Sequence
 from fieldspec.render.resolved import resolved

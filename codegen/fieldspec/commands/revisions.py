@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import posixpath
 import subprocess
-from dataclasses import dataclass
 from pathlib import Path
 
+from fieldspec.classes import dataclass
 from fieldspec.commands.usage import UsageError
 from fieldspec.reading.project import MAIN, VERSIONS
 

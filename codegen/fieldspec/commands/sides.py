@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
+from fieldspec.classes import dataclass
 from fieldspec.commands import specs
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.facts.row import Cell, Row
 
 SAME = "same"

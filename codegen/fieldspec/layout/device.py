@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, link_layout
 from fieldspec.layout.identity import identity
 from fieldspec.layout.message import MessageLayout

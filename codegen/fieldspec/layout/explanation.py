@@ -8,8 +8,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
 
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explaining.body import Body

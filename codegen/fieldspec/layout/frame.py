@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.link import CHECK_SIZES, Link, Part

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from fieldspec.classes import dataclass
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.message import Message
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from typing import Literal
 
+from fieldspec import classes
+from fieldspec.classes import dataclass, replace
 from fieldspec.model.enum import Enum
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.record import Case, Choice, Field, Record
@@ -78,7 +78,7 @@ class RecordLayout:
     least: int
     most: int | None
     selector: FieldLayout | None = None
-    chosen: Mapping[int, RecordLayout] = dataclasses.field(default_factory=dict)
+    chosen: Mapping[int, RecordLayout] = classes.field(default_factory=dict)
 
     def named(self, name: str) -> FieldLayout | None:
         """The field with a name."""

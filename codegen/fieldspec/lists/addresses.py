@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.lists.sheet import ListError
 
 HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
 from decimal import Decimal
 
+from fieldspec.classes import dataclass
 from fieldspec.model.primitive import PRIMITIVES, Kind
 
 _TYPES: dict[str, str] = {

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.lists.addresses import spelled
 from fieldspec.lists.sheet import ListError, Sheet, SheetRow, letters
 

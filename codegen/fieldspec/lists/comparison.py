@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from decimal import Decimal
 
+from fieldspec.classes import dataclass, field
 from fieldspec.lists.addresses import BASES
 from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS, Item

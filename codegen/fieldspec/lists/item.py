@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.enum import Enum

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from decimal import Decimal
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.lists import cells
 from fieldspec.lists.addresses import (
     DECIMAL,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from fieldspec.classes import dataclass
 
 MOST_BYTES = 32 << 20
 MOST_ROWS = 100_000

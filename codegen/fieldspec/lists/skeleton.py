@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 
+from fieldspec.classes import dataclass
 from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS
 from fieldspec.lists.listed import Listed

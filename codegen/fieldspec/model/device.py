@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.model.acceptance import Acceptance
 from fieldspec.model.enum import Enum
 from fieldspec.model.erratum import Erratum

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.model.fact import Citation
 from fieldspec.model.place import Place
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import TypeAlias
 
+from fieldspec.classes import dataclass
 from fieldspec.model.place import Place
 
 Plain: TypeAlias = bool | int | Decimal | str | None

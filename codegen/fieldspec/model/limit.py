@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
 
+from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact
 
 

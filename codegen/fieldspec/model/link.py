@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from decimal import Decimal
 
+from fieldspec.classes import dataclass, field
 from fieldspec.model.fact import Citation, Fact
 from fieldspec.model.place import Place
 from fieldspec.model.ranges import Ranges

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact
 from fieldspec.model.handling import Handling
 from fieldspec.model.record import Record

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
+from fieldspec.classes import dataclass
 from fieldspec.model.fact import Fact
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.value import Value

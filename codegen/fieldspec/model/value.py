@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
 
+from fieldspec.classes import dataclass
 from fieldspec.model.fact import Citation
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges

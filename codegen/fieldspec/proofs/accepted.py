@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
-from fieldspec.changes import RULES, changes
-from fieldspec.changes.judging import Compared, accepts_used, rules_known
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.reading.project import DeviceSpec
+
+if TYPE_CHECKING:
+    from fieldspec.changes.judging import Compared
 
 
 def previous(spec: DeviceSpec, version: str) -> str | None:
@@ -24,6 +26,9 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
     """The findings of the acceptances that belong to versions; those of the spec are judged by a comparison with it."""
     if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
         return []
+    from fieldspec.changes import RULES
+    from fieldspec.changes.judging import accepts_used, rules_known
+
     devices = {version: spec.at(version)[0] for version in spec.versions()}
     rules = {name for name, _, _ in RULES}
     named = (one for device in devices.values() for one in device.accepts)
@@ -31,6 +36,9 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared]:
+    from fieldspec.changes import changes
+    from fieldspec.changes.judging import Compared
+
     for version, new in devices.items():
         before = previous(spec, version)
         if before is not None and any(version in one.since for one in new.accepts):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.erratum import JUDGEMENT, Erratum

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 
 from fieldspec import checks
 from fieldspec.diagnostics import Diagnostic, has_errors
-from fieldspec.layout.device import device_layout
+from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
 from fieldspec.proofs.errata import Proof, errata_by_version, errata_proven, proofs
-from fieldspec.proofs.examples import examples_proven
 from fieldspec.proofs.twins import LAYING_OUT, lines_alike
 from fieldspec.reading.project import DeviceSpec
 
@@ -40,7 +39,16 @@ def findings(device: Device, name: str) -> list[Diagnostic]:
         return checks.run_named(device, name)
     if any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
         return []
-    return [found for found in examples_proven(device_layout(device)) if found.code == name]
+    return [found for found in _examples_proven(device_layout(device)) if found.code == name]
+
+
+def _examples_proven(layout: DeviceLayout) -> list[Diagnostic]:
+    """The findings of all examples. Where there is none, nobody waits for the reference and its library."""
+    if not layout.device.examples:
+        return []
+    from fieldspec.proofs.examples import examples_proven
+
+    return [*examples_proven(layout)]
 
 
 def everything(device: Device, broken: Sequence[Diagnostic]) -> list[Diagnostic]:
@@ -51,7 +59,7 @@ def everything(device: Device, broken: Sequence[Diagnostic]) -> list[Diagnostic]
     found = [*broken, *checks.run(device)]
     if has_errors(broken) or any(one.code in LAYING_OUT for one in found):
         return found
-    return [*found, *examples_proven(device_layout(device))]
+    return [*found, *_examples_proven(device_layout(device))]
 
 
 def known() -> frozenset[str]:
@@ -82,7 +90,7 @@ def proven(spec: DeviceSpec) -> list[Diagnostic]:
             continue
         layout = device_layout(device)
         identities[version] = layout.identity
-        found += examples_proven(layout)
+        found += _examples_proven(layout)
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
         found += errata_proven(spec, version, device, errata, findings, known())

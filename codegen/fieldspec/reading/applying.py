@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact, identity, mappings

@@ -6,8 +6,8 @@ What is made has the places of what it is made from, so that a finding points to
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
+from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import near
 from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, identity

@@ -7,10 +7,10 @@ most of a short run is reading.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import TypeAlias
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.source import SourceFile, Span
 
 Plain: TypeAlias = bool | int | Decimal | str | None

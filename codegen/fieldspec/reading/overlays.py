@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping as Table
-from dataclasses import dataclass, field
 
+from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Scalar, Sequence, identity, mappings

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping as Table
-from dataclasses import dataclass, field
 
+from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.names import Name

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import construct
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference.frames import FrameCodec
 from fieldspec.reference.records import record_struct
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class DeviceCodec:
     """A device's records and message data as construct Structs, and its links as frame codecs.
 

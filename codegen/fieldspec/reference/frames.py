@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 import construct
 
+from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.message import MessageLayout
@@ -17,7 +17,7 @@ from fieldspec.reference.error import CodecError
 from fieldspec.reference.records import Values, decoded, encoded, value_construct
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Decoded:
     """A frame's meaning. `message` is None for an error reply to a code that the device does not know.
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.spelling import listed
+from fieldspec.classes import dataclass
 from fieldspec.model.acceptance import Acceptance
 from fieldspec.render.text import place
 from fieldspec.source import Span

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from fieldspec.backends.templates import fill
+from fieldspec.classes import dataclass
 from fieldspec.render.changes import Difference, Group, groups, places, remark, summary, title
 
 

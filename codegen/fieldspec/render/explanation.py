@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import groupby
 
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explaining.row import citations
 from fieldspec.layout.explanation import Explanation, Meaning, Row

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.explaining.numbered import number_written
 from fieldspec.layout.message import MessageLayout

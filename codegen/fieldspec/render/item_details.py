@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.explaining.shares import references_text
 from fieldspec.layout.explanation import lengths

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from fieldspec.backends.c.choices import case_member
 from fieldspec.backends.c.fields import count_member, members
 from fieldspec.backends.c.naming import member
+from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
 
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from fieldspec.backends.c.machine import cleared, copied
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import integer
+from fieldspec.classes import dataclass
 from fieldspec.model.primitive import Kind
 from fieldspec.model.value import Value
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
-from dataclasses import replace
 
 from fieldspec.backends.docs.document import (
     BitRow,
@@ -20,6 +19,7 @@ from fieldspec.backends.docs.document import (
     Section,
     Table,
 )
+from fieldspec.classes import replace
 
 
 def linked(sections: tuple[Section, ...]) -> tuple[Section, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fieldspec.backends.docs import markdown
 from fieldspec.backends.docs.anchors import every, headings
@@ -13,6 +12,7 @@ from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.page import page
 from fieldspec.backends.docs.versions import versions
 from fieldspec.backends.templates import fill
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from fieldspec.backends.docs.anchors import innermost
@@ -28,6 +27,7 @@ from fieldspec.backends.docs.identity import version_title
 from fieldspec.changes import changes
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.judging import Compared, Judged, judged
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 
 NAME = "changes"

@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
 from typing import ClassVar, TypeAlias
+
+from fieldspec.classes import dataclass, field, replace
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fieldspec.backends.docs.context import Context, many, names, sources
 from fieldspec.backends.docs.document import Cell, Column, Item, Line, Row, Table, cell, code, plain, styled, table
 from fieldspec.backends.docs.inferences import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
+from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fieldspec.backends.docs.anchors import headings
 from fieldspec.backends.docs.document import (
@@ -20,6 +19,7 @@ from fieldspec.backends.docs.document import (
     Strips,
     Table,
 )
+from fieldspec.classes import dataclass
 
 _ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
 _SPECIAL = re.compile(r"[&<>]|[\\`*\[\]|~$!]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(?=\w)|@(?=\w)")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from fieldspec.backends.docs.context import Context, address
 from fieldspec.backends.docs.document import (
     Cell,
@@ -24,6 +22,7 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.frames import elements_text, field_cells
 from fieldspec.backends.docs.inferences import Inferences
 from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, access_cell, default_cell, restart_cell
+from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.table import PrintedElement

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fieldspec.backends.kv.held import Held, of_part, of_record, of_register, of_table
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.message import MessageLayout

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.layout.register import RegisterLayout

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Slots
+from fieldspec.classes import dataclass
 
 
 @dataclass(frozen=True, slots=True)

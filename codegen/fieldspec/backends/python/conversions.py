@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.text import described, docstring, literal, sentence
 from fieldspec.backends.python.writing import pairs
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.signal import Conversion

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Any
 
 from fieldspec.backends.python.access import read_access, write_accesses
@@ -19,6 +18,7 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.python.words import enum_view, flags_view
 from fieldspec.backends.python.writing import tuple_of
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.names import Name

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from fieldspec.backends.python.lines import filled, listed
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Slots, Words
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import CaseLayout
 from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive

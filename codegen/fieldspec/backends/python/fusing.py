@@ -7,13 +7,13 @@ constant. So short frames take one look-up for each byte that varies, and the ch
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from fieldspec.backends.python.heads import constant, letter, number, variable
 from fieldspec.backends.python.lines import chained, filled, unpacked
 from fieldspec.backends.python.reading import local, targets
 from fieldspec.backends.python.records import RecordShape, condition, making_lines, writing_lines
 from fieldspec.backends.python.slots import Slots
+from fieldspec.classes import dataclass
 from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import pairs, tuple_of, within
+from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.model.ranges import Ranges
 

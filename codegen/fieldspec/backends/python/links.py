@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from fieldspec.backends.python.framing import framer
 from fieldspec.backends.python.fusing import Fused, fused, fuses
@@ -23,6 +22,7 @@ from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
 from fieldspec.backends.python.writing import pairs
+from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout

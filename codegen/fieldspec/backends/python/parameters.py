@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from fieldspec.backends.python.exchanging import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.lines import filled
@@ -14,6 +13,7 @@ from fieldspec.backends.python.slots import Words, value_type
 from fieldspec.backends.python.text import described, docstring, literal, places
 from fieldspec.backends.python.values import value_expression, value_facts
 from fieldspec.backends.python.writing import pairs, tuple_of
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.parameter import Parameter, ParameterSet, Subindex

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
 from fieldspec.backends.python.choosing import CASE, choice_lines, decided_read, decided_values
 from fieldspec.backends.python.lines import chained, filled, listed, shown, unpacked
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
@@ -12,6 +10,7 @@ from fieldspec.backends.python.scaled import ConstantView, ScaledView, scaled_vi
 from fieldspec.backends.python.slots import Slots, Words, native_order, slots
 from fieldspec.backends.python.text import docstring, literal
 from fieldspec.backends.python.writing import conditions, fixed, measured, pairs, refusal, values, within
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.record import RecordLayout
 
 

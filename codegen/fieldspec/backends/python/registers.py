@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
 from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.names import Name

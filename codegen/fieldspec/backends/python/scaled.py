@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from fieldspec.backends.python.naming import MESSAGE, Scope
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import docstring, sentence
 from fieldspec.backends.python.units import in_unit, ratio, unit_word
 from fieldspec.backends.python.writing import pairs
+from fieldspec.classes import dataclass
 from fieldspec.names import Name
 
 

@@ -8,10 +8,10 @@ are not known before that one is.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from fieldspec.backends.python.words import EnumView
+from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.primitive import Kind
 from fieldspec.model.ranges import Ranges

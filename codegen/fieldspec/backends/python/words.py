@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 
 from fieldspec.backends.python.lines import filled, listed
 from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
 from fieldspec.backends.python.snapshots import from_tables
 from fieldspec.backends.python.text import described, docstring, literal, sentence
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.flags import Bit, Flags, State
 from fieldspec.names import Name

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explaining.numbered import with_parameter
 from fieldspec.layout.explaining.row import Row, Spot, errata_at, fact_row, wrong_row

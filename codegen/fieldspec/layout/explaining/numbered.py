@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.explaining.row import Row, citations, errata_at, errata_of_words
 from fieldspec.layout.explaining.worded import Meaning, worded
 from fieldspec.layout.meaning import Raw

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.explaining.row import Row, Spot, fact_row
 from fieldspec.layout.explaining.worded import Worded, worded

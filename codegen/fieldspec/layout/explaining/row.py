@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.explaining.worded import Meaning, Worded
 from fieldspec.layout.meaning import Raw
 from fieldspec.model.device import Device

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from decimal import Context, Decimal
 from fractions import Fraction
 
+from fieldspec.classes import replace
 from fieldspec.layout.explaining.row import Row
 from fieldspec.layout.explaining.worded import Meaning, decimal_text, in_unit
 from fieldspec.layout.meaning import Raw

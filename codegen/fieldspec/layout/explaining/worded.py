@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from decimal import Context, Decimal
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.meaning import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.flags import Bit, Flags, State

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.explaining.row import Row, citations
 from fieldspec.model.link import Link
 
