@@ -1,0 +1,88 @@
+"""The checks that close a frame, as functions over its bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from fieldspec.plc.routines.expressions import (
+    Conversion,
+    Element,
+    Operation,
+    Shift,
+    Variable,
+    Whole,
+    compared,
+    converted,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.routine import Declared, Routine
+from fieldspec.plc.routines.statements import Assignment, Body, Loop, when
+from fieldspec.plc.routines.types import BYTE, INT, UINT, WORD, Elementary
+from fieldspec.plc.routines.world import World
+
+_LENGTH, _AT, _BIT = Variable("iLength", INT), Variable("iAt", INT), Variable("iBit", INT)
+_CHECK, _SUM = Variable("wCheck", WORD), Variable("uiSum", UINT)
+
+_Make = Callable[[Variable, Variable], tuple[tuple[Variable, ...], Body]]
+
+
+def checksum(world: World, algorithm: str) -> Routine:
+    """The function of an algorithm; its result is the number that the frame ends with."""
+    kind, remark, make = CHECKSUMS[algorithm]
+    name = world.routine(algorithm)
+    frame = Variable("aFrame", world.frame)
+    locals_, body = make(frame, Variable(name, kind))
+    return Routine(
+        name,
+        "checks",
+        kind,
+        (
+            Declared(_LENGTH, "input", "how many bytes from the first one on are checked"),
+            Declared(frame, "in_out", "is read only"),
+            *(Declared(one, "local") for one in locals_),
+        ),
+        body,
+        (remark,),
+    )
+
+
+def _bytes(frame: Variable, body: Body) -> Loop:
+    return Loop(_AT, number(0), plus(_LENGTH, -1), body)
+
+
+def _crc16_modbus(frame: Variable, result: Variable) -> tuple[tuple[Variable, ...], Body]:
+    half = Shift("SHR", _CHECK, 1, WORD)
+    odd = compared(Operation("AND", (_CHECK, Whole(1, WORD)), WORD), "<>", Whole(0, WORD))
+    turned = Assignment(_CHECK, Operation("XOR", (half, Whole(0xA001, WORD)), WORD))
+    bits = Loop(_BIT, number(0), number(7), (when(odd, [turned], [Assignment(_CHECK, half)]),))
+    taken = Operation("XOR", (_CHECK, converted(Element(frame, _AT, BYTE), WORD)), WORD)
+    return (_AT, _BIT, _CHECK), (
+        Assignment(_CHECK, Whole(0xFFFF, WORD)),
+        _bytes(frame, (Assignment(_CHECK, taken), bits)),
+        Assignment(result, _CHECK),
+    )
+
+
+def _summed(frame: Variable) -> Body:
+    term = Conversion(Element(frame, _AT, BYTE), UINT)
+    total = Operation("MOD", (Operation("+", (_SUM, term), UINT), Whole(256, UINT)), UINT)
+    return Assignment(_SUM, Whole(0, UINT)), _bytes(frame, (Assignment(_SUM, total),))
+
+
+def _sum8(frame: Variable, result: Variable) -> tuple[tuple[Variable, ...], Body]:
+    return (_AT, _SUM), (*_summed(frame), Assignment(result, Conversion(_SUM, BYTE)))
+
+
+def _lrc(frame: Variable, result: Variable) -> tuple[tuple[Variable, ...], Body]:
+    rest = Operation("-", (Whole(256, UINT), _SUM), UINT)
+    negative = Conversion(Operation("MOD", (rest, Whole(256, UINT)), UINT), BYTE)
+    return (_AT, _SUM), (*_summed(frame), Assignment(result, negative))
+
+
+CHECKSUMS: Mapping[str, tuple[Elementary, str, _Make]] = {
+    "crc16_modbus": (WORD, "The CRC of some bytes, by the polynomial 16#A001 from 16#FFFF on.", _crc16_modbus),
+    "lrc": (BYTE, "What makes the sum of some bytes a multiple of 256.", _lrc),
+    "sum8": (BYTE, "The lowest byte of the sum of some bytes.", _sum8),
+}
+"""What a check's algorithm gives, what it is, and its statements."""

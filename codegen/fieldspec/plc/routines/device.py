@@ -1,0 +1,44 @@
+"""All routines of a device, each behind those that it calls."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.plc.routines.checksums import checksum
+from fieldspec.plc.routines.enums import enum_routines
+from fieldspec.plc.routines.frames import frame_routines, framed
+from fieldspec.plc.routines.groups import group_routines
+from fieldspec.plc.routines.messages import message_routines
+from fieldspec.plc.routines.reals import real_routines
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.scaling import scaling_routines
+from fieldspec.plc.routines.tables import table_routines
+from fieldspec.plc.routines.telegrams import telegram_routines
+from fieldspec.plc.routines.walking import calls
+from fieldspec.plc.routines.world import World
+
+
+def routines(world: World) -> list[Routine]:
+    """The routines of a device; of those that make numbers of enums, the ones that others need."""
+    made = list(_all(world))
+    needed = {call.routine for one in made for call in calls(one)}
+    optional = {world.routine(enum, "to_raw") for enum in world.layout.device.enums}
+    return [one for one in made if one.name in needed or one.name not in optional]
+
+
+def _all(world: World) -> Iterator[Routine]:
+    layout = world.layout
+    for enum in layout.device.enums.values():
+        yield from enum_routines(world, enum)
+    yield from real_routines(world)
+    yield from scaling_routines(world)
+    yield from table_routines(world)
+    yield from group_routines(world)
+    yield from telegram_routines(world)
+    links = [link for link in layout.links.values() if framed(link)]
+    checks = (part.algorithm for link in links for shape in (link.request, link.response) for part in shape.tail)
+    for algorithm in dict.fromkeys(one for one in checks if one):
+        yield checksum(world, algorithm)
+    for link in links:
+        yield from frame_routines(world, link)
+        yield from message_routines(world, link)

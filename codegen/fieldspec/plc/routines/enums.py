@@ -1,0 +1,81 @@
+"""Numbers on the wire to members of enums and back. A strict enum takes no number without such a function."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.model.enum import Enum
+from fieldspec.plc.routines.expressions import Expression, Listed, Truth, Variable, Whole
+from fieldspec.plc.routines.routine import Declared, Routine
+from fieldspec.plc.routines.statements import Assignment, Selection, Statement
+from fieldspec.plc.routines.types import BOOL, EnumType
+from fieldspec.plc.routines.world import World, raw_name
+
+
+def enum_routines(world: World, enum: Enum) -> Iterator[Routine]:
+    """The two functions of an enum that is a type."""
+    kind = world.names.enums.get(enum.name)
+    if kind is None:
+        return
+    yield _from_raw(world, enum, kind)
+    yield _to_raw(world, enum, kind)
+
+
+def _listed(world: World, enum: Enum, kind: EnumType) -> list[Listed]:
+    """The members that there are, one for each number."""
+    found: dict[int, Listed] = {}
+    for member in enum.members:
+        if not member.unavailable and member.value not in found:
+            found[member.value] = Listed(world.names.enum_members[enum.name][member.name], member.value, kind)
+    return list(found.values())
+
+
+def _from_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
+    raw = Variable(raw_name(world.raw_type(enum.name)), world.raw_type(enum.name))
+    value = Variable("eValue", kind)
+    name = world.routine(enum.name, "from_raw")
+    result = Variable(name, BOOL)
+    branches: list[tuple[tuple[tuple[int, int] | Listed, ...], tuple[Statement, ...]]] = [
+        (((one.value, one.value),), (Assignment(value, one),)) for one in _listed(world, enum, kind)
+    ]
+    return Routine(
+        name,
+        "enums",
+        BOOL,
+        (
+            Declared(raw, "input", "number on the wire"),
+            Declared(value, "output", "stays as it is where the number is not listed"),
+        ),
+        (
+            Assignment(result, Truth(True)),
+            Selection(raw, tuple(branches), (Assignment(result, Truth(False)),)),
+        ),
+        (f"The member of {kind.name} with a number; FALSE where there is none. {world.told(enum, None)}".strip(),),
+    )
+
+
+def _to_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
+    raw = Variable(raw_name(world.raw_type(enum.name)), world.raw_type(enum.name))
+    value = Variable("eValue", kind)
+    name = world.routine(enum.name, "to_raw")
+    result = Variable(name, BOOL)
+    branches: list[tuple[tuple[tuple[int, int] | Listed, ...], tuple[Statement, ...]]] = [
+        ((one,), (_given(raw, one),)) for one in _listed(world, enum, kind)
+    ]
+    return Routine(
+        name,
+        "enums",
+        BOOL,
+        (Declared(value, "input"), Declared(raw, "output", "number on the wire, 0 where it is no member")),
+        (
+            Assignment(result, Truth(True)),
+            Selection(value, tuple(branches), (_given(raw, None), Assignment(result, Truth(False)))),
+        ),
+        (f"The number of a member of {kind.name}; FALSE where the variable holds none.",),
+    )
+
+
+def _given(raw: Variable, member: Listed | None) -> Statement:
+    kind = raw.type
+    number: Expression = Whole(member.value if member is not None else 0, kind)  # type: ignore[arg-type]
+    return Assignment(raw, number)

@@ -1,0 +1,203 @@
+"""Groups of registers: those that lie in some words that were read, and words that are to be written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.register import RegisterGroup
+from fieldspec.plc.routines.draft import Draft
+from fieldspec.plc.routines.expressions import (
+    Call,
+    Conversion,
+    Element,
+    Expression,
+    Member,
+    Operation,
+    Variable,
+    Whole,
+    compared,
+    either,
+    every,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.holders import Words
+from fieldspec.plc.routines.orders import order_remark, word_order
+from fieldspec.plc.routines.routine import Declared, Routine
+from fieldspec.plc.routines.statements import Assignment, Loop, Statement, when
+from fieldspec.plc.routines.types import BOOL, INT, UDINT, UINT, Type, sequence
+from fieldspec.plc.routines.values import Wire, read, write
+from fieldspec.plc.routines.world import World
+
+_READ, _WRITTEN = ("ro", "rw"), ("wo", "rw")
+
+
+def group_routines(world: World) -> Iterator[Routine]:
+    """The functions of all groups: of what can be read, and of what can be written."""
+    if world.layout.registers:
+        yield _holds(world)
+    for group in world.layout.device.groups:
+        registers = [laid for laid in world.layout.registers if laid.register in group.registers]
+        readable = [laid for laid in registers if laid.register.access in _READ]
+        writable = [laid for laid in registers if laid.register.access in _WRITTEN]
+        if readable:
+            yield _unpacked(world, group, readable)
+        if writable:
+            yield _packed(world, group, writable)
+
+
+def _holds(world: World) -> Routine:
+    """Whether a register lies wholly in the words that begin at an address."""
+    address, words = Variable("uiAddress", UINT), Variable("iCount", INT)
+    register, size = Variable("uiRegister", UINT), Variable("uiSize", UINT)
+    name = world.routine("holds")
+    end = _sum(register, size)
+    inside = every(
+        [
+            compared(words, ">", number(0)),
+            compared(register, ">=", address),
+            compared(end, "<=", Operation("+", (Conversion(address, UDINT), Conversion(words, UDINT)), UDINT)),
+        ]
+    )
+    return Routine(
+        name,
+        "registers",
+        BOOL,
+        (
+            Declared(address, "input", "address of the first word"),
+            Declared(words, "input", "how many words there are"),
+            Declared(register, "input", "address of the register"),
+            Declared(size, "input", "its words"),
+        ),
+        (Assignment(Variable(name, BOOL), inside),),
+        ("Whether all words of a register are among some words.",),
+    )
+
+
+def _sum(left: Expression, right: Expression) -> Expression:
+    return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
+
+
+def register_type(world: World, laid: RegisterLayout) -> Type:
+    """The type of a register's variable; an array where there are several equal ones."""
+    one = world.type_of(laid.register.value)
+    return sequence(laid.count, one) if laid.count > 1 else one
+
+
+# The statements for one register, from its words and its variable.
+_One = Callable[[Words, Expression], list[Statement]]
+
+
+class _Range:
+    """The parameters that say which words there are."""
+
+    def __init__(self, world: World, draft: Draft, remark: str) -> None:
+        self.world, self.draft = world, draft
+        self.address = draft.declare("uiAddress", UINT, "input", "address of aWords[0]")
+        self.count = draft.declare("iCount", INT, "input", "how many words there are")
+        self.array = draft.declare("aWords", world.words, "in_out", remark)
+        self.taken = draft.local("iTaken")
+        self.at = draft.local("iAt")
+        draft.refuse(compared(self.count, ">", number(world.words.high + 1)), "no_room")
+        draft.add([Assignment(self.taken, number(0))])
+
+    def each(self, laid: RegisterLayout, struct: Variable, one: _One) -> list[Statement]:
+        """The statements for a register, or for each of several equal ones, if it lies in the words."""
+        kind = register_type(self.world, laid)
+        member = Member(struct, self.world.member(struct_of(laid, self.world), laid.name), kind)
+        if laid.count == 1:
+            return [self._if_there(laid, Whole(laid.address, UINT), member, one)]
+        index = self.draft.local("iElement")
+        held = Element(member, index, self.world.type_of(laid.register.value))
+        steps: Expression = Conversion(index, UINT)
+        if laid.stride > 1:
+            steps = Operation("*", (steps, Whole(laid.stride, UINT)), UINT)
+        address = self.draft.local("uiRegister", UINT)
+        inner = [
+            Assignment(address, Operation("+", (Whole(laid.address, UINT), steps), UINT)),
+            self._if_there(laid, address, held, one),
+        ]
+        return [Loop(index, number(0), number(laid.count - 1), tuple(inner))]
+
+    def _if_there(self, laid: RegisterLayout, address: Expression, held: Expression, one: _One) -> Statement:
+        call = Call(
+            self.world.routine("holds"),
+            (
+                ("uiAddress", self.address),
+                ("iCount", self.count),
+                ("uiRegister", address),
+                ("uiSize", Whole(laid.words, UINT)),
+            ),
+            (),
+            BOOL,
+        )
+        place = Conversion(Operation("-", (address, self.address), UINT), INT)
+        words = Words(self.array, self.at, self.world.layout.device.byte_order)
+        return when(
+            call,
+            [
+                Assignment(self.at, place),
+                *one(words, held),
+                Assignment(self.taken, plus(self.taken, laid.words)),
+            ],
+        )
+
+
+def struct_of(laid: RegisterLayout, world: World) -> str:
+    """The name of the group that a register belongs to."""
+    return next(group.name for group in world.layout.device.groups if laid.register in group.registers)
+
+
+def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> str:
+    first = min(laid.address for laid in registers)
+    last = max(laid.register.end for laid in registers) - 1
+    section = f" [{group.section}]" if group.section else ""
+    title = group.title or group.name.replace("_", " ")
+    return f"{title}{section}: addresses {first}..{last}. {order_remark(world.layout, 'words')}"
+
+
+def _order(registers: list[RegisterLayout]) -> str:
+    return word_order(Wire.of_register(laid) for laid in registers)
+
+
+def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    draft = Draft(
+        world.routine("unpack", group.name, _order(registers)),
+        f"registers {group.name}",
+        world.status,
+        f"Registers to struct: {_about(world, group, registers)}",
+        "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
+    )
+    given = _Range(world, draft, "is read only")
+    struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
+    for laid in registers:
+
+        def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:
+            return read(draft, world, Wire.of_register(laid), words, 0, held)
+
+        draft.add(given.each(laid, struct, one))
+    draft.refuse(compared(given.taken, "=", number(0)), "not_covered")
+    return draft.finished()
+
+
+def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    draft = Draft(
+        world.routine("pack", group.name, _order(registers)),
+        f"registers {group.name}",
+        world.status,
+        f"Struct to registers: {_about(world, group, registers)}",
+        "All words that are asked for must belong to registers that may be written.",
+        "Where a value is refused, some of the words may have been changed: do not send them.",
+    )
+    struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
+    given = _Range(world, draft, "receives the words")
+    for laid in registers:
+
+        def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:
+            return write(draft, world, Wire.of_register(laid), words, 0, held)
+
+        draft.add(given.each(laid, struct, one))
+    wrong = [compared(given.count, "<=", number(0)), compared(given.taken, "<>", given.count)]
+    draft.refuse(either(wrong), "not_covered")
+    return draft.finished()

@@ -1,0 +1,299 @@
+"""Messages of a link: requests are built, responses are parsed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.plc.routines.choices import choice_type, chosen_read, chosen_written, selecting
+from fieldspec.plc.routines.draft import Draft
+from fieldspec.plc.routines.expressions import (
+    Call,
+    Conversion,
+    Expression,
+    Operation,
+    Variable,
+    Whole,
+    compared,
+    number,
+    plus,
+)
+from fieldspec.plc.routines.frames import LENGTH, code_type, framed, head_members, link_words, wire_of, wrapped
+from fieldspec.plc.routines.holders import Bytes
+from fieldspec.plc.routines.records import field_type, given, read_field, write_field
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.statements import Assignment, Statement, when
+from fieldspec.plc.routines.types import BOOL, INT, ArrayType, StructType, Type
+from fieldspec.plc.routines.values import Wire
+from fieldspec.plc.routines.world import PREFIXES, World
+
+
+@dataclass(frozen=True, slots=True)
+class Fields:
+    """The parameters of a routine for the fields of a record, and for how many elements its repeated field has."""
+
+    variables: dict[str, Variable]
+    count: Variable | None
+
+    def place(self, field: FieldLayout) -> Expression:
+        """The parameter of a field."""
+        return self.variables[field.name]
+
+
+def message_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
+    """What builds the requests of a link, and what parses its responses."""
+    if not framed(link):
+        return
+    for message in link.messages.values():
+        yield _build(world, link, message)
+        yield _parse(world, link, message)
+
+
+def _declared(draft: Draft, world: World, message: MessageLayout, record: RecordLayout, role: str) -> Fields:
+    """Parameters for the fields of a record: arrays and structs are lent, the others are inputs or outputs."""
+    variables: dict[str, Variable] = {}
+    count: Variable | None = None
+    for field in record.fields:
+        if not given(field):
+            continue
+        kind = _type(world, message, field)
+        lent = isinstance(kind, ArrayType | StructType)
+        remark = world.told(field.field, field.value)
+        if lent and role == "input":
+            remark = f"is read only. {remark}".strip()
+        name = world.variable(field.name, kind)
+        variables[field.name] = draft.declare(name, kind, "in_out" if lent else role, remark)
+        if field.field.repeat is not None:
+            text = f"how many of them: {field.field.repeat.text()}"
+            count = draft.declare(f"{world.variable(field.name, INT)}Count", INT, role, text)
+    return Fields(variables, count)
+
+
+def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
+    """The type of a parameter: words of registers are in the one array that all routines for registers take."""
+    access = message.message.accesses
+    if access is not None and field.field.repeat is not None and field.name == access.values:
+        return world.words
+    return choice_type(field) if field.cases else field_type(world, field)
+
+
+def _of_message(world: World, link: LinkLayout, message: MessageLayout, deed: str) -> tuple[str, str, str]:
+    title = message.message.title or message.name.replace("_", " ")
+    code = message.message.code
+    told = f"{title} (code {code}) on {link.name}" if code is not None else f"{title} on {link.name}"
+    source = world.told(message.message, None)
+    return (
+        world.routine(deed, *link_words(world, link), message.name),
+        f"messages of {link.name}",
+        f"{deed.title()}s {'the request' if deed == 'build' else 'the response'}: {told}. {source}".strip(),
+    )
+
+
+def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
+    name, group, about = _of_message(world, link, message, "build")
+    draft = Draft(name, group, world.status, about, message.message.doc)
+    shape, record = link.request, message.request
+    head: dict[str, Expression] = {}
+    for part in head_members(shape):
+        wire = wire_of(part)
+        kind = world.type_of(wire.value)
+        variable = draft.declare(world.variable(part.name, kind), kind, "input", world.told(part.part, wire.value))
+        head[variable.name] = variable
+    fields = _declared(draft, world, message, record, "input")
+    frame = draft.declare("aFrame", world.frame, "in_out", "receives the request")
+    length = draft.declare(LENGTH, INT, "output", "how many bytes of aFrame are to be sent")
+    target = draft.declare("aBytes", world.frame, "local") if wrapped(link) else frame
+    draft.add([Assignment(length, number(0))])
+    size = _write_body(draft, world, record, fields, Bytes(target, number(shape.head_size)))
+    coded = code_type(shape)
+    if coded is not None:
+        head[f"{PREFIXES[coded.name]}Code"] = Whole(message.message.code or 0, coded)
+    closed = Call(
+        world.routine("close", *link_words(world, link), "request"),
+        (*head.items(), ("iBodyLength", size), ("aFrame", target)),
+        ((LENGTH, length),),
+        world.status.type,
+    )
+    if not wrapped(link):
+        return draft.finished(closed)
+    status, count = draft.local("eStatus", world.status.type), draft.local("iBytes")
+    draft.add([Assignment(status, closed), draft.status.passed_on(draft.result, status), Assignment(count, length)])
+    wrap = Call(
+        world.routine("wrap", *link_words(world, link)),
+        (("iBytes", count), ("aBytes", target), ("aFrame", frame)),
+        ((LENGTH, length),),
+        world.status.type,
+    )
+    return draft.finished(wrap)
+
+
+def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields, holder: Bytes) -> Expression:
+    """Writes the fields; the expression is how many bytes they are."""
+    last = record.fields[-1] if record.fields else None
+    repeat = last.field.repeat if last is not None else None
+    if fields.count is not None and repeat is not None:
+        low, high = number(repeat.low), number(repeat.high)
+        wrong = Operation("OR", (compared(fields.count, "<", low), compared(fields.count, ">", high)), BOOL)
+        draft.refuse(wrong, "wrong_length")
+    size: Expression = number(record.size or 0)
+    element: Expression = number(last.size if last is not None else 0)
+    for field in record.fields:
+        if field.field.measures is not None:
+            continue
+        if field.cases:
+            assert record.selector is not None
+            assert fields.count is not None or field.count
+            element = draft.local("iSize")
+            selector = selecting(draft, world, record.selector, fields.place(record.selector))
+            draft.add(chosen_written(draft, world, field, selector, holder, fields.place(field), fields.count, element))
+        else:
+            draft.add(write_field(draft, world, field, holder, fields.place, fields.count))
+    if fields.count is not None and last is not None:
+        size = plus(Operation("*", (fields.count, element), INT), last.offset)
+        size = plus(fields.count, last.offset) if element == number(1) else size
+    for field in record.fields:
+        if field.field.measures is not None:
+            draft.add(_measure_written(draft, record, field, fields, element, holder))
+    return size
+
+
+def _measure(record: RecordLayout, field: FieldLayout, fields: Fields, element: Expression) -> Expression:
+    """What a field that measures another one holds."""
+    measure = field.field.measures
+    assert measure is not None
+    other = record.named(measure.field)
+    assert other is not None
+    if other.field.repeat is None or fields.count is None:
+        return number((other.count or 1) * (other.size if measure.of == "bytes" else 1))
+    if measure.of != "bytes" or element == number(1):
+        return fields.count
+    return Operation("*", (fields.count, element), INT)
+
+
+def _measure_written(
+    draft: Draft, record: RecordLayout, field: FieldLayout, fields: Fields, element: Expression, holder: Bytes
+) -> list[Statement]:
+    wire = Wire.of_field(field)
+    measured = _measure(record, field, fields, element)
+    highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
+    raw = draft.local("wMeasure" if wire.value.size == 2 else f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
+    tests = [draft.refusal(compared(measured, ">", number(highest)), "out_of_range")] if highest < 1 << 15 else []
+    if isinstance(measured, Whole):
+        tests = []
+    value = Conversion(measured, wire.bits)
+    return [*tests, Assignment(raw, value), *holder.stored(field.offset, field.size, wire.order, wire.swapped, raw)]
+
+
+def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
+    name, group, about = _of_message(world, link, message, "parse")
+    error = link.link.error
+    refusal = world.layout.records[error.record] if error is not None else None
+    refused_doc = "Where the device refuses, the status says so, and further outputs say why." if refusal else ""
+    draft = Draft(name, group, world.status, about, message.message.doc, refused_doc)
+    shape, record = link.response, message.response
+    length = draft.declare(LENGTH, INT, "input", "how many bytes of aFrame were received")
+    frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
+    head: list[tuple[str, Expression]] = []
+    for part in head_members(shape):
+        wire = wire_of(part)
+        kind = world.type_of(wire.value)
+        variable = draft.declare(world.variable(part.name, kind), kind, "output", world.told(part.part, wire.value))
+        head.append((variable.name, variable))
+    fields = _declared(draft, world, message, record, "output")
+    why = _declared(draft, world, message, refusal, "output") if refusal is not None else None
+    status = draft.local("eStatus", world.status.type)
+    body, size = draft.local("iBody"), draft.local("iBodyLength")
+    source: Variable = frame
+    received: Variable = length
+    if fields.count is not None:
+        draft.add([Assignment(fields.count, number(0))])
+    if wrapped(link):
+        source, received = draft.declare("aBytes", world.frame, "local"), draft.local("iBytes")
+        unwrap = Call(
+            world.routine("unwrap", *link_words(world, link)),
+            ((LENGTH, length), ("aFrame", frame), ("aBytes", source)),
+            (("iBytes", received),),
+            world.status.type,
+        )
+        draft.add([Assignment(status, unwrap), draft.status.passed_on(draft.result, status)])
+    coded = code_type(shape)
+    outputs = list(head)
+    code: Variable | None = None
+    if coded is not None:
+        code = draft.local(f"{PREFIXES[coded.name]}Code", coded)
+        outputs.append((f"{PREFIXES[coded.name]}Code", code))
+    refused = draft.local("xRefused", BOOL) if refusal is not None else None
+    if refused is not None:
+        outputs.append(("xRefused", refused))
+    outputs += [("iBody", body), ("iBodyLength", size)]
+    opened = Call(
+        world.routine("open", *link_words(world, link), "response"),
+        ((LENGTH, received), ("aFrame", source)),
+        tuple(outputs),
+        world.status.type,
+    )
+    draft.add([Assignment(status, opened), draft.status.passed_on(draft.result, status)])
+    if code is not None and coded is not None:
+        draft.refuse(compared(code, "<>", Whole(message.message.code or 0, coded)), "unknown_code")
+    holder = Bytes(source, body)
+    if refused is not None and refusal is not None and why is not None:
+        before, draft.body = draft.body, []
+        _read_body(draft, world, refusal, why, holder, size)
+        inner = [*draft.body, *draft.status.give(draft.result, "refused")]
+        draft.body = [*before, when(refused, inner)]
+    _read_body(draft, world, record, fields, holder, size)
+    return draft.finished()
+
+
+def _read_body(
+    draft: Draft, world: World, record: RecordLayout, fields: Fields, holder: Bytes, size: Expression
+) -> None:
+    """Checks how long the body is, and puts it into the outputs."""
+    if record.least:
+        draft.refuse(compared(size, "<", number(record.least)), "incomplete")
+    if record.most is not None:
+        draft.refuse(compared(size, ">", number(record.most)), "wrong_length")
+    last = record.fields[-1] if record.fields else None
+    element: Expression = number(last.size if last is not None else 0)
+    if last is not None and last.cases:
+        assert record.selector is not None
+        element = draft.local("iSize")
+    elif last is not None and fields.count is not None:
+        draft.add(_counted(draft, fields.count, size, last, element))
+    for field in record.fields:
+        if field.field.measures is not None:
+            continue
+        if field.cases:
+            assert record.selector is not None
+            selector = selecting(draft, world, record.selector, fields.place(record.selector))
+            draft.add(
+                chosen_read(draft, world, field, selector, holder, fields.place(field), fields.count, size, element)
+            )
+        else:
+            draft.add(read_field(draft, world, field, holder, fields.place, fields.count))
+    for field in record.fields:
+        if field.field.measures is not None:
+            wire = Wire.of_field(field)
+            held = holder.number(field.offset, field.size, wire.order, wire.swapped)
+            measured = _measure(record, field, fields, element)
+            wanted = (
+                Whole(measured.value, wire.bits) if isinstance(measured, Whole) else Conversion(measured, wire.bits)
+            )
+            draft.refuse(compared(held, "<>", wanted), "wrong_measure")
+
+
+def _counted(
+    draft: Draft, count: Variable, size: Expression, last: FieldLayout, element: Expression
+) -> list[Statement]:
+    """How many elements lie in a body, which must hold whole ones only."""
+    rest = plus(size, -last.offset) if last.offset else size
+    if element == number(1):
+        return [Assignment(count, rest)]
+    odd = compared(Operation("MOD", (rest, element), INT), "<>", number(0))
+    return [
+        draft.refusal(odd, "wrong_length"),
+        Assignment(count, Operation("/", (rest, element), INT)),
+    ]

@@ -1,0 +1,32 @@
+"""What comments say of facts and values."""
+
+from __future__ import annotations
+
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Value
+
+
+def source(fact: Fact) -> str:
+    """Where the manual states a fact: `[8.2 L1622]`"""
+    return f"[{'; '.join(citation.text() for citation in fact.sources)}]" if fact.sources else ""
+
+
+def of_value(value: Value | None) -> str:
+    """What a count of a value is, which counts it may be, and what some of them stand for."""
+    if value is None:
+        return ""
+    facts = []
+    if value.scaled or value.unit:
+        facts.append(f"1 count = {count_of(value)}.")
+    if value.ranges is not None and (value.ranges.low, value.ranges.high) != (value.type.low, value.type.high):
+        facts.append(f"{value.ranges.text()}.")
+    if value.enum or value.flags:
+        facts.append(f"See {value.enum or value.flags}.")
+    facts += [f"{sentinel.value} is {sentinel.name}." for sentinel in value.sentinels]
+    return " ".join(facts)
+
+
+def count_of(value: Value) -> str:
+    """What one count is: `0.01 mm`, `100/2^14 %, then -40 added`"""
+    offset = f", then {value.offset} added" if value.offset else ""
+    return f"{value.scale_text or value.scale} {value.unit}".rstrip() + offset

@@ -1,0 +1,284 @@
+"""Counts to quantities in their units and back, in LREAL, with everything refused that is out of range."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction as Ratio
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.primitive import Kind
+from fieldspec.model.signal import Conversion as Share
+from fieldspec.model.value import Value
+from fieldspec.plc.routines.draft import Draft
+from fieldspec.plc.routines.expressions import (
+    Conversion,
+    Expression,
+    Fraction,
+    Negation,
+    Operation,
+    Whole,
+    compared,
+    either,
+    every,
+    outside,
+)
+from fieldspec.plc.routines.remarks import count_of
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.statements import Assignment, Condition
+from fieldspec.plc.routines.types import BOOL, LREAL, SIGNED, UNSIGNED, Elementary
+from fieldspec.plc.routines.world import PREFIXES, World, every_record
+
+# A double has no halves beyond this.
+_WHOLE_ONLY = 1 << 52
+
+_ZERO = Fraction("0.0")
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A value that has another number in its unit. `owner` is what it belongs to, `fact` what states it."""
+
+    owner: str
+    name: str
+    value: Value
+    fact: Fact
+
+    @property
+    def kind(self) -> Elementary:
+        """The type of the counts."""
+        return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What makes two quantities of one name the same."""
+        value = self.value
+        sentinels = tuple(sentinel.value for sentinel in value.sentinels)
+        return value.type.name, value.scale, value.offset, value.unit, value.ranges, sentinels
+
+
+def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
+    """The values that have a scale, by the names under which they get functions; those that share one are together."""
+    found: dict[tuple[object, ...], list[Quantity]] = {}
+    for one in _scaled(layout):
+        found.setdefault((one.name, *one.key), []).append(one)
+    named: dict[str, list[Quantity]] = {}
+    for same in found.values():
+        first = same[0]
+        name = first.name if first.name not in named else f"{first.owner}_{first.name}"
+        number = 1
+        while name in named:
+            number += 1
+            name = f"{first.owner}_{first.name}_{number}"
+        named[name] = same
+    return named
+
+
+def _scaled(layout: DeviceLayout) -> Iterator[Quantity]:
+    device = layout.device
+    every_value: list[tuple[str, str, Value | None, Fact]] = [
+        (signal.name, signal.name, signal.value, signal) for signal in device.signals.values()
+    ]
+    every_value += [(laid.name, laid.name, laid.register.value, laid.register) for laid in layout.registers]
+    for record in every_record(layout):
+        every_value += [(record.name, field.name, field.value, field.field) for field in record.fields]
+    for held in device.parameters.values():
+        for parameter in held.parameters:
+            if not parameter.reserved:
+                every_value.append((held.name, parameter.name, parameter.value, parameter))
+            every_value += [
+                (parameter.name, inner.name, inner.value, inner) for inner in parameter.subindices if not inner.reserved
+            ]
+    for owner, name, value, fact in every_value:
+        if value is not None and value.scaled and value.type.kind is Kind.INTEGER:
+            yield Quantity(owner, name, value, fact)
+
+
+def scaling_routines(world: World) -> Iterator[Routine]:
+    """Both directions of every quantity, and of every conversion by a reference."""
+    for name, same in quantities(world.layout).items():
+        yield _from_counts(world, name, same)
+        yield _to_counts(world, name, same)
+    for share in world.layout.device.conversions.values():
+        yield _share_from_counts(world, share)
+        yield _share_to_counts(world, share)
+
+
+def _digits(number: Ratio | int) -> Fraction:
+    """A whole number as a literal of LREAL."""
+    return Fraction(f"{int(number)}.0")
+
+
+def _times(of: Expression, ratio: Ratio) -> Expression:
+    """A product with a ratio: multiplied and divided by whole numbers, which rounds less than a decimal factor."""
+    above, below = ratio.numerator, ratio.denominator
+    made = of if above == 1 else Operation("*", (of, _digits(above)), LREAL)
+    return made if below == 1 else Operation("/", (made, _digits(below)), LREAL)
+
+
+def _about(world: World, same: list[Quantity], way: str) -> list[str]:
+    first = same[0]
+    owners = ", ".join(dict.fromkeys(one.owner for one in same if one.owner != one.name))
+    ranges = first.value.ranges
+    return [
+        f"{way}: 1 count = {count_of(first.value)}.",
+        f"Counts: {ranges.text()}." if ranges is not None else "",
+        f"Of {owners}. {world.told(first.fact, None)}" if owners else world.told(first.fact, None),
+        " ".join(f"{one.value} is {one.name}, no quantity." for one in first.value.sentinels),
+    ]
+
+
+def _intervals(value: Value) -> list[tuple[int, int]]:
+    """The counts that are quantities: those in range that do not stand for something else."""
+    whole = [(value.type.low, value.type.high)]
+    found = list(value.ranges.intervals) if value.ranges is not None else whole
+    for sentinel in value.sentinels:
+        found = [
+            part
+            for low, high in found
+            for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
+            if part[0] <= part[1]
+        ]
+    return sorted(set(found))
+
+
+def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
+    first = same[0]
+    draft = Draft(
+        world.routine(name, "from_counts"), "scaling", world.status, *_about(world, same, "Counts to quantity")
+    )
+    counts = draft.declare(f"{PREFIXES[first.kind.name]}Counts", first.kind, "input")
+    value = draft.declare("lrValue", LREAL, "output", f"in {first.value.unit}" if first.value.unit else "")
+    draft.add([Assignment(value, _ZERO)])
+    wrong = outside(counts, _intervals(first.value), first.kind)
+    if wrong is not None:
+        draft.refuse(wrong, "out_of_range")
+    scaled = _times(Conversion(counts, LREAL), Ratio(first.value.scale))
+    draft.add([Assignment(value, _plus(scaled, Ratio(first.value.offset)))])
+    return draft.finished()
+
+
+def _plus(of: Expression, more: Ratio) -> Expression:
+    """A sum with an exact number, which is divided where it is no whole number."""
+    if not more:
+        return of
+    whole = _digits(abs(more.numerator))
+    term = whole if more.denominator == 1 else Operation("/", (whole, _digits(more.denominator)), LREAL)
+    return Operation("+" if more > 0 else "-", (of, term), LREAL)
+
+
+def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
+    first = same[0]
+    draft = Draft(
+        world.routine(name, "to_counts"),
+        "scaling",
+        world.status,
+        *_about(world, same, "Quantity to the nearest count, of two equally near ones the even one"),
+    )
+    value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
+    shifted = _plus(value, -Ratio(first.value.offset))
+    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value))
+    return draft.finished()
+
+
+def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Iterable[tuple[int, int]]) -> None:
+    """Adds what rounds a number to a whole one in some intervals, whether the dialect's conversion rounds or cuts."""
+    bounds = sorted(intervals)
+    low, high = bounds[0][0], bounds[-1][1]
+    counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "output")
+    exact, rest = draft.local("lrCount", LREAL), draft.local("lrRest", LREAL)
+    draft.add([Assignment(counts, Whole(0, kind)), Assignment(exact, count)])
+    least = compared(exact, ">=", _digits(low)) if -low > _WHOLE_ONLY else compared(exact, ">", _half(low, -1))
+    most = compared(exact, "<", _digits(high + 1)) if high > _WHOLE_ONLY else compared(exact, "<", _half(high, 1))
+    draft.refuse(Negation(every([least, most])), "out_of_range")
+    whole = draft.local(f"{PREFIXES[kind.name]}Whole", kind)
+    odd = compared(Operation("MOD", (whole, Whole(2, kind)), kind), "<>", Whole(0, kind))
+    half, less = Fraction("0.5"), Fraction("-0.5")
+    up = either([compared(rest, ">", half), every([compared(rest, "=", half), odd])])
+    down = either([compared(rest, "<", less), every([compared(rest, "=", less), odd])])
+    one = Whole(1, kind)
+    draft.add(
+        [
+            Assignment(whole, Conversion(exact, kind)),
+            Assignment(rest, Operation("-", (exact, Conversion(whole, LREAL)), LREAL)),
+            Condition(
+                (
+                    (up, (Assignment(whole, Operation("+", (whole, one), kind)),)),
+                    (down, (Assignment(whole, Operation("-", (whole, one), kind)),)),
+                )
+            ),
+        ]
+    )
+    wrong = outside(whole, bounds, kind) if len(bounds) > 1 else None
+    if wrong is not None:
+        draft.refuse(wrong, "out_of_range")
+    draft.add([Assignment(counts, whole)])
+
+
+def _half(bound: int, sign: int) -> Fraction:
+    """Half a count beyond a bound."""
+    twice = 2 * bound + sign
+    minus = "-" if twice < 0 else ""
+    return Fraction(f"{minus}{abs(twice) // 2}.5")
+
+
+def _share_bounds(world: World, share: Share) -> tuple[int, int]:
+    """The least and the greatest count that one of a conversion's signals may have."""
+    ranges = [world.layout.device.signals[name].value.ranges for name in share.signals]
+    known = [one for one in ranges if one is not None]
+    if not known or len(known) < len(ranges):
+        return share.type.low, share.type.high
+    return max(share.type.low, min(one.low for one in known)), min(share.type.high, max(one.high for one in known))
+
+
+def _share_about(world: World, share: Share) -> list[str]:
+    full = f"{share.full_scale}"
+    formula = f"reference * (1 - counts / {full})" if share.complement else f"reference * counts / {full}"
+    return [
+        f"{share.title or share.name} = {formula}. {world.told(share, None)}".strip(),
+        f"Counts are those of {', '.join(share.signals)}." if share.signals else "",
+        f"The reference is {' or '.join(share.references)}." if share.references else "",
+    ]
+
+
+def _share_kind(share: Share) -> Elementary:
+    return (SIGNED if share.type.signed else UNSIGNED)[share.type.size]
+
+
+def _share_from_counts(world: World, share: Share) -> Routine:
+    kind = _share_kind(share)
+    draft = Draft(world.routine(share.name, "from_counts"), "scaling", world.status, *_share_about(world, share))
+    counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "input")
+    reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
+    value = draft.declare("lrValue", LREAL, "output")
+    draft.add([Assignment(value, _ZERO)])
+    wrong = outside(counts, [_share_bounds(world, share)], kind)
+    if wrong is not None:
+        draft.refuse(wrong, "out_of_range")
+    part: Expression = Operation("/", (Conversion(counts, LREAL), _digits(share.full_scale)), LREAL)
+    if share.complement:
+        part = Operation("-", (_digits(1), part), LREAL)
+    draft.add([Assignment(value, Operation("*", (reference, part), LREAL))])
+    return draft.finished()
+
+
+def _share_to_counts(world: World, share: Share) -> Routine:
+    kind = _share_kind(share)
+    draft = Draft(
+        world.routine(share.name, "to_counts"),
+        "scaling",
+        world.status,
+        *_share_about(world, share),
+        "The nearest count, of two equally near ones the even one; a reference of 0 is refused.",
+    )
+    value = draft.declare("lrValue", LREAL, "input")
+    reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
+    zero = [compared(reference, "<", _ZERO), compared(reference, ">", _ZERO)]
+    draft.refuse(Negation(Operation("OR", tuple(zero), BOOL)), "out_of_range")
+    part: Expression = Operation("/", (value, reference), LREAL)
+    if share.complement:
+        part = Operation("-", (_digits(1), part), LREAL)
+    exact = Operation("*", (part, _digits(share.full_scale)), LREAL)
+    _rounded(draft, exact, kind, [_share_bounds(world, share)])
+    return draft.finished()

@@ -1,0 +1,202 @@
+"""Single values: out of a holder into a variable, and back, with all that is to be refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from fieldspec.layout.record import FieldLayout
+from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+from fieldspec.plc.routines.draft import Draft
+from fieldspec.plc.routines.expressions import (
+    Element,
+    Expression,
+    Negation,
+    Truth,
+    Variable,
+    Whole,
+    compared,
+    converted,
+    number,
+    outside,
+)
+from fieldspec.plc.routines.holders import Holder
+from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Statement, when
+from fieldspec.plc.routines.types import BITS, BYTE, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
+from fieldspec.plc.routines.world import PREFIXES, World
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """A value and the order of its bytes."""
+
+    value: Value
+    order: str
+    swapped: bool
+
+    @staticmethod
+    def of_field(field: FieldLayout) -> Wire:
+        """The value of a field that holds one."""
+        assert field.value is not None
+        return Wire(field.value, field.order, field.swapped)
+
+    @staticmethod
+    def of_register(register: RegisterLayout) -> Wire:
+        """The value of a register."""
+        return Wire(register.register.value, register.order, register.swapped)
+
+    @property
+    def kind(self) -> Kind:
+        """What it holds."""
+        return self.value.type.kind
+
+    @property
+    def bits(self) -> Elementary:
+        """The bit string of a number."""
+        return BITS[self.value.size]
+
+    @property
+    def whole(self) -> Elementary:
+        """The type of a whole number."""
+        return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
+
+
+def read(
+    draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
+) -> list[Statement]:
+    """What puts a value into a variable; where there is none, what refuses another value than the constant."""
+    value = wire.value
+    if wire.kind in (Kind.TEXT, Kind.BYTES):
+        return [] if target is None else _characters_read(draft, wire, holder, offset, target)
+    bits = holder.number(offset, value.size, wire.order, wire.swapped)
+    if value.const is not None:
+        wanted = Whole(value.const & wire.bits.high, wire.bits)
+        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
+    if target is None:
+        return []
+    if wire.kind is Kind.FLOAT:
+        call = world.real_from_bits(bits, target)
+        return [draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")]
+    if wire.kind is Kind.BOOLEAN:
+        raw = converted(bits, wire.whole)
+        return [
+            draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
+            Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
+        ]
+    if isinstance(target.type, EnumType):
+        call = world.enum_from_raw(
+            value.enum, converted(converted(bits, wire.whole), world.raw_type(value.enum)), target
+        )
+        return [draft.refusal(Negation(call), "unknown_value")]
+    assert isinstance(target.type, Elementary)
+    statements: list[Statement] = [Assignment(target, converted(bits, target.type))]
+    return [*statements, *_closed(draft, world, wire, target)]
+
+
+def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+    """What refuses a value that must not be sent, and puts the others into the holder."""
+    value = wire.value
+    if wire.kind in (Kind.TEXT, Kind.BYTES):
+        return _characters_written(draft, wire, holder, offset, source)
+    raw = draft.local(_RAW[wire.bits.name], wire.bits)
+    stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
+    if wire.kind is Kind.FLOAT:
+        call = world.bits_from_real(source, raw)
+        return [draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+    if wire.kind is Kind.BOOLEAN:
+        one = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
+        zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
+        return [Condition(one.branches, tuple(zero))]
+    if isinstance(source.type, EnumType):
+        wide = world.raw_type(value.enum)
+        held = draft.local(_RAW[wide.name], wide)
+        call = world.enum_to_raw(value.enum, source, held)
+        return [
+            draft.refusal(Negation(call), "unknown_value"),
+            *_put(wire, holder, offset, raw, converted(held, wire.whole)),
+        ]
+    statements = _closed(draft, world, wire, source)
+    if value.ranges is not None:
+        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
+        wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)
+        if wrong is not None:
+            statements.append(draft.refusal(wrong, "out_of_range"))
+    return [*statements, *_put(wire, holder, offset, raw, source)]
+
+
+def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
+    """What stores a number; by way of a variable where it has several parts."""
+    value, bits = wire.value, converted(source, wire.bits)
+    direct = holder.stored(offset, value.size, wire.order, wire.swapped, bits)
+    if len(direct) == 1:
+        return direct
+    return [Assignment(raw, bits), *holder.stored(offset, value.size, wire.order, wire.swapped, raw)]
+
+
+def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[Statement]:
+    """What writes a number that nobody gives: a constant, or that of a reserved field, as often as it is there."""
+    default = wire.value.default if isinstance(wire.value.default, int) else 0
+    number_of = default if wire.value.const is None else wire.value.const
+    statements: list[Statement] = []
+    for at in range(count):
+        start = offset + at * wire.value.size
+        if wire.kind in (Kind.TEXT, Kind.BYTES):
+            statements += [holder.byte_stored(start + byte, Whole(0, BYTE)) for byte in range(wire.value.size)]
+        else:
+            literal = Whole(number_of & wire.bits.high, wire.bits)
+            statements += holder.stored(start, wire.value.size, wire.order, wire.swapped, literal)
+    return statements
+
+
+_RAW = {name: f"{prefix}Raw" for name, prefix in PREFIXES.items()}
+
+
+def _closed(draft: Draft, world: World, wire: Wire, of: Expression) -> list[Statement]:
+    """What refuses a number that a closed enum does not list, where a variable holds the number itself."""
+    name = wire.value.enum
+    if not name or world.layout.device.enums[name].open:
+        return []
+    members = world.layout.device.enums[name].members
+    known = {member.value for member in members if not member.unavailable}
+    known |= {sentinel.value for sentinel in wire.value.sentinels}
+    refused = outside(converted(of, wire.whole), runs(known), wire.whole) if known else Truth(True)
+    return [] if refused is None else [draft.refusal(refused, "unknown_value")]
+
+
+def runs(values: Iterable[int]) -> list[tuple[int, int]]:
+    """Numbers as intervals."""
+    found: list[tuple[int, int]] = []
+    for value in sorted(values):
+        if found and found[-1][1] == value - 1:
+            found[-1] = (found[-1][0], value)
+        else:
+            found.append((value, value))
+    return found
+
+
+def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, target: Expression) -> list[Statement]:
+    assert isinstance(target.type, ArrayType)
+    statements: list[Statement] = []
+    for at in range(wire.value.size):
+        element = Element(target, number(at), BYTE)
+        statements.append(Assignment(element, holder.byte(offset + at)))
+    return [*statements, *_ascii(draft, wire, target)]
+
+
+def _characters_written(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+    statements = _ascii(draft, wire, source)
+    for at in range(wire.value.size):
+        statements.append(holder.byte_stored(offset + at, Element(source, number(at), BYTE)))
+    return statements
+
+
+def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
+    """What refuses a text with other characters than those of ASCII."""
+    if wire.kind is not Kind.TEXT:
+        return []
+    index = draft.local("iCharacter")
+    character = converted(Element(array, index, BYTE), UNSIGNED[1])
+    test = draft.refusal(compared(character, ">", Whole(127, UNSIGNED[1])), "unknown_value")
+    return [Loop(index, number(0), number(wire.value.size - 1), (test,))]

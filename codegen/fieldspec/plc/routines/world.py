@@ -1,0 +1,245 @@
+"""What routines need to know of the declarations around them: names, types, sizes of arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.link import CHECK_SIZES
+from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
+from fieldspec.names import Name
+from fieldspec.plc.routines.expressions import Call, Expression
+from fieldspec.plc.routines.remarks import of_value, source
+from fieldspec.plc.routines.status import Status
+from fieldspec.plc.routines.types import (
+    BITS,
+    BOOL,
+    BYTE,
+    ELEMENTARY,
+    REAL,
+    SIGNED,
+    UNSIGNED,
+    WORD,
+    ArrayType,
+    Elementary,
+    EnumType,
+    StructType,
+    Type,
+    sequence,
+)
+
+_NARROWEST_FIRST = ("USINT", "SINT", "UINT", "INT", "UDINT", "DINT", "ULINT", "LINT")
+PREFIXES = {
+    "BOOL": "x",
+    "BYTE": "by",
+    "WORD": "w",
+    "DWORD": "dw",
+    "LWORD": "lw",
+    "USINT": "usi",
+    "UINT": "ui",
+    "UDINT": "udi",
+    "ULINT": "uli",
+    "SINT": "si",
+    "INT": "i",
+    "DINT": "di",
+    "LINT": "li",
+    "REAL": "r",
+    "LREAL": "lr",
+}
+"""What the name of a variable of an elementary type begins with."""
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """How the declarations call what belongs to the device.
+
+    `structs` are known by the names of records, of groups of registers and of the data of telegrams, `members` by those
+    and the names of fields and registers. An enum that is missing in `enums` is no type; its values are numbers.
+    """
+
+    device: str
+    structs: Mapping[str, str]
+    members: Mapping[str, Mapping[str, str]]
+    enums: Mapping[str, EnumType]
+    enum_members: Mapping[str, Mapping[str, str]]
+    status: Status
+
+
+@dataclass(frozen=True, slots=True)
+class World:
+    """A device, and how the declarations call its parts."""
+
+    layout: DeviceLayout
+    names: Names
+    _raw: dict[str, Elementary] = field(default_factory=dict)
+
+    def routine(self, *parts: str) -> str:
+        """The name of a routine: `F_GADGET_ReadPoint`"""
+        words = Name(())
+        for part in parts:
+            words += Name.of(part)
+        return f"F_{self.names.device}_{words.pascal()}"
+
+    def variable(self, name: str, kind: Type) -> str:
+        """The name of a variable for a part or a field: `uiSpeed`, `stPoint`, `aCorners`"""
+        if isinstance(kind, Elementary):
+            prefix = PREFIXES[kind.name]
+        else:
+            prefix = "a" if isinstance(kind, ArrayType) else "e" if isinstance(kind, EnumType) else "st"
+        return prefix + Name.of(name).pascal()
+
+    def told(self, fact: Fact, value: Value | None) -> str:
+        """What a comment says of a fact and its value: unit, range, meaning, place in the manual."""
+        return " ".join(part for part in (of_value(value), source(fact)) if part)
+
+    def checksum(self, algorithm: str, length: Expression, frame: Expression) -> Call:
+        """The check of the first bytes of a frame."""
+        kind = WORD if CHECK_SIZES[algorithm] == 2 else BYTE
+        return Call(self.routine(algorithm), (("iLength", length), ("aFrame", frame)), (), kind)
+
+    def struct(self, name: str) -> StructType:
+        """The struct of a record, a group of registers, or the data of a telegram."""
+        return StructType(self.names.structs[name])
+
+    def member(self, struct: str, name: str) -> str:
+        """A member of a struct."""
+        return self.names.members[struct][name]
+
+    @property
+    def status(self) -> Status:
+        """What routines return."""
+        return self.names.status
+
+    def type_of(self, value: Value) -> Type:
+        """The type of the variable that holds a value: an enum where it is closed, bits where bits have meanings."""
+        kind = value.type.kind
+        if kind in (Kind.TEXT, Kind.BYTES):
+            return sequence(value.size, BYTE)
+        if kind is Kind.BOOLEAN:
+            return BOOL
+        if kind is Kind.FLOAT:
+            return REAL
+        if value.flags:
+            return BITS[value.size]
+        if value.enum and not value.sentinels and not self.layout.device.enums[value.enum].open:
+            found = self.names.enums.get(value.enum)
+            if found is not None:
+                return found
+        return (SIGNED if value.type.signed else UNSIGNED)[value.size]
+
+    def raw_type(self, enum: str) -> Elementary:
+        """The narrowest type that holds every number that a value with an enum may have on the wire."""
+        if not self._raw:
+            self._raw.update(_raw_types(self.layout))
+        return self._raw[enum]
+
+    def enum_from_raw(self, enum: str, raw: Expression, target: Expression) -> Call:
+        """Whether a number is listed; the target receives the member."""
+        return Call(
+            self.routine(enum, "from_raw"), ((raw_name(self.raw_type(enum)), raw),), (("eValue", target),), BOOL
+        )
+
+    def enum_to_raw(self, enum: str, source: Expression, target: Expression) -> Call:
+        """Whether a variable holds a member; the target receives its number."""
+        return Call(
+            self.routine(enum, "to_raw"), (("eValue", source),), ((raw_name(self.raw_type(enum)), target),), BOOL
+        )
+
+    def real_from_bits(self, bits: Expression, target: Expression) -> Call:
+        """A status; the target receives the number."""
+        return Call(self.routine("real_from_bits"), (("dwBits", bits),), (("rValue", target),), self.status.type)
+
+    def bits_from_real(self, source: Expression, target: Expression) -> Call:
+        """A status; the target receives the bits."""
+        return Call(self.routine("bits_from_real"), (("rValue", source),), (("dwBits", target),), self.status.type)
+
+    @property
+    def frame(self) -> ArrayType:
+        """The bytes of the longest frame of any link that has a head or a check."""
+        return sequence(max(_frame_sizes(self.layout), default=1), BYTE)
+
+    @property
+    def words(self) -> ArrayType:
+        """The words of the longest list of registers that a message carries, or of the longest record in a table."""
+        lists = [most // 2 for most in _register_lists(self.layout)]
+        tables = [table.words for table in self.layout.tables.values()]
+        return sequence(max([*lists, *tables], default=1), WORD)
+
+
+def raw_name(kind: Elementary) -> str:
+    """The parameter for a number on the wire."""
+    return f"{PREFIXES[kind.name]}Raw"
+
+
+def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
+    for link in layout.links.values():
+        width = 2 if link.link.encoding == "hex_ascii" else 1
+        marks = len(link.link.start) + len(link.link.end)
+        for direction in ("request", "response"):
+            shape = link.frame(direction)
+            around = shape.head_size + shape.tail_size
+            if around:
+                bodies = [message.data(direction).most or 0 for message in link.messages.values()]
+                yield (around + max(bodies, default=0)) * width + marks
+
+
+def _register_lists(layout: DeviceLayout) -> Iterator[int]:
+    for message in layout.messages.values():
+        access = message.message.accesses
+        for data in (message.request, message.response):
+            found = data.named(access.values) if access is not None else None
+            if found is not None and found.field.repeat is not None:
+                yield found.field.repeat.high * found.size
+
+
+def values_of(layout: DeviceLayout) -> Iterator[Value]:
+    """All values of a device: those of records, messages, heads of frames, registers and parameters."""
+    for record in every_record(layout):
+        yield from (found.value for found in record.fields if found.value is not None)
+    for link in layout.links.values():
+        for shape in (link.request, link.response):
+            yield from (part.value for part in shape.head if part.value is not None)
+    yield from (laid.register.value for laid in layout.registers)
+    for held in layout.device.parameters.values():
+        for parameter in held.parameters:
+            yield parameter.value
+            yield from (inner.value for inner in parameter.subindices)
+
+
+def every_record(layout: DeviceLayout) -> Iterator[RecordLayout]:
+    """All records, and the data of all messages."""
+    yield from layout.records.values()
+    for message in layout.messages.values():
+        yield message.request
+        yield message.response
+
+
+def _raw_types(layout: DeviceLayout) -> Iterator[tuple[str, Elementary]]:
+    bounds: dict[str, tuple[int, int]] = {}
+
+    def widen(enum: str, low: int, high: int) -> None:
+        before = bounds.get(enum, (0, 0))
+        bounds[enum] = min(before[0], low), max(before[1], high)
+
+    for value in values_of(layout):
+        if value.enum:
+            widen(value.enum, value.type.low, value.type.high)
+    for word in layout.device.flags.values():
+        for bit in word.bits:
+            if bit.enum:
+                widen(bit.enum, 0, (1 << bit.width) - 1)
+    for enum in layout.device.enums.values():
+        for member in enum.members:
+            widen(enum.name, member.value, member.value)
+        low, high = bounds.get(enum.name, (0, 0))
+        yield enum.name, narrowest(low, high)
+
+
+def narrowest(low: int, high: int) -> Elementary:
+    """The narrowest type of whole numbers that holds two of them."""
+    kinds = (ELEMENTARY[name] for name in _NARROWEST_FIRST)
+    return next(kind for kind in kinds if kind.low <= low and high <= kind.high)

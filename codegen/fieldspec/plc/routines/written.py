@@ -1,0 +1,245 @@
+"""Routines as text, in any dialect that a row of facts describes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.plc.routines.expressions import (
+    Call,
+    Conversion,
+    Element,
+    Expression,
+    Fraction,
+    Listed,
+    Member,
+    Negation,
+    Operation,
+    Shift,
+    Truth,
+    Variable,
+    Whole,
+)
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.spelling import Spelling
+from fieldspec.plc.routines.statements import (
+    Assignment,
+    Body,
+    Condition,
+    Loop,
+    Remark,
+    Return,
+    Selection,
+    Statement,
+)
+from fieldspec.plc.routines.types import ArrayType, Elementary, EnumType, Type
+
+_WIDTH = 112
+_STEP = "    "
+_ASSOCIATIVE = ("+", "AND", "OR", "XOR")
+_SMALL = range(-(1 << 15), 1 << 15)
+
+
+def comment(text: str, indent: str = "") -> list[str]:
+    """A text of a spec as lines of comment. It stays within them, whatever it holds."""
+    room = _WIDTH - len(indent)
+    lines = [""]
+    for word in plain(text).split(" "):
+        if lines[-1] and len(lines[-1]) + len(word) >= room:
+            lines.append("")
+        lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
+    return [f"{indent}// {line}".rstrip() for line in lines]
+
+
+def plain(text: str) -> str:
+    """A text on one line, with nothing in it that begins or ends a comment or a pragma."""
+    text = "".join(char if char.isprintable() else " " for char in text)
+    for mark in ("(*", "*)", "/*", "*/", "//"):
+        text = text.replace(mark, " ".join(mark))
+    return " ".join(text.replace("{", "(").replace("}", ")").split())
+
+
+def type_text(kind: Type, spelling: Spelling) -> str:
+    """A type where a variable is declared."""
+    if isinstance(kind, ArrayType):
+        return f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
+    if isinstance(kind, Elementary):
+        return kind.name
+    if isinstance(kind, EnumType) and not spelling.enums:
+        return kind.base.name
+    return spelling.struct.format(kind.name)
+
+
+def declaration(routine: Routine, spelling: Spelling) -> list[str]:
+    """The head of a routine: its comment, its name, its variables."""
+    lines = [line for paragraph in routine.remarks for line in comment(paragraph)]
+    if routine.example:
+        lines += ["//", "// Example:", *(f"//{_STEP}{line}".rstrip() for line in routine.example)]
+    lines.append(spelling.head.format(spelling.routine.format(routine.name), type_text(routine.returns, spelling)))
+    lines += spelling.attributes
+    for role, word in spelling.sections.items():
+        declared = routine.of_role(role)
+        if not declared:
+            continue
+        lines.append(word)
+        for one in declared:
+            beside = f" // {plain(one.remark)}" if one.remark else ""
+            lines.append(f"{_STEP}{one.variable.name} : {type_text(one.variable.type, spelling)};{beside}")
+        lines.append("END_VAR")
+    return lines
+
+
+def implementation(routine: Routine, spelling: Spelling) -> list[str]:
+    """The statements of a routine."""
+    return list(_body(routine.body, spelling, ""))
+
+
+def written(routine: Routine, spelling: Spelling) -> list[str]:
+    """The whole routine."""
+    begin = [spelling.begin] if spelling.begin else []
+    return [*declaration(routine, spelling), *begin, *implementation(routine, spelling), spelling.end]
+
+
+def _body(body: Body, spelling: Spelling, indent: str) -> Iterator[str]:
+    for statement in body:
+        yield from _statement(statement, spelling, indent)
+
+
+def _statement(statement: Statement, spelling: Spelling, indent: str) -> Iterator[str]:
+    inner = indent + _STEP
+    match statement:
+        case Remark(text):
+            yield from comment(text, indent)
+        case Return():
+            yield f"{indent}RETURN;"
+        case Assignment(target, value):
+            yield from _broken(f"{indent}{_text(target, spelling)} := ", value, ";", spelling, indent)
+        case Condition(branches, otherwise):
+            for word, (test, body) in zip(("IF", *("ELSIF" for _ in branches[1:])), branches, strict=True):
+                yield from _broken(f"{indent}{word} ", test, " THEN", spelling, indent)
+                yield from _body(body, spelling, inner)
+            if otherwise:
+                yield f"{indent}ELSE"
+                yield from _body(otherwise, spelling, inner)
+            yield f"{indent}END_IF;"
+        case Loop(index, first, last, body):
+            bounds = f"{_text(first, spelling)} TO {_text(last, spelling)}"
+            yield f"{indent}FOR {_text(index, spelling)} := {bounds} DO"
+            yield from _body(body, spelling, inner)
+            yield f"{indent}END_FOR;"
+        case Selection(of, cases, otherwise):
+            yield f"{indent}CASE {_text(of, spelling)} OF"
+            for labels, body in cases:
+                yield from _branch(list(_labels(labels, spelling, inner)), list(_body(body, spelling, inner + _STEP)))
+            if otherwise:
+                yield f"{indent}ELSE"
+                yield from _body(otherwise, spelling, inner)
+            yield f"{indent}END_CASE;"
+
+
+def _branch(labels: list[str], body: list[str]) -> list[str]:
+    """A branch of CASE, on one line where it is short."""
+    line = f"{labels[-1]} {body[0].strip()}"
+    return [*labels[:-1], line] if len(body) == 1 and len(line) <= _WIDTH else [*labels, *body]
+
+
+def _labels(labels: Iterable[tuple[int, int] | Listed], spelling: Spelling, indent: str) -> Iterator[str]:
+    """The labels of a branch, on as many lines as they need."""
+    line = indent
+    texts = [_label(label, spelling) for label in labels]
+    for at, text in enumerate(texts):
+        mark = ":" if at + 1 == len(texts) else ","
+        if len(line) + len(text) > _WIDTH:
+            yield line.rstrip()
+            line = indent
+        line += f"{text}{mark} "
+    yield line.rstrip()
+
+
+def _label(label: tuple[int, int] | Listed, spelling: Spelling) -> str:
+    if isinstance(label, Listed):
+        return _text(label, spelling)
+    low, high = label
+    return f"{low}" if low == high else f"{low}..{high}"
+
+
+def _broken(before: str, value: Expression, after: str, spelling: Spelling, indent: str) -> Iterator[str]:
+    """A line around an expression; where it is too long, its operands stand below each other."""
+    whole = f"{before}{_text(value, spelling)}{after}"
+    parts: list[str] = []
+    match value:
+        case Operation(operator, operands) if operator in _ASSOCIATIVE:
+            parts = [_operand(one, operator, spelling) for one in operands]
+            parts = [parts[0], *(f"{operator} {one}" for one in parts[1:])]
+            ends = ("", "")
+        case Call() if value.inputs:
+            given = _arguments(value, spelling)
+            parts = [*(f"{one}," for one in given[:-1]), given[-1]]
+            before, ends = f"{before}{spelling.routine.format(value.routine)}(", ("", ")")
+        case Conversion(Operation(operator, operands) as of, to) if operator in _ASSOCIATIVE:
+            parts = [_operand(one, operator, spelling) for one in operands]
+            parts = [parts[0], *(f"{operator} {one}" for one in parts[1:])]
+            before, ends = f"{before}{_name_of(of.type)}_TO_{to.name}(", ("", ")")
+    if len(whole) <= _WIDTH or len(parts) < 2:
+        yield whole
+        return
+    deep = indent + 2 * _STEP
+    yield before.rstrip()
+    yield from (f"{deep}{part}" for part in parts[:-1])
+    yield f"{deep}{parts[-1]}{ends[1]}{after}"
+
+
+def _name_of(kind: Type) -> str:
+    assert isinstance(kind, Elementary)
+    return kind.name
+
+
+def _operand(of: Expression, operator: str, spelling: Spelling) -> str:
+    """An operand, in parentheses unless it is plain or of the same chain."""
+    text = _text(of, spelling)
+    if isinstance(of, Operation) and not (of.operator == operator and operator in _ASSOCIATIVE):
+        return f"({text})"
+    return text
+
+
+def _arguments(call: Call, spelling: Spelling) -> list[str]:
+    return [
+        *(f"{name} := {_text(given, spelling)}" for name, given in call.inputs),
+        *(f"{name} => {_text(given, spelling)}" for name, given in call.outputs),
+    ]
+
+
+def _text(of: Expression, spelling: Spelling) -> str:
+    match of:
+        case Whole(value, kind, hexadecimal):
+            return _whole(value, kind, hexadecimal)
+        case Fraction(digits, kind):
+            return f"{kind.name}#{digits}"
+        case Truth(value):
+            return "TRUE" if value else "FALSE"
+        case Variable(name):
+            return spelling.variable.format(name)
+        case Listed(member, number, kind):
+            return spelling.member.format(kind.name, member, number)
+        case Member(inner, name):
+            return f"{_text(inner, spelling)}.{name}"
+        case Element(inner, index):
+            return f"{_text(inner, spelling)}[{_text(index, spelling)}]"
+        case Operation(operator, operands):
+            return f" {operator} ".join(_operand(one, operator, spelling) for one in operands)
+        case Negation(inner):
+            return (
+                f"NOT ({_text(inner, spelling)})" if isinstance(inner, Operation) else f"NOT {_text(inner, spelling)}"
+            )
+        case Shift(direction, inner, bits):
+            return spelling.shift.format(direction, _text(inner, spelling), bits)
+        case Conversion(inner, kind):
+            return f"{_name_of(inner.type)}_TO_{kind.name}({_text(inner, spelling)})"
+        case Call():
+            return f"{spelling.routine.format(of.routine)}({', '.join(_arguments(of, spelling))})"
+
+
+def _whole(value: int, kind: Elementary, hexadecimal: bool) -> str:
+    """A number; with its type where that of the language's own literals may be another one."""
+    if kind.family == "bits" or hexadecimal:
+        return f"{kind.name}#16#{value:0{2 * kind.size}X}"
+    return str(value) if value in _SMALL else f"{kind.name}#{value}"
