@@ -51,20 +51,23 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
             continue
         at = manual.known[number - 1]
         out = _left_out(plan, at, text)
-        if out is not None:
-            used.add(id(out))
+        before = len(made)
         told = OnLine() if number in manual.new else cited.at(at)
         pieces = list(_pieces(plan, at, text))
         used.update(id(pattern) for pattern, _ in pieces)
         for pattern, found in pieces:
-            status, missing = (LEFT_OUT, ()) if out is not None else _standing(found, told)
+            status, missing = _standing(found, told, cited)
+            if status == OPEN and out is not None:
+                status, missing = LEFT_OUT, ()
             made.append(
                 Candidate(pattern.kind, number, at, plan.section(at), found.start, found.end, status, missing, pattern)
             )
         if not pieces and any(char.isdigit() for char in text):
             known = number not in manual.new and at in cited.lines
-            status = LEFT_OUT if out is not None else COVERED if known else OPEN
+            status = COVERED if known else LEFT_OUT if out is not None else OPEN
             made.append(Candidate(LINE, number, at, plan.section(at), 0, len(text), status))
+        if out is not None and any(one.status == LEFT_OUT for one in made[before:]):
+            used.add(id(out))
     declared: list[Pattern | LeftOut] = [*plan.patterns, *plan.left_out]
     return Accounts(made, [one for one in declared if id(one) not in used])
 
@@ -90,9 +93,9 @@ def _pieces(plan: Plan, line: int, text: str) -> Iterator[tuple[Pattern, Found]]
                     yield pattern, one
 
 
-def _standing(found: Found, told: OnLine) -> tuple[str, tuple[Held, ...]]:
+def _standing(found: Found, told: OnLine, cited: Cited) -> tuple[str, tuple[Held, ...]]:
     """How a piece stands: each of its values must be one of a fact, or of an erratum, that cites the line."""
-    open_ = [held for held in found.values if not any(says(row, held) for row in told.facts)]
+    open_ = [held for held in found.values if not any(says(row, held, cited.elided) for row in told.facts)]
     missing = tuple(held for held in open_ if not any(corrects(erratum, held) for erratum in told.errata))
     if not found.values:
         return (COVERED, ()) if told.facts or told.errata else (OPEN, ())

@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
+import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
+from decimal import Decimal
 from fnmatch import fnmatchcase
 
 from fieldspec.audit.alignment import Aligned
+from fieldspec.audit.cited import lines_of
 from fieldspec.audit.plan import Plan, Unprinted
 from fieldspec.audit.reduced import reduced
-from fieldspec.audit.spelling import byte_pairs, numbers, readings, words
+from fieldspec.audit.spelling import byte_pairs, hold, in_order, numbers, readings, words
 from fieldspec.checks.walking import facts
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Citation
-from fieldspec.model.flags import Bit
+from fieldspec.model.enum import Member
+from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.parameter import Parameter
 from fieldspec.model.register import Register
 from fieldspec.source import Span
 
-NUMBERS = ("at", "decimal", "base", "value", "code", "number", "wire_number", "bit", "bits", "span", "word_span")
+NUMBERS = ("at", "decimal", "base", "value", "code", "number", "wire_number", "bit", "bits", "word_span")
 """The keys of what is known by a number: each of them is printed where its fact is."""
+
+
+_SHOWN = {"elided": "frame"}
+_FIGURES = re.compile(r"[0-9]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,16 +69,20 @@ class _Claimed:
 def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
     """Looks up what the facts of a device at all its versions cite."""
     claims: dict[tuple[str, str, int], _Claimed] = {}
-    corrected: dict[str, list[str]] = {}
+    corrected: dict[str, list[str]] = defaultdict(list)
+    beside: dict[tuple[int, str], list[str]] = defaultdict(list)
     for device in devices:
         for claim in _claims(device):
             claims.setdefault((claim.path, claim.key, claim.span.start), claim)
         for erratum in device.errata:
-            texts = [erratum.literal, *map(str, erratum.printed.values())]
-            corrected.setdefault(erratum.fact, []).extend(texts)
+            corrected[erratum.fact] += [erratum.literal, *map(str, erratum.printed.values())]
+            for line in lines_of(erratum.sources):
+                for key, printed in erratum.printed.items():
+                    beside[line, key].append(str(printed))
     looked_up, used, missing = 0, set(), []
     for claim in claims.values():
-        found = [*_failing(claim, manual, plan, corrected.get(claim.path, []))]
+        also = [text for line in lines_of(claim.sources) for text in beside.get((line, claim.key), ())]
+        found = [*_failing(claim, manual, plan, [*corrected.get(claim.path, ()), *also])]
         looked_up += 1
         for one in found:
             out = _excepted(plan, claim.path)
@@ -87,13 +101,15 @@ def _excepted(plan: Plan, path: str) -> Unprinted | None:
 
 def _claims(device: Device) -> Iterator[_Claimed]:
     """What the facts of a device say of themselves."""
+    bases = {parameter.place.path: held.base for held in device.parameters.values() for parameter in held.parameters}
     for fact in facts(device):
         path, place = fact.place.path, fact.place
         if fact.sources:
             for key in NUMBERS:
-                if key in place:
-                    means = tuple(range(fact.first, fact.last + 1)) if isinstance(fact, Bit) else ()
-                    yield _Claimed(path, key, _text(place[key]), place[key], fact.sources, means)
+                if key in place and not (key == "bits" and isinstance(fact, Flags)):
+                    yield _Claimed(
+                        path, key, _text(place[key]), place[key], fact.sources, _means(fact, key, bases.get(path, 0))
+                    )
             if "printed_name" in place:
                 yield _Claimed(path, "printed_name", fact.printed_name, place["printed_name"], fact.sources)
         for claim in fact.restated:
@@ -113,10 +129,24 @@ def _claims(device: Device) -> Iterator[_Claimed]:
             yield _Claimed(place.path, "at", str(address), place["at"], element.sources, (address,))
     for example in device.examples.values():
         if example.origin == "printed":
-            yield _Claimed(example.place.path, "frame", example.frame.hex(" "), example.place["frame"], example.sources)
+            key = "elided" if example.elided else "frame"
+            span = example.place["frame"]
+            yield _Claimed(example.place.path, key, example.frame.hex(" "), span, example.sources)
     for erratum in device.errata:
         if erratum.literal:
             yield _Claimed(erratum.place.path, "literal", erratum.literal, erratum.place["literal"], erratum.sources)
+
+
+def _means(fact: Fact, key: str, base: int) -> tuple[int, ...]:
+    """The numbers of a fact that may be printed for it, where they are not simply what the key says.
+
+    A parameter has one in its set, and one on the wire, which is greater by `base`.
+    """
+    if isinstance(fact, Parameter) and key == "number":
+        return fact.number, base + fact.number
+    if isinstance(fact, Bit):
+        return tuple(range(fact.first, fact.last + 1))
+    return (fact.value,) if isinstance(fact, Member) and key == "value" else ()
 
 
 def _text(span: Span) -> str:
@@ -133,7 +163,7 @@ def _failing(claim: _Claimed, manual: Aligned, plan: Plan, printed: list[str]) -
                 yield Missing(claim.path, text, claim.span, source)
     texts = [manual.line(line) for source in claim.sources for a, b in source.lines for line in range(a, b + 1)]
     if not _printed(claim, texts) and not any(_printed_as(text, claim, texts) for text in printed if text):
-        yield Missing(claim.path, f"`{claim.key}` {claim.text}", claim.span, claim.sources[0])
+        yield Missing(claim.path, f"`{_SHOWN.get(claim.key, claim.key)}` {claim.text}", claim.span, claim.sources[0])
 
 
 def _in_section(cited: str, section: str) -> bool:
@@ -144,19 +174,29 @@ def _printed(claim: _Claimed, texts: list[str]) -> bool:
     """Whether lines hold what a fact says of itself, in any spelling."""
     if claim.key == "frame":
         return bytes.fromhex(claim.text) in bytes(pair for text in texts for pair in byte_pairs(text))
+    if claim.key == "elided":
+        return _elided(bytes.fromhex(claim.text), texts)
     if claim.key in ("printed_name", "literal"):
-        wanted_words = set(words(reduced(claim.text)))
-        return wanted_words <= {word for text in texts for word in words(text)}
-    spelled = claim.means or tuple(int(one) for one in readings(claim.text, "number") if one == int(one))
+        return all(any(hold(text, word) for text in texts) for word in words(reduced(claim.text)))
+    spelled: tuple[int | Decimal, ...] = claim.means or readings(claim.text, "number")
     if not spelled:
-        bounds = numbers(claim.text.replace("..", "~")).values
+        bounds = [int(one) for one in _FIGURES.findall(claim.text)]
         return all(any(numbers(text).holds(bound) for text in texts) for bound in bounds)
-    wanted = {*spelled} if claim.key not in ("bit", "bits") else {*spelled, *(1 << bit for bit in spelled if bit < 64)}
+    masks = [1 << int(bit) for bit in spelled if bit < 64] if claim.key in ("bit", "bits") else []
+    wanted = (*spelled, *masks)
     return any(numbers(text).holds(one) for text in texts for one in wanted)
+
+
+def _elided(frame: bytes, texts: list[str]) -> bool:
+    """Whether the bytes in some lines are those of a frame, in their order, with some left out."""
+    printed = bytes(pair for text in texts for pair in byte_pairs(text))
+    return bool(printed) and in_order(printed, frame)
 
 
 def _printed_as(printed: str, claim: _Claimed, texts: list[str]) -> bool:
     """Whether lines hold what an erratum calls the print of a fact."""
+    if claim.key == "elided":
+        return _elided(bytes(byte_pairs(printed)), texts)
     if claim.key == "frame":
         return bytes(byte_pairs(printed)) in bytes(pair for text in texts for pair in byte_pairs(text))
     have = {word for text in texts for word in words(text)}

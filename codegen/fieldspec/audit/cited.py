@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 from fieldspec.audit.pattern import Held
 from fieldspec.audit.reduced import reduced
-from fieldspec.audit.spelling import byte_pairs, numbers, readings, words
+from fieldspec.audit.spelling import byte_pairs, in_order, numbers, readings, words
 from fieldspec.classes import dataclass, field
 from fieldspec.facts import Row, rows
 from fieldspec.layout.device import DeviceLayout
@@ -23,6 +23,9 @@ _ALSO = {"code": ("code", "number"), "number": ("number", "code")}
 _SCALED = ("min", "max", "default")
 _VALUES = ("code", "number", "address", "bit", "words", "bytes", "count", "position", "min", "max", "default")
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
+_INTERVAL = re.compile(r"(-?[0-9]+)(?:\.\.(-?[0-9]+))?")
+_INTEGER = re.compile("int")
+_BOUNDS = re.compile(r"(?:(?<![0-9A-Fa-f])-)?(?:0[xX][0-9A-Fa-f]+|[0-9][0-9A-Fa-f,]* ?[Hh]|[0-9][0-9,]*(?:\.[0-9]+)?)")
 _FIGURES = re.compile(r"[0-9]+")
 
 
@@ -36,17 +39,21 @@ class OnLine:
 
 @dataclass(frozen=True, slots=True)
 class Cited:
-    """What cites each line, and all lines that are cited, be it in a remark."""
+    """What cites each line, and all lines that are cited, be it in a remark.
+
+    `elided` are the paths of examples of which some bytes are not printed.
+    """
 
     by_line: Mapping[int, OnLine]
     lines: frozenset[int]
+    elided: frozenset[str]
 
     def at(self, line: int) -> OnLine:
         """What cites a line."""
         return self.by_line.get(line) or OnLine()
 
 
-def cited(spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> Cited:
+def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout]) -> Cited:
     """What cites each line of the manual, in any version."""
     by_line: dict[int, OnLine] = defaultdict(OnLine)
     known: set[str] = set()
@@ -63,7 +70,10 @@ def cited(spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> Cited:
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
     told = frozenset(line for tree in (spec.tree, *spec.trees.values()) for line in _told(tree))
-    return Cited(dict(by_line), told | by_line.keys())
+    elided = frozenset(
+        example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
+    )
+    return Cited(dict(by_line), told | by_line.keys(), elided)
 
 
 def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
@@ -84,30 +94,53 @@ def _told(node: Node) -> Iterator[int]:
             yield from _told(inner)
 
 
-def says(row: Row, held: Held) -> bool:
-    """Whether a fact says what is printed."""
+def says(row: Row, held: Held, elided: Collection[str]) -> bool:
+    """Whether a fact says what is printed. `elided` are the paths of examples of which some bytes are not."""
     if held.column == "frame":
-        return row["kind"] == "example" and bytes(byte_pairs(held.text)) == _frame(row)
+        printed, frame = bytes(byte_pairs(held.text)), _frame(row)
+        return printed == frame or (row["path"] in elided and in_order(printed, frame))
     if held.column == "name":
         return _named(row, held.text)
+    if held.column == "access":
+        return row["access"] == held.text.lower()
+    if held.column == "type":
+        return row["type"] == _INTEGER.sub("i", held.text.lower()).replace("ui", "u")
+    if held.column == "range":
+        return _ranges(row, held)
     if held.column == "value":
-        return any(_counts(row, column, held) for column in _VALUES) or _in_text(row, held)
+        return _in_text(row, held) or any(_counts(row, column, held) for column in _VALUES)
     return any(_counts(row, column, held) for column in _ALSO.get(held.column, (held.column,)))
 
 
+def _ranges(row: Row, held: Held) -> bool:
+    """Whether the printed bounds are those of a fact, in counts or in its unit."""
+    bounds = [readings(one, "decimal" if one.isdecimal() else "number") for one in _BOUNDS.findall(held.text)]
+    known = (row["min"], row["max"]) if len(bounds) > 1 else (row["min"],)
+    low_high = [cell for cell in known if isinstance(cell, int | Decimal)]
+    scale = row["scale"] if isinstance(row["scale"], Decimal) else 1
+    wanted = [{Decimal(cell), Decimal(cell) * scale} for cell in low_high]
+    return len(wanted) == len(bounds) and all(one & {*means} for one, means in zip(wanted, bounds, strict=True))
+
+
 def _frame(row: Row) -> bytes:
-    return bytes.fromhex(str(row["printed_name"]))
+    return bytes.fromhex(str(row["printed_name"])) if row["kind"] == "example" else b""
 
 
 def _named(row: Row, text: str) -> bool:
     """Whether a printed text is the name or the label of a fact, as far as an index has it."""
     printed = words(reduced(text))
+    if not printed:
+        return True
     names = [words(reduced(str(row[key]))) for key in ("printed_name", "label", "name") if row[key]]
     return printed in names or (len(names) > 1 and printed in (names[0] + names[1], names[1] + names[0]))
 
 
 def _counts(row: Row, column: str, held: Held) -> bool:
     """Whether a number of a fact is the printed one; bounds and defaults may be printed in the unit."""
+    if column == "code" and str(row["type"]).startswith("bool") and set(_means(held)) & {0, 1}:
+        return True
+    if column in ("min", "max") and _bounds(row, column) & {*_means(held)}:
+        return True
     cell = row[column]
     if cell is None:
         return False
@@ -123,7 +156,19 @@ def _counts(row: Row, column: str, held: Held) -> bool:
     return bool(known.intersection(means))
 
 
+def _bounds(row: Row, column: str) -> set[Decimal]:
+    """The lower, or the upper, bounds of all intervals of a fact, in counts and in its unit."""
+    scale = row["scale"] if isinstance(row["scale"], Decimal) else 1
+    found = _INTERVAL.findall(str(row["ranges"]))
+    ends = [Decimal(high or low) if column == "max" else Decimal(low) for low, high in found]
+    return {*ends, *(end * scale for end in ends)}
+
+
 def _means(held: Held) -> tuple[Decimal, ...]:
+    if held.form == "mask":
+        return tuple(
+            Decimal(int(one).bit_length() - 1) for one in readings(held.text, "hex") if int(one).bit_count() == 1
+        )
     return readings(held.text, "decimal" if held.form == "range" else held.form)
 
 
@@ -133,6 +178,9 @@ def _same_range(cell: str, held: Held) -> bool:
 
 
 def _in_text(row: Row, held: Held) -> bool:
+    """Whether a number stands in a text of a fact, or is one of the bytes of an example."""
+    if row["kind"] == "example":
+        return any(int(one) in _frame(row) for one in _means(held) if one in range(256))
     texts = (row[key] for key in ("printed_name", "label", "ranges", "name"))
     return any(numbers(reduced(str(text))).values.intersection(_means(held)) for text in texts if text)
 
@@ -146,6 +194,8 @@ def corrects(erratum: Erratum, held: Held) -> bool:
     if held.column == "name":
         wanted = words(reduced(held.text))
         return any(_holds(words(text), wanted) for text in texts)
+    if held.form == "range" and any(_same_range(text, held) for text in texts):
+        return True
     means = _means(held)
     return any(numbers(text).holds(one) for text in texts for one in means)
 

@@ -15,20 +15,22 @@ from fieldspec.classes import dataclass
 
 _HEX = r"0[xX][0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16}"
 _DECIMAL = r"[+-]?(?:[0-9]{1,3}(?:,[0-9]{3}){1,6}|[0-9]{1,20})(?:\.[0-9]{1,10})?(?![0-9])"
+_NUMBER = rf"(?:0[xX][0-9A-Fa-f]{{1,16}}|[0-9A-Fa-f]{{1,16}} ?[Hh](?![A-Za-z0-9])|{_DECIMAL})"
 _PAIR = r"(?:0x)?[0-9A-Fa-f]{2}[Hh]?"
 FORMS = {
     "hex": f"(?:{_HEX})",
     "hex2": r"(?:0[xX])?[0-9A-Fa-f]{2}(?![0-9A-Fa-f])",
     "hex4": r"(?:0[xX])?[0-9A-Fa-f]{4}(?![0-9A-Fa-f])",
     "hex8": r"(?:0[xX])?[0-9A-Fa-f]{8}(?![0-9A-Fa-f])",
+    "mask": r"0[xX][0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{2,16} ?[Hh]?(?![0-9A-Za-z])",
     "decimal": _DECIMAL,
-    "number": rf"(?:0[xX][0-9A-Fa-f]{{1,16}}|[0-9A-Fa-f]{{1,16}} ?[Hh](?![A-Za-z0-9])|{_DECIMAL})",
+    "number": _NUMBER,
     "word": r"[A-Za-z_][A-Za-z0-9_]{0,63}",
     "text": r"[^|\s](?:[^|]{0,200}[^|\s])?",
-    "range": rf"{_DECIMAL}(?: ?(?:~|-|\.\.) ?{_DECIMAL})?",
+    "range": rf"{_NUMBER}(?: ?(?:~|-|\.\.) ?{_NUMBER})?",
     "bytes": rf"{_PAIR}(?:[ |,+]{{1,5}}{_PAIR}){{1,300}}(?![0-9A-Za-z])",
 }
-"""What a placeholder may look like. `bytes` is a frame of two bytes or more."""
+"""What a placeholder may look like. `mask` is a number with one bit set, `bytes` a frame of two bytes or more."""
 
 COLUMNS = {
     "address": "number",
@@ -42,7 +44,10 @@ COLUMNS = {
     "name": "text",
     "min": "decimal",
     "max": "decimal",
+    "range": "range",
     "default": "decimal",
+    "access": "word",
+    "type": "word",
     "value": "number",
     "frame": "bytes",
 }

@@ -39,6 +39,7 @@ _SIGNS = str.maketrans(
         "」": '"',
     }
 )
+_CIRCLED = {ord("①") + at: f"({at + 1}) " for at in range(20)}
 _CELL_TAG = re.compile(r"</?(?:td|th)\b[^<>]{0,100}>", re.IGNORECASE)
 _TAG = re.compile(r"</?[a-zA-Z]+\b[^<>]{0,100}>")
 _COMMAND = re.compile(r"\\[a-zA-Z]+")
@@ -60,13 +61,14 @@ def reduced(line: str) -> str:
     text = _CELL_TAG.sub("|", line[:LONGEST])
     text = _TAG.sub(" ", text)
     text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
-    text = unicodedata.normalize("NFKC", text.translate(_SIGNS)).translate(_SIGNS)
+    text = unicodedata.normalize("NFKC", text.translate(_SIGNS | _CIRCLED)).translate(_SIGNS)
     text = _COMMAND.sub(" ", text).replace("$", "").replace("\t", "|")
     if _RULE.fullmatch(text):
         return ""
-    text = text.strip()
-    cells = text.removeprefix("|").removesuffix("|").split("|") if text.startswith("|") else text.split("|")
-    return CELL.join(_cell(cell) for cell in cells).rstrip(" |") if len(cells) > 1 else _cell(cells[0])
+    if line.lstrip().startswith("|"):
+        text = text.strip().removeprefix("|").removesuffix("|")
+    cells = text.split("|")
+    return CELL.join(map(_cell, cells)).rstrip(" |") if len(cells) > 1 else _cell(text)
 
 
 def _cell(cell: str) -> str:

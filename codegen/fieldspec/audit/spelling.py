@@ -13,22 +13,35 @@ _HEX = r"0[xX][0-9A-Fa-f]{1,16}|&H[0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16} ?[Hh](?![A
 _DECIMAL = r"[0-9]{1,3}(?:,[0-9]{3})+(?![0-9])|[0-9]{1,20}(?:\.[0-9]{1,10})?"
 _POWER = r"2 ?\^ ?\{?[0-9]{1,2}\}?(?: ?- ?1(?![0-9]))?"
 _BARE = r"[0-9A-Fa-f]{1,16}"
-_NUMBER = re.compile(rf"(?<![A-Za-z0-9])(?:{_POWER}|{_HEX}|{_DECIMAL}|{_BARE})(?![0-9])")
-_TO = re.compile(r"\s*(?:~|-|\.\.+|to)\s*([+(-]*)")
+_NUMBER = re.compile(
+    rf"(?<![A-Za-z0-9.])(?:{_POWER}|{_HEX}|{_DECIMAL}|{_BARE})(?![0-9])"
+    r"|(?<=[A-Za-z_])[0-9][0-9A-Fa-f]{0,5}\b|(?<=[A-Za-z]\.)[0-9A-Fa-f]{1,6}\b|(?<=[A-Za-z][0-9]\.)[0-9]{1,2}\b"
+)
+_SINGLE = re.compile(r"(?<![^|\". ])([0-9A-F])(?:[|\". ]+([0-9A-F])(?![^|\". ]))+")
+_TO = re.compile(r"\s*(?:~|-|\.\.+|to)\s*([+(-]*)[A-Za-z_]*|[^0-9|]{0,40}(?:~|\.\.\.)[^0-9|]{0,40}()")
 _WORD = re.compile(r"[A-Za-z_0-9]+")
 _BYTES = re.compile(r"(?<![0-9A-Za-z])(?:0x)?([0-9A-Fa-f]{2})[Hh]?(?![0-9A-Za-z])")
 
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """What a line can be read to say: numbers, and intervals from one number to another."""
+    """What a line can be read to say: numbers, and intervals from one number to another.
+
+    `characters` are hexadecimal digits that stand one by one, as in a row of characters.
+    """
 
     values: frozenset[Decimal]
     intervals: tuple[tuple[Decimal, Decimal], ...]
+    characters: tuple[str, ...]
 
     def holds(self, number: int | Decimal) -> bool:
-        """Whether the number stands in the line, as such or within an interval."""
-        return number in self.values or any(low <= number <= high for low, high in self.intervals)
+        """Whether the number stands in the line, as such, within an interval, or digit by digit."""
+        if number in self.values or any(low <= number <= high for low, high in self.intervals):
+            return True
+        if number < 0 or number != int(number):
+            return False
+        digits = f"{int(number):X}"
+        return any(digits.zfill(len(digits) + len(digits) % 2) in characters for characters in self.characters)
 
 
 def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
@@ -68,15 +81,38 @@ def numbers(line: str) -> Numbers:
         if negative:
             values.update(-one for one in means)
         if before is not None and (between := _TO.fullmatch(line, before[0], found.start())):
-            ends = tuple(-one for one in means) if "-" in between[1] else means
+            ends = tuple(-one for one in means) if "-" in (between[1] or "") else means
             intervals += ((low, high) for low, high in zip(before[1], ends, strict=False) if low < high)
         before = found.end(), tuple(-one for one in means) if negative else means
-    return Numbers(frozenset(values), tuple(intervals))
+    single = tuple(re.sub(r"[^0-9A-F]", "", found[0]) for found in _SINGLE.finditer(line))
+    return Numbers(frozenset(values), tuple(intervals), single)
 
 
 def words(text: str) -> tuple[str, ...]:
     """The words of a text as they are compared: in lower case, without what stands between them."""
-    return tuple(word.lower() for word in _WORD.findall(text))
+    return tuple(word.lower() for found in _WORD.findall(text) if (word := found.strip("_")))
+
+
+def hold(line: str, word: str) -> bool:
+    """Whether a word stands in a reduced line, or in a series of such words: `IN5`, or `IN`, in `IN1 ~ IN14`."""
+    have = words(line)
+    if word in have:
+        return True
+    if word.isdecimal():
+        return numbers(line).holds(int(word))
+    if any(other.startswith(word) and other[len(word) :].isdecimal() for other in have):
+        return True
+    stem = word.rstrip("0123456789")
+    if stem in ("", word) or not any(sign in line for sign in ("~", "...")):
+        return False
+    ends = [int(other[len(stem) :]) for other in have if other.startswith(stem) and other[len(stem) :].isdecimal()]
+    return bool(ends) and min(ends) < int(word[len(stem) :]) < max(ends)
+
+
+def in_order(part: bytes, frame: bytes) -> bool:
+    """Whether some bytes are those of a frame in their order, with others between them."""
+    left = iter(frame)
+    return all(byte in left for byte in part)
 
 
 def byte_pairs(line: str) -> Iterator[int]:
