@@ -7,7 +7,8 @@ import io
 from collections.abc import Sequence
 from functools import cache
 
-from fieldspec.backends.kv.backend import files, stem
+from fieldspec.backends.kv.backend import files
+from fieldspec.names import stem
 from laid_out import MADE_UP, SPECS, layouts
 
 Row = dict[str, str]

@@ -51,6 +51,12 @@ class Name:
         return text[:1].upper() + text[1:]
 
 
+def stem(device: str, version: str) -> str:
+    """The name of the files of a device's version: `gadget_v2_0`, `gadget_before_1_17`."""
+    words = Name.of(version).snake()
+    return f"{Name.of(device).snake()}_{f'v{words}' if words[:1].isdigit() else words}"
+
+
 def _joined(words: list[str]) -> str:
     """Words in one, with an underscore between two digits, which would otherwise be one number."""
     text = ""

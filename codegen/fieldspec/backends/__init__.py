@@ -43,6 +43,7 @@ OUTPUTS = {
         Output("c", "C headers with self-tests"),
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
+        Output("hmi", "Texts of alarms, faults and warnings for operator panels as CSV and XLSX"),
         Output("kv", "Word maps and device comments for word-based PLCs as CSV"),
     )
 }

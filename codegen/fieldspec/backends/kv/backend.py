@@ -8,7 +8,7 @@ from fieldspec.backends.kv import comments, word_map
 from fieldspec.backends.kv.areas import Area, areas
 from fieldspec.backends.kv.dialect import KV, WordDialect
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.names import Name
+from fieldspec.names import stem
 from fieldspec.spreadsheet import BYTE_ORDER_MARK, csv_text
 
 
@@ -26,12 +26,6 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 def shared() -> dict[str, str]:
     """Nothing belongs to no device."""
     return {}
-
-
-def stem(device: str, version: str) -> str:
-    """The name of a version's files: `gadget_v2_0`, `gadget_before_1_17`."""
-    words = Name.of(version).snake()
-    return f"{Name.of(device).snake()}_{f'v{words}' if words[:1].isdigit() else words}"
 
 
 def _placed(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:

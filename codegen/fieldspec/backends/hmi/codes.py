@@ -1,0 +1,63 @@
+"""The codes of a device and what an operator reads of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.model.device import Device
+from fieldspec.model.enum import Enum, Member
+from fieldspec.names import Name
+
+KINDS = ("alarm", "fault", "warning", "error", "exception")
+"""The enums that are codes of something that happens, as opposed to values that are set."""
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """A code of a list. `text` says what it means; `cause` and `remedy` are empty where the manual has none."""
+
+    kind: str
+    list: str
+    member: Member
+    text: str
+    cause: str
+    remedy: str
+
+
+def lists(device: Device) -> Iterator[tuple[Enum, tuple[Code, ...]]]:
+    """The lists of codes of a device, each with its codes."""
+    for enum in device.enums.values():
+        if enum.kind in KINDS:
+            yield enum, tuple(_code(enum, member) for member in enum.members)
+
+
+def _code(enum: Enum, member: Member) -> Code:
+    return Code(enum.kind, enum.name, member, _text(enum, member), _cause(member), _remedy(member))
+
+
+def _text(enum: Enum, member: Member) -> str:
+    """What stands on the device's own panel, if that is a form of the code, then the name, then what is wrong."""
+    shown = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
+    title = shown + Name.of(member.name).title()
+    return f"{title}: {member.problem}" if member.problem else title
+
+
+def _cause(member: Member) -> str:
+    return _numbered([cause.cause for cause in member.causes])
+
+
+def _remedy(member: Member) -> str:
+    """What to do, numbered as the causes are; what helps whatever the cause is stands last."""
+    given = [" ".join(cause.remedies) for cause in member.causes]
+    general = " ".join(member.remedies)
+    if not any(given):
+        return general
+    return "; ".join(part for part in (_numbered(given), general) if part)
+
+
+def _numbered(texts: Sequence[str]) -> str:
+    """Texts in one, each with its number if there are several; empty ones are left out but counted."""
+    if len(texts) == 1:
+        return texts[0]
+    return "; ".join(f"{number}. {text.removesuffix('.')}" for number, text in enumerate(texts, 1) if text)

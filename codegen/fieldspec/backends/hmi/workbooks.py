@@ -1,0 +1,92 @@
+"""The lists as workbooks that TIA Portal imports: text lists of a panel, and text lists of alarms of a controller."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.backends.hmi.codes import Code, lists
+from fieldspec.model.device import Device
+from fieldspec.names import Name
+from fieldspec.spreadsheet import Cell, Workbook, Worksheet
+
+NO_VALUE = "<No value>"
+"""What stands for a text that is not there, in the sheet of lists."""
+
+CULTURES = {"zh-Hans": "zh-CN", "zh-Hant": "zh-TW"}
+"""The culture of texts in a manual's language."""
+
+ENGLISH = "en-US"
+
+# What is done with a text that the program would take for a place of a value.
+_FIELD = "<field"
+
+
+@dataclass(frozen=True, slots=True)
+class TextList:
+    """A list by its name, with an English comment, and for each value the English text and the manual's, or nothing."""
+
+    name: str
+    comment: str
+    entries: tuple[tuple[int, str, str], ...]
+
+
+def text_lists(device: Device) -> Iterator[TextList]:
+    """For each list of codes one with what they mean, and one of causes and one of remedies, if there are any."""
+    before = Name.of(device.id)
+    for enum, codes in lists(device):
+        title = f"{device.name}: {enum.title or Name.of(enum.name).title()}"
+        base = before + Name.of(enum.name)
+        yield TextList(base.snake(), title, tuple((code.member.value, code.text, code.member.label) for code in codes))
+        for word in ("cause", "remedy"):
+            entries = tuple((code.member.value, _part(code, word), "") for code in codes if _part(code, word))
+            if entries:
+                yield TextList((base + Name.of(word)).snake(), f"{title}, {word}", entries)
+
+
+def panel_workbook(device: Device, languages: Sequence[str]) -> Workbook:
+    """The text lists of a panel, in the languages that a project has."""
+    held = list(text_lists(device))
+    texts = [f"Text [{language}]" for language in languages]
+    head = ("Name", "Parent", "DefaultEntry", "Value", *texts, "FieldInfos")
+    entries = [
+        (f"Text_list_entry_{number}", one.name, "", str(value), *_texts(languages, english, label), "")
+        for one in held
+        for number, (value, english, label) in enumerate(one.entries, 1)
+    ]
+    return Workbook((_lists(held, languages), Worksheet("TextListEntry", (head, *entries))))
+
+
+def controller_workbook(device: Device, languages: Sequence[str]) -> Workbook:
+    """The text lists of a controller's alarms."""
+    held = list(text_lists(device))
+    head = ("Parent", "From", "To", *(f"Text [{language}]" for language in languages))
+    entries = [
+        (one.name, str(value), str(value), *_texts(languages, english, label))
+        for one in held
+        for value, english, label in one.entries
+    ]
+    sheets = (_lists(held, languages), Worksheet("TextListEntry", (head, *entries)))
+    return Workbook(sheets, {"FileVersion": "1", "FileContent": "Alarm text lists"})
+
+
+def _lists(held: Sequence[TextList], languages: Sequence[str]) -> Worksheet:
+    head = ("Name", "ListRange", *(f"Comment [{language}]" for language in languages))
+    rows = [
+        (one.name, "Decimal", *(_plain(one.comment) if language == ENGLISH else NO_VALUE for language in languages))
+        for one in held
+    ]
+    return Worksheet("TextList", (head, *rows))
+
+
+def _texts(languages: Sequence[str], english: str, label: str) -> tuple[Cell, ...]:
+    """The text in each language; the English one where the manual has none."""
+    return tuple(_plain(english if language == ENGLISH or not label else label) for language in languages)
+
+
+def _part(code: Code, word: str) -> str:
+    return code.cause if word == "cause" else code.remedy
+
+
+def _plain(text: str) -> str:
+    return text.replace(_FIELD, f"< {_FIELD[1:]}")
