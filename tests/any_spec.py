@@ -30,6 +30,12 @@ FORMS: dict[str, tuple[str, ...]] = {
     "at": ("0x9010", "0x0..0xFFFFFFFF"),
     "gaps": ("16: nothing", "0..99999999: all", "x: y"),
     "sha256": ("0" * 64,),
+    "manual": ("0" * 64,),
+    "state": ("0" * 16,),
+    "endurance": ("limited", "unlimited"),
+    "section": ("8.2", "1"),
+    "sections": ("8.2", "1"),
+    "lines": ("1", "5-9, 12"),
     "date": ("2026-01-31",),
 }
 

@@ -189,6 +189,11 @@ def parser() -> argparse.ArgumentParser:
     audit.add_argument("--table", metavar="NAME", help="one table alone, such as ledger; csv and xlsx hold one")
     audit.add_argument("--format", choices=("text", "json", "sarif", "csv", "xlsx"), default="text")
     audit.add_argument("--out", metavar="FILE", help="the file for the table; left out: the output")
+    signs = "record that a section of the manual was compared with the spec; `all` for every one"
+    audit.add_argument("--sign", metavar="SECTION", help=signs)
+    audit.add_argument("--by", metavar="NAME", help="who compared it, for --sign: a name or a role")
+    audit.add_argument("--on", metavar="DATE", help="when, for --sign; left out: today")
+    audit.add_argument("--how", metavar="TEXT", help="how, for --sign")
 
     versions = verb("versions", "list the versions of a device, and what depends on them")
     versions.add_argument("device", metavar="DEVICE[@VERSION]")

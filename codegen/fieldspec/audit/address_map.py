@@ -14,13 +14,14 @@ from fieldspec.model.parameter import ParameterSet
 from fieldspec.model.place import Place
 from fieldspec.model.register import RegisterGroup
 
-USED, RESERVED, UNDESCRIBED, OVERLAP, DECLARED, UNDECLARED = (
+USED, RESERVED, UNDESCRIBED, OVERLAP, DECLARED, UNDECLARED, UNUSED = (
     "used",
     "reserved",
     "undescribed",
     "overlap",
     "declared_gap",
     "undeclared_gap",
+    "unused",
 )
 STATES = {
     USED: "used",
@@ -29,6 +30,7 @@ STATES = {
     OVERLAP: "held twice",
     DECLARED: "declared gap",
     UNDECLARED: "undeclared gap",
+    UNUSED: "unused",
 }
 """How an address may stand, with the words for it."""
 
@@ -255,8 +257,9 @@ def _codes(link: Link, coded: bool, held: Sequence[Held]) -> Space:
     word = part if coded else link.message_name
     what = f"{word} codes" if coded else f"{word} numbers"
     low, high = held[0][0], held[-1][1]
-    gaps = [(low, high, f"no {word} has it")]
-    block = Block(word, what, link.place.path, link.place, tuple(_runs(low, high, held, gaps, "")))
+    runs = _runs(low, high, held, [], "")
+    unused = tuple(run if run.holders else replace(run, state=UNUSED) for run in runs)
+    block = Block(word, what, link.place.path, link.place, unused)
     title = what[:1].upper() + what[1:]
     return Space(f"{link.name}_{what}".replace(" ", "_"), title, what, 2 if high <= 0xFF else 4, (block,))
 

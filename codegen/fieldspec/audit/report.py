@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from fieldspec.audit.access import access
+from fieldspec.audit.addresses import addresses, polls
 from fieldspec.audit.coverage import coverage
 from fieldspec.audit.detection import as_printed, detection, section
 from fieldspec.audit.ledger import ledger
 from fieldspec.audit.section import Report, Section
+from fieldspec.audit.sign_off import sign_off
+from fieldspec.audit.sources import sources
 from fieldspec.audit.subject import Subject
 from fieldspec.diagnostics import Diagnostic
 
@@ -15,6 +19,11 @@ PARTS: tuple[Callable[[Subject], Section], ...] = (
     coverage,
     ledger,
     detection,
+    addresses,
+    polls,
+    access,
+    sources,
+    sign_off,
 )
 """One function a section, in the order of the report."""
 

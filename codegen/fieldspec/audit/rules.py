@@ -36,4 +36,12 @@ Example: `manual.index` with the hash of an older edition.
 
 Cure: `fieldspec audit DEVICE --manual FILE --record`.
 """,
+    "reviews_sound": """Every review names sections that facts cite, a day that there is, and the state of its facts.
+
+Why: a review that was edited by hand says that somebody has compared what nobody has.
+
+Example: `section: "8.22"` where facts cite 8.2, or `state` copied from another section.
+
+Cure: Remove the entry, compare the section, and record it with `fieldspec audit DEVICE --sign SECTION --by NAME`.
+""",
 }

@@ -12,9 +12,10 @@ from fieldspec.model.place import Place
 
 NO_SECTION = "no section"
 
-NOWHERE, ONE_PLACE, AGREEING, DIFFERING = "nowhere", "one_place", "agreeing", "differing"
+NOWHERE, ONE_PLACE, TOGETHER, AGREEING, DIFFERING = "nowhere", "one_place", "together", "agreeing", "differing"
 STANDINGS = {
     ONE_PLACE: "one place",
+    TOGETHER: "several places, taken together",
     AGREEING: "several places, which agree",
     DIFFERING: "several places, which differ",
     NOWHERE: "no place",
@@ -48,7 +49,7 @@ class Sourced:
         if not self.sources:
             return NOWHERE
         if not self.restated:
-            return ONE_PLACE
+            return ONE_PLACE if len(self.sources) == 1 else TOGETHER
         return DIFFERING if self.errata else AGREEING
 
 
@@ -94,5 +95,3 @@ def inferred(device: Device) -> Iterator[Inferred]:
 def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
     """A key that sorts sections as a manual has them: `9.2` before `10`, words behind numbers."""
     return tuple((0, int(part), "") if part.isdigit() else (1, 0, part) for part in section.split("."))
-
-

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from fieldspec.commands import manuals, specs
+from fieldspec.commands import manuals, signing, specs
 from fieldspec.commands.lists import write
 from fieldspec.commands.output import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
@@ -36,9 +36,14 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("sarif holds findings and no table; give --table with text, json, csv or xlsx")
     if arguments.out and not arguments.table:
         raise UsageError("--out writes one table; name it with --table, such as --table ledger")
+    given = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
+    if given and not arguments.sign:
+        raise UsageError(f"--{given[0]} goes with --sign SECTION")
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layouts = {one: specs.laid(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
     layout = layouts[version]
+    if arguments.sign:
+        return signing.sign(arguments, spec, [layouts[one] for one in spec.versions()])
     if arguments.record:
         return manuals.record(arguments.specs, layout.device, arguments.manual)
     index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)

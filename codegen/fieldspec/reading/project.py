@@ -27,7 +27,7 @@ VERSIONS = "versions"
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
 _NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
-_NOT_OF_A_PROTOCOL = ("device", "versions", "accepts", "audit", *_OF_A_VERSION)
+_NOT_OF_A_PROTOCOL = ("device", "versions", "accepts", "audit", "reviews", *_OF_A_VERSION)
 
 
 JOINT = "+"

@@ -1,0 +1,251 @@
+"""The sections of the report about addresses: the map of each space, and the reads that one request can make."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces
+from fieldspec.audit.poll_blocks import PollBlock, Polling, ReadLimit, Unit, polling
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable
+from fieldspec.audit.subject import Subject
+from fieldspec.layout.device import DeviceLayout
+
+_NAMES = 4
+"""How many names of a poll block are listed; of more, the first and the last."""
+
+_SAYS = (
+    "Every address, number and code that the spec knows, block by block as the manual lists them. A gap is declared "
+    "where the spec says that the manual leaves it out; one that is not declared may be a row that is missing."
+)
+_POLL_SAYS = (
+    "Each row is one request. It begins and ends at a value with a meaning, touches no address of which the manual "
+    "says nothing, and divides no value. Equal requests at equal distances are one row."
+)
+
+
+def addresses(subject: Subject) -> Section:
+    """The address map."""
+    found = spaces(subject.layout)
+    figures = []
+    for space in found:
+        figures.append(Figure(f"{space.what} in use ({space.title})", space.count(USED)))
+        overlaps = [run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.own]
+        if overlaps:
+            unsaid = sum(1 for run in overlaps if not run.reason)
+            figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
+        if space.name == "registers":
+            gaps = space.count(UNDECLARED)
+            figures.append(Figure("words in gaps that nothing declares", gaps, good=gaps == 0))
+    tables = (_blocks(found), _gaps(found), _overlaps(found), _aliases(found), _runs(found))
+    return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, drawn=found)
+
+
+def _blocks(found: Sequence[Space]) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = []
+    for space in found:
+        for block in space.blocks:
+            shape = f"{block.repeats} elements, {block.stride} apart" if block.repeats > 1 else ""
+            counts = [block.count(state) or None for state in STATES]
+            ends = space.written(block.first), space.written(block.last)
+            rows.append((space.title, block.title, *ends, shape, *counts, block.place["name"]))
+    columns = ("space", "block", "first", "last", "shape", *STATES, "spec")
+    return SectionTable("blocks", "Blocks", columns, tuple(rows))
+
+
+def _gaps(found: Sequence[Space]) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = []
+    kinds = []
+    for space, block, run in _each(found):
+        if run.state in (DECLARED, UNDECLARED) and run.own:
+            reason = run.reason or "nothing says why"
+            rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
+            kinds.append("warning" if run.state == UNDECLARED else "")
+    columns = ("space", "block", "first", "last", "size", "state", "reason")
+    return SectionTable("gaps", "Gaps", columns, tuple(rows), tuple(kinds), detail=len(rows) > 40)
+
+
+def _overlaps(found: Sequence[Space]) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = []
+    kinds = []
+    for space, block, run in _each(found):
+        if run.state == OVERLAP and run.own:
+            names = " and ".join(holder.name for holder in run.holders)
+            rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
+            kinds.append("" if run.reason else "warning")
+    return SectionTable(
+        "overlaps",
+        "Addresses that are held twice",
+        ("block", "first", "last", "held_by", "reason"),
+        tuple(rows),
+        tuple(kinds),
+    )
+
+
+def _aliases(found: Sequence[Space]) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = [
+        (
+            space.written(alias.address),
+            alias.holder.name,
+            "a copy of" if alias.copied else "the same as",
+            space.written(alias.of_address),
+            alias.of.name,
+            alias.holder.place["copy_of" if alias.copied else "same_as"],
+            alias.holder.sources[0] if alias.holder.sources else None,
+        )
+        for space in found
+        for alias in space.aliases
+    ]
+    columns = ("address", "name", "is", "of_address", "of", "spec", "source")
+    return SectionTable("aliases", "Values at two addresses", columns, tuple(rows), detail=len(rows) > 40)
+
+
+def _runs(found: Sequence[Space]) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = []
+    for space, block, run in _each(found):
+        names = " and ".join(holder.name for holder in run.holders)
+        about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
+        holder = run.holders[0] if run.holders else None
+        source = holder.sources[0] if holder is not None and holder.sources else None
+        place = holder.place["name"] if holder is not None else None
+        rows.append((space.title, block.title, *_ends(space, run), STATES[run.state], names, about, place, source))
+    columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
+    title = "Every address, of tables those of the first element"
+    return SectionTable("address_map", title, columns, tuple(rows), detail=True)
+
+
+def _each(found: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
+    for space in found:
+        for block in space.blocks:
+            for run in block.runs:
+                yield space, block, run
+
+
+def _ends(space: Space, run: Run) -> tuple[str, str]:
+    return space.written(run.first), space.written(run.last)
+
+
+@dataclass(frozen=True, slots=True)
+class PollRow:
+    """Equal requests at equal distances, as one row: the first of them, how many there are, and how far apart."""
+
+    first: PollBlock
+    times: int
+    apart: int
+
+
+def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
+    """Poll blocks with those in one row that only an index tells apart."""
+    rows: list[PollRow] = []
+    for block in blocks:
+        last = rows[-1] if rows else None
+        if last is not None and "[" in block.names[0] and _shape(block) == _shape(last.first):
+            apart = block.start - last.first.start - (last.times - 1) * last.apart
+            if last.times == 1 or apart == last.apart:
+                rows[-1] = PollRow(last.first, last.times + 1, apart)
+                continue
+        rows.append(PollRow(block, 1, 0))
+    return rows
+
+
+def _shape(block: PollBlock) -> tuple[int, int, int, str]:
+    """What equal requests of a table have in common."""
+    return block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
+
+
+def polls(subject: Subject) -> Section:
+    """The poll blocks."""
+    made = polling(subject.layout)
+    limit = made.limit
+    says = [_POLL_SAYS, *(_limit_text(one) for one in made.limits)] if made.limits else []
+    says += _asked(subject.layout)
+    if not says:
+        says = ["No message of the device reads registers or parameters."]
+    figures = []
+    if limit is not None:
+        values = sum(len(block.names) for block in made.blocks)
+        figures.append(Figure(f"requests of up to {limit.words} words read all {values} values", len(made.blocks)))
+    tables = (_limits(made), _poll_table(made), _left_out(made)) if made.limits else ()
+    return Section("poll_blocks", "Poll blocks", tuple(says), tuple(figures), tables)
+
+
+def _limit_text(limit: ReadLimit) -> str:
+    """Where the number of words that one request may read is from."""
+    if limit.words is None:
+        return f"Nothing says how many words one request of {limit.message} may read, so that there is no list."
+    place = ""
+    if limit.span is not None:
+        place = f"{limit.span.file.path}:{limit.span.position()[0]}"
+    if not limit.own:
+        notes = f" {' '.join(limit.notes)}" if limit.notes else ""
+        return (
+            f"One request of {limit.message} reads up to {limit.words} words. The manual prints no limit; this one is "
+            f"that of the protocol ({place}).{notes}"
+        )
+    cited = "; ".join(source.text() for source in limit.sources)
+    return f"One request of {limit.message} reads up to {limit.words} words ({cited or place})."
+
+
+def _limits(made: Polling) -> SectionTable:
+    rows = tuple(
+        (
+            limit.message,
+            limit.words,
+            "the manual" if limit.own else "the protocol",
+            limit.span,
+            limit.sources[0] if limit.sources else None,
+        )
+        for limit in made.limits
+    )
+    return SectionTable("read_limits", "Limits", ("message", "words", "said_by", "spec", "source"), rows)
+
+
+def _poll_table(made: Polling) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = [
+        (
+            f"{row.first.start:04X}h",
+            row.first.start,
+            row.first.words,
+            row.times,
+            row.apart or None,
+            len(row.first.names),
+            row.first.reserved or None,
+            _names(row.first.names),
+        )
+        for row in poll_rows(made.blocks)
+    ]
+    columns = ("start", "decimal", "words", "times", "apart", "values", "reserved_words", "registers")
+    return SectionTable("poll_list", "One request each", columns, tuple(rows))
+
+
+def _names(names: Sequence[str]) -> str:
+    return ", ".join(names) if len(names) <= _NAMES else f"{names[0]}, {names[1]}, … {names[-1]}"
+
+
+def _left_out(made: Polling) -> SectionTable:
+    units: dict[tuple[str, str], list[Unit]] = {}
+    for unit in made.left_out:
+        name, _, behind = unit.name.partition("[")
+        units.setdefault((name + behind.partition("]")[2], unit.refused), []).append(unit)
+    rows = tuple(
+        (f"{held[0].first:04X}h", held[0].words, len(held), name, refused) for (name, refused), held in units.items()
+    )
+    return SectionTable("not_polled", "What is not polled", ("start", "words", "times", "name", "reason"), rows)
+
+
+def _asked(layout: DeviceLayout) -> Iterator[str]:
+    """How parameters are read: one by one, several elements of one, or all at once."""
+    for message in layout.device.messages.values():
+        for field in message.response.fields:
+            part = field.value.parameter if field.value is not None else None
+            parts = [case.value.parameter for case in field.choice.cases] if field.choice is not None else [part]
+            held = next((one for one in parts if one is not None), None)
+            if held is None or held.part not in ("value", "values"):
+                continue
+            if held.part == "values":
+                many = field.count or (field.repeat.high if field.repeat is not None else 1)
+                yield f"One request of {message.name} reads all {many} parameters of {held.set}."
+            else:
+                many = field.repeat.high if field.repeat is not None else field.count or 1
+                more = f", up to {many} elements of it" if many > 1 else ""
+                yield f"One request of {message.name} reads one parameter of {held.set}{more}."

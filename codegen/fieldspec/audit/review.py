@@ -1,0 +1,228 @@
+"""Who has compared which section of the manual with the spec, and what has changed since.
+
+The state of a section is a hash of its facts, as `fieldspec facts` has them, of all versions: what they say, their
+names and their corrections, but not the lines on which they are printed.
+"""
+
+from __future__ import annotations
+
+import binascii
+import hashlib
+from base64 import b64decode, b64encode
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from datetime import date
+
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.facts import Row, rows
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.place import Place
+from fieldspec.reading.building.context import Entry
+from fieldspec.reading.project import DeviceSpec
+
+FILE = "review.yaml"
+"""Where reviews are recorded, in the folder of the device."""
+
+_UNSTATED = ("path", "line")
+_SIZE = 4
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """The facts of a section: a short hash of each, with the paths that have it."""
+
+    facts: Mapping[str, tuple[str, ...]]
+
+    @property
+    def digests(self) -> list[str]:
+        """The hashes in order, each as often as there are such facts."""
+        return sorted(digest for digest, paths in self.facts.items() for _ in paths)
+
+    @property
+    def hash(self) -> str:
+        """The state as one hash."""
+        return state_hash(self.digests)
+
+
+@dataclass(frozen=True, slots=True)
+class Signed:
+    """A section as it was when somebody compared it. `facts` are the hashes of its facts."""
+
+    section: str
+    place: Place
+    state: str
+    facts: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Review:
+    """That somebody has compared sections with a manual, on a day."""
+
+    place: Place
+    by: str
+    date: str
+    manual: str
+    edition: str
+    doc: str
+    sections: tuple[Signed, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Since:
+    """What has changed in a section: the paths of facts that are new or say something else, and how many are gone."""
+
+    changed: tuple[str, ...] = ()
+    gone: int = 0
+    other_manual: bool = False
+
+    @property
+    def same(self) -> bool:
+        """Whether all is as it was."""
+        return not self.changed and not self.gone and not self.other_manual
+
+
+@dataclass(frozen=True, slots=True)
+class Reviewed:
+    """A section of the manual with the reviews of it, the latest first, and what has changed since each."""
+
+    section: str
+    facts: int
+    reviews: tuple[tuple[Review, Since], ...] = field(default=())
+
+
+def state_hash(digests: Iterable[str]) -> str:
+    """The hash of a state."""
+    return hashlib.sha256(" ".join(digests).encode()).hexdigest()[:16]
+
+
+def states(layouts: Iterable[DeviceLayout]) -> dict[str, State]:
+    """The state of every section that facts of some versions of a device cite."""
+    held: dict[str, dict[str, dict[str, None]]] = {}
+    for layout in layouts:
+        for row in rows(layout):
+            if row["section"] is not None:
+                held.setdefault(str(row["section"]), {}).setdefault(_digest(row), {})[str(row["path"])] = None
+    return {
+        section: State({digest: tuple(paths) for digest, paths in facts.items()}) for section, facts in held.items()
+    }
+
+
+def _digest(row: Row) -> str:
+    """Three bytes of a hash of what a fact says, as four characters."""
+    said = [f"{key}={cell}" for key, cell in sorted(row.items()) if cell not in (None, []) and key not in _UNSTATED]
+    return b64encode(hashlib.sha256("\x1f".join(said).encode()).digest()[:3]).decode()
+
+
+def reviews(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:
+    """The reviews of a device in the order of the spec, and what is wrong with them."""
+    found: list[Diagnostic] = []
+    made = [_review(entry) for entry in Entry(spec.tree, "", found).named("reviews", "reviews")]
+    known = {one.state: one.facts for review in made for one in review.sections if one.facts}
+    whole = []
+    for review in made:
+        signed = []
+        for one in review.sections:
+            facts = one.facts or known.get(one.state, ())
+            if state_hash(sorted(facts)) != one.state:
+                text = (
+                    f"the state of section {one.section} is {one.state}, that of its facts {state_hash(sorted(facts))}"
+                )
+                help = "remove the entry, and record the review with `fieldspec audit --sign`"
+                found.append(Diagnostic("reviews_sound", text, one.place["state"], help=help))
+            signed.append(Signed(one.section, one.place, one.state, facts))
+        whole.append(
+            Review(review.place, review.by, review.date, review.manual, review.edition, review.doc, tuple(signed))
+        )
+    return whole, found
+
+
+def _review(entry: Entry) -> Review:
+    day = entry.text("date")
+    try:
+        date.fromisoformat(day)
+    except ValueError:
+        entry.refuse("reviews_sound", "date", f"there is no day {day}", "write it as in 2026-01-31")
+    return Review(
+        entry.place(),
+        entry.text("by"),
+        day,
+        entry.text("manual"),
+        entry.text("edition"),
+        entry.text("doc"),
+        tuple(_signed(inner) for inner in entry.entries("sections", "section")),
+    )
+
+
+def _signed(entry: Entry) -> Signed:
+    text = "".join(entry.text("facts").split())
+    try:
+        b64decode(text, validate=True)
+    except binascii.Error:
+        help = "remove the entry, and record the review with `fieldspec audit --sign`"
+        entry.refuse("reviews_sound", "facts", "these are not the hashes of facts", help)
+        text = ""
+    digests = tuple(text[at : at + _SIZE] for at in range(0, len(text), _SIZE))
+    return Signed(entry.text("section"), entry.place(), entry.text("state"), digests)
+
+
+def reviewed(now: Mapping[str, State], found: Iterable[Review], manual: str) -> list[Reviewed]:
+    """Every section that facts cite, with its reviews; `manual` is the hash of the text that the spec is about."""
+    latest = sorted(enumerate(found), key=lambda one: (one[1].date, one[0]), reverse=True)
+    return [
+        Reviewed(
+            section,
+            len(state.digests),
+            tuple(
+                (review, since(state, one, review.manual != manual))
+                for _, review in latest
+                for one in review.sections
+                if one.section == section
+            ),
+        )
+        for section, state in now.items()
+    ]
+
+
+def since(state: State, signed: Signed, other_manual: bool) -> Since:
+    """What has changed in a section since somebody has compared it."""
+    if state.hash == signed.state:
+        return Since(other_manual=other_manual)
+    before, now = Counter(signed.facts), Counter(state.digests)
+    changed = [path for digest in now - before for path in state.facts[digest]]
+    return Since(tuple(dict.fromkeys(changed)), sum((before - now).values()), other_manual)
+
+
+def uncited(now: Mapping[str, State], found: Iterable[Review]) -> Iterator[Diagnostic]:
+    """The reviews of sections that no fact cites."""
+    for review in found:
+        for one in review.sections:
+            if one.section not in now:
+                text = f"no fact cites the section {one.section} that {review.by} has compared"
+                help = "put the section right, or remove the entry"
+                yield Diagnostic("reviews_sound", text, one.place["section"], help=help)
+
+
+def written(
+    spec: DeviceSpec, signed: Mapping[str, State], by: str, day: str, manual: str, edition: str, doc: str
+) -> str:
+    """An entry of the list of reviews, as it is written behind the others: the sections that somebody has compared."""
+    known = {one.state for review in reviews(spec)[0] for one in review.sections}
+    lines = [f"  - by: {_quoted(by)}", f"    date: {day}", f"    manual: {manual}"]
+    lines += [f"    edition: {_quoted(edition)}"] if edition else []
+    lines += [f"    doc: {_quoted(doc)}"] if doc else []
+    lines.append("    sections:")
+    for section, state in signed.items():
+        lines += [f"      - section: {_quoted(section)}", f"        state: {_quoted(state.hash)}"]
+        if state.hash not in known:
+            known.add(state.hash)
+            text = "".join(state.digests)
+            lines.append("        facts: >-")
+            lines += [f"          {text[at : at + 100]}" for at in range(0, len(text), 100)]
+    return "\n".join(lines) + "\n"
+
+
+def _quoted(text: str) -> str:
+    """A text as YAML in double quotes, whatever is in it."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(sign if sign.isprintable() else f"\\U{ord(sign):08x}" for sign in escaped) + '"'

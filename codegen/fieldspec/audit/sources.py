@@ -1,0 +1,113 @@
+"""The section of the report about sources: how well each fact is supported by the manual."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable
+from fieldspec.audit.sourcing import (
+    AGREEING,
+    DIFFERING,
+    NOWHERE,
+    ONE_PLACE,
+    STANDINGS,
+    TOGETHER,
+    Inferred,
+    Sourced,
+    inferred,
+    section_order,
+    sourced,
+)
+from fieldspec.audit.subject import Subject
+
+_SAYS = (
+    "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
+    "prints; where they differ, an erratum says which one is right. What the manual only implies is inferred, with the "
+    "reason."
+)
+
+
+def sources(subject: Subject) -> Section:
+    """Facts by the places that print them."""
+    facts = sourced(subject.device)
+    keys = list(inferred(subject.device))
+    count = Counter(fact.standing for fact in facts)
+    unverified = [fact for fact in facts if fact.unverified]
+    figures = [
+        Figure("facts without a source", count[NOWHERE], len(facts), count[NOWHERE] == 0),
+        Figure("facts that several places print, which agree", count[AGREEING], len(facts)),
+        Figure("facts that several places print, which differ", count[DIFFERING], len(facts)),
+        Figure("facts that follow from several places together", count[TOGETHER], len(facts)),
+        Figure("facts that only one place prints", count[ONE_PLACE], len(facts)),
+        Figure("values that are inferred, with a reason", len(keys)),
+    ]
+    if unverified:
+        figures.append(Figure("facts that nobody has verified", len(unverified), len(facts), False))
+    tables = (
+        _by_section(facts, keys),
+        _listed("unsourced", "Facts without a source", [fact for fact in facts if fact.standing == NOWHERE], "bad"),
+        _listed("unverified", "Facts that nobody has verified", unverified, "bad"),
+        _differing([fact for fact in facts if fact.standing == DIFFERING]),
+        _reasons(keys),
+        _listed("one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""),
+        _agreeing([fact for fact in facts if fact.standing == AGREEING]),
+    )
+    return Section("sources", "Sources", (_SAYS,), tuple(figures), tables)
+
+
+def _by_section(facts: Sequence[Sourced], keys: Sequence[Inferred]) -> SectionTable:
+    standings: dict[str, Counter[str]] = {}
+    for fact in facts:
+        standings.setdefault(fact.section, Counter())[fact.standing] += 1
+    implied = Counter(one.section for one in keys)
+    rows: list[tuple[Cell, ...]] = []
+    for section in sorted({*standings, *implied}, key=section_order):
+        held = standings.get(section, Counter())
+        numbers = [held[standing] or None for standing in STANDINGS]
+        rows.append((section, sum(held.values()), *numbers, implied[section] or None))
+    return SectionTable("by_section", "By section", ("section", "facts", *STANDINGS, "inferred"), tuple(rows))
+
+
+def _listed(name: str, title: str, facts: Sequence[Sourced], kind: str) -> SectionTable:
+    rows = tuple(
+        (fact.path, fact.sources[0] if fact.sources else None, "of its holder" if fact.inherited else "", _spec(fact))
+        for fact in facts
+    )
+    return SectionTable(
+        name, title, ("fact", "source", "whose", "spec"), rows, (kind,) * len(rows), detail=len(rows) > 20
+    )
+
+
+def _differing(facts: Sequence[Sourced]) -> SectionTable:
+    rows = tuple((fact.path, _places(fact), ", ".join(fact.errata), _spec(fact)) for fact in facts)
+    columns = ("fact", "places", "errata", "spec")
+    return SectionTable("differing", "Facts in which places differ", columns, rows, detail=len(rows) > 20)
+
+
+def _agreeing(facts: Sequence[Sourced]) -> SectionTable:
+    rows = tuple((fact.path, _places(fact), _spec(fact)) for fact in facts)
+    return SectionTable("agreeing", "Facts in which places agree", ("fact", "places", "spec"), rows, detail=True)
+
+
+def _places(fact: Sourced) -> str:
+    return "; ".join(dict.fromkeys(one.text() for one in (*fact.sources, *fact.restated)))
+
+
+def _reasons(keys: Sequence[Inferred]) -> SectionTable:
+    """What is inferred, the facts that share a reason in one row."""
+    together: dict[tuple[str, str], list[Inferred]] = {}
+    for one in keys:
+        together.setdefault((one.key, one.reason), []).append(one)
+    rows: list[tuple[Cell, ...]] = []
+    for (key, reason), held in together.items():
+        first = held[0]
+        more = f" and {len(held) - 1} more" if len(held) > 1 else ""
+        place = first.place["inferred"] if "inferred" in first.place else first.place["name"]
+        rows.append((key, f"{first.path}{more}", len(held), reason, place))
+    columns = ("key", "facts", "number", "reason", "spec")
+    return SectionTable("inferred", "What is inferred", columns, tuple(rows), detail=len(rows) > 20)
+
+
+def _spec(fact: Sourced) -> Cell:
+    return fact.place["source"] if "source" in fact.place else fact.place["name"]

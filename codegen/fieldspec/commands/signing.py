@@ -1,0 +1,74 @@
+"""Records that somebody has compared sections of the manual with the spec: `fieldspec audit DEVICE --sign SECTION`."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable, Mapping
+from datetime import date
+from pathlib import Path
+
+from fieldspec.audit.review import FILE, State, states, written
+from fieldspec.audit.sourcing import section_order
+from fieldspec.commands import specs
+from fieldspec.commands.lists import write
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.reading.project import DeviceSpec, read
+
+ALL = "all"
+_HEAD = "# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.schema.json\n"
+
+
+def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> int:
+    """Appends an entry to the reviews of a device. Raises UsageError, and writes nothing, where that cannot be done."""
+    if not arguments.by or not arguments.by.strip():
+        raise UsageError('--sign needs to know who has compared it; give a name or a role, as in --by "second reader"')
+    day = arguments.on or date.today().isoformat()
+    try:
+        date.fromisoformat(day)
+    except ValueError:
+        raise UsageError(f"--on {day} is no day; write it as in 2026-01-31") from None
+    held = list(layouts)
+    signed = _picked(states(held), arguments.sign)
+    manual = held[-1].device.manual
+    entry = written(spec, signed, arguments.by.strip(), day, manual.sha256, manual.edition, arguments.how or "")
+    folder = specs.folder(arguments.specs)
+    path = folder / spec.id / FILE
+    before = _before(path)
+    text = (before or f"{_HEAD}reviews:\n") + entry
+    _must_be_sound(folder, spec.id, text)
+    write(path, text.encode("utf-8"))
+    count = sum(len(state.digests) for state in signed.values())
+    print(f"{specs.shown(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}")
+    return 0
+
+
+def _picked(now: Mapping[str, State], name: str) -> dict[str, State]:
+    """The sections that a name means: one, a chapter with all of its sections, or all of them."""
+    if name == ALL:
+        return {section: now[section] for section in sorted(now, key=section_order)}
+    found = [section for section in now if section == name or section.startswith(f"{name}.")]
+    if not found:
+        raise unknown("section of the manual that facts cite", name, sorted(now, key=section_order))
+    return {section: now[section] for section in sorted(found, key=section_order)}
+
+
+def _before(path: Path) -> str:
+    """What the file has; it must end with the list of reviews, so that an entry can follow."""
+    try:
+        text = path.read_bytes().decode("utf-8") if path.exists() else ""
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    except UnicodeError:
+        raise UsageError(f"{path} is not UTF-8; nothing was changed") from None
+    return text if not text or text.endswith("\n") else text + "\n"
+
+
+def _must_be_sound(folder: Path, device: str, text: str) -> None:
+    """Reads the spec with the new file before anything is written."""
+    files = specs.files(folder, frozenset([device]))
+    files[f"{device}/{FILE}"] = text.encode("utf-8")
+    if read(files, frozenset([device])).found:
+        raise UsageError(
+            f"an entry cannot follow in {device}/{FILE}, which must end with the list `reviews`; nothing was written"
+        )
