@@ -202,6 +202,7 @@ ALLOWED = {
     "binascii",
     "collections.abc",
     "enum",
+    "array",
     "importlib",
     "operator",
     "re",

@@ -31,6 +31,7 @@ RUNTIME = (
     "_registers",
     "_typing",
     "_values",
+    "many",
 )
 
 

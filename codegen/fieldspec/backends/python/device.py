@@ -6,19 +6,20 @@ import re
 from typing import Any
 
 from fieldspec.backends.python.access import read_access, write_accesses
+from fieldspec.backends.python.columns import column_lines
 from fieldspec.backends.python.conversions import conversion_view
 from fieldspec.backends.python.heads import code_literal
 from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, carries, link_view
 from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scope
 from fieldspec.backends.python.parameters import parameter_set_view, space_views
 from fieldspec.backends.python.record_docs import record_doc
-from fieldspec.backends.python.records import RecordView, record_view, shape
+from fieldspec.backends.python.records import RecordShape, RecordView, record_view, shape
 from fieldspec.backends.python.registers import register_view, table_view
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.python.words import enum_view, flags_view
 from fieldspec.backends.python.writing import tuple_of
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.names import Name
@@ -123,7 +124,12 @@ def _class(name: str, kind: str, scope: Scope) -> str:
 
 def _record(layout: DeviceLayout, name: str, words: Words) -> RecordView:
     shaped = shape(layout.records[name], words, RECORD)
-    return record_view(shaped, words.records[name], record_doc(shaped.record, shaped.stored, Name.of(name).title()))
+    doc = record_doc(shaped.record, shaped.stored, Name.of(name).title())
+    return _viewed(shaped, words.records[name], doc)
+
+
+def _viewed(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
+    return replace(record_view(shaped, name, doc), columns=tuple(column_lines(shaped)))
 
 
 def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
@@ -158,7 +164,7 @@ def _messages(one: Exchange, links: list[LinkView], layout: DeviceLayout) -> lis
         frames = [view for side in sides for view in side.exchanges if view.message == name]
         views.append(
             MessageView(
-                record=record_view(shaped, name, doc),
+                record=_viewed(shaped, name, doc),
                 code=code_literal(message.code),
                 number="" if message.number is None else str(message.number),
                 supplements=tuple_of(map(literal, message.supplements)) if message.supplements else "",

@@ -86,6 +86,8 @@ class RecordView:
     init: list[str]
     equal: list[str]
     shown: list[str]
+    size: int | None
+    columns: tuple[str, ...] = ()
 
 
 def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> RecordShape:
@@ -127,6 +129,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         ),
         equal=chained("return ", [f"self.{name} == other.{name}" for name in names], "and", "True", 8),
         shown=shown(name, names, 8),
+        size=record.size,
     )
 
 

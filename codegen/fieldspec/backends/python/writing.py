@@ -14,12 +14,12 @@ FEW = 3
 
 def within(held: str, ranges: Ranges, others: tuple[int, ...] = ()) -> str:
     """The condition that a number lies in one of several intervals, or is one of some others."""
-    pairs = _joined([*ranges.intervals, *((value, value) for value in others)])
+    pairs = joined([*ranges.intervals, *((value, value) for value in others)])
     parts = [f"{held} == {low}" if low == high else f"{low} <= {held} <= {high}" for low, high in pairs]
     return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
 
 
-def _joined(intervals: list[tuple[int, int]]) -> list[tuple[int, int]]:
+def joined(intervals: list[tuple[int, int]]) -> list[tuple[int, int]]:
     """The same whole numbers in as few intervals as there can be, in order."""
     joined: list[tuple[int, int]] = []
     for low, high in sorted(intervals):

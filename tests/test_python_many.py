@@ -1,0 +1,189 @@
+"""Many records at once against one after the other: with NumPy, and with nothing but Python."""
+
+from __future__ import annotations
+
+from array import array
+from typing import Any
+
+import numpy
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from laid_out import MADE_UP, SPECS, all_layouts, newest
+from made_python import built, codec_error, made, outcome, raws, record_class, runtime
+from random_values import bytes_of, values_of
+
+MANY = runtime("many")
+CodecError = codec_error()
+HIWIN, WIDGET = made(newest(SPECS, "hiwin-e")), made(newest(MADE_UP, "widget"))
+TELEGRAM = HIWIN.Telegram111Response
+FRAME = bytes.fromhex("04 BF 91 00 00 07 00 00 00 00 FF FF CF C7 10 00 00 00 00 00 00 00 00 00")
+
+
+def fixed(layout: DeviceLayout) -> list[RecordLayout]:
+    """The records, and data of messages, that have columns."""
+    data = [side for message in layout.messages.values() for side in (message.request, message.response)]
+    return [
+        record for record in (*layout.records.values(), *data) if hasattr(record_class(made(layout), record), "_SIZE")
+    ]
+
+
+LAID_OUT = {f"{layout.device.id}-{layout.device.version}": layout for layout in all_layouts() if fixed(layout)}
+EACH = pytest.mark.parametrize("name", LAID_OUT)
+
+
+def of_record(value: Any, path: tuple[int, ...] = ()) -> dict[tuple[int, ...], list[Any]]:
+    """The numbers and bytes of one record by the places of their fields; those of lists one behind the other."""
+    found: dict[tuple[int, ...], list[Any]] = {}
+    if isinstance(value, dict):
+        for place, held in enumerate(value.values()):
+            found |= of_record(held, (*path, place))
+        return found
+    for one in value if isinstance(value, (list, tuple)) else [value]:
+        if isinstance(one, dict):
+            for key, held in of_record(one, path).items():
+                found[key] = found.get(key, []) + held
+        else:
+            data = one.encode("ascii") if isinstance(one, str) else one
+            held = data.rstrip(b"\0") if isinstance(data, bytes) else data
+            found[path] = [*found.get(path, []), int(held) if isinstance(held, bool) else held]
+    return found
+
+
+def of_columns(columns: dict[str, Any], at: int, path: tuple[int, ...] = ()) -> dict[tuple[int, ...], list[Any]]:
+    """The same for the record at a place of columns."""
+    found: dict[tuple[int, ...], list[Any]] = {}
+    for place, held in enumerate(columns.values()):
+        if isinstance(held, dict):
+            found |= of_columns(held, at, (*path, place))
+        else:
+            found[(*path, place)] = numpy.ravel(held[at]).tolist()
+    return found
+
+
+@EACH
+@settings(max_examples=60, deadline=None)
+@given(data=st.data())
+def test_columns_hold_what_each_record_holds(name: str, data: st.DataObject) -> None:
+    layout = LAID_OUT[name]
+    record = data.draw(st.sampled_from(fixed(layout)))
+    module = made(layout)
+    drawn = [
+        built(module, layout, record, values) for values in data.draw(st.lists(values_of(layout, record), max_size=5))
+    ]
+    frames = [one.encode() for one in drawn if not outcome(one.encode)[0]]
+    cls, whole = record_class(module, record), b"".join(frames)
+    columns = MANY.decode_many(cls, whole)
+    for at, frame in enumerate(frames):
+        assert str(of_columns(columns, at)) == str(of_record(raws(cls.decode(frame), record)))
+
+
+@EACH
+@settings(max_examples=60, deadline=None)
+@given(data=st.data())
+def test_what_one_record_refuses_the_columns_refuse_at_its_place(name: str, data: st.DataObject) -> None:
+    layout = LAID_OUT[name]
+    record = data.draw(st.sampled_from(fixed(layout)))
+    cls = record_class(made(layout), record)
+    size = record.size or 0
+    frames = [
+        frame[:size].ljust(size, b"\0") for frame in data.draw(st.lists(bytes_of(record), min_size=1, max_size=4))
+    ]
+    each = (refused(cls.decode, frame, number * size) for number, frame in enumerate(frames))
+    expected = next((one for one in each if one), None)
+    assert refused(lambda whole: MANY.decode_many(cls, whole), b"".join(frames)) == expected
+    assert refused(lambda whole: MANY.arrays(cls, whole), b"".join(frames)) == expected
+
+
+def refused(decode: Any, data: bytes, at: int = 0) -> Any:
+    """Why bytes are refused that lie at an offset; None where they are not."""
+    try:
+        decode(data)
+    except CodecError as error:
+        return error.reason, error.detail, None if error.offset is None else error.offset + at
+    return None
+
+
+@EACH
+def test_the_plain_arrays_hold_the_same_as_the_columns(name: str) -> None:
+    layout = LAID_OUT[name]
+    for record in fixed(layout):
+        cls = record_class(made(layout), record)
+        size = record.size or 0
+        frames = [bytes((byte + place) % 128 for place in range(size)) for byte in range(250)]
+        whole = b"".join(frame for frame in frames if not refused(cls.decode, frame))
+        assert flat(MANY.arrays(cls, whole)) == flat(MANY.decode_many(cls, whole))
+
+
+def flat(columns: dict[str, Any]) -> dict[str, Any]:
+    """Columns as plain lists; the dimensions are left out."""
+    found: dict[str, Any] = {}
+    for name, held in columns.items():
+        if isinstance(held, dict):
+            found[name] = flat(held)
+        else:
+            values = held.tolist() if isinstance(held, array) else numpy.ravel(held).tolist() if len(held) else []
+            found[name] = str([one.rstrip(b"\0") if isinstance(one, bytes) else one for one in values])
+    return found
+
+
+@pytest.mark.parametrize("decode", [MANY.decode_many, MANY.arrays, MANY.view, MANY.records])
+def test_bytes_left_over_are_refused_with_their_number(decode: Any) -> None:
+    with pytest.raises(CodecError) as caught:
+        decode(TELEGRAM, FRAME * 3 + b"\1\2\3\4\5")
+    assert (caught.value.reason, caught.value.offset) == ("incomplete", 72)
+    assert caught.value.detail == "77 bytes are 3 of 24 bytes, and 5 left over"
+
+
+@pytest.mark.parametrize("decode", [MANY.decode_many, MANY.arrays])
+def test_no_bytes_are_no_records(decode: Any) -> None:
+    columns = decode(TELEGRAM, b"")
+    assert [*columns] == [*TELEGRAM.__match_args__]
+    assert {len(column) for column in columns.values()} == {0}
+
+
+def test_more_records_than_one_block_are_all_there() -> None:
+    number = MANY.BLOCK * 2 + 3
+    columns = MANY.decode_many(TELEGRAM, FRAME * number)
+    assert {len(column) for column in columns.values()} == {number}
+    assert (columns["position_actual_a"] == -12345).all()
+    assert columns["position_actual_a"].dtype.isnative
+
+
+def test_a_view_copies_nothing() -> None:
+    buffer = bytearray(FRAME * 2)
+    seen = MANY.view(TELEGRAM, buffer)
+    buffer[0:2] = b"\x12\x34"
+    assert seen["status_word_1"].tolist() == [0x1234, 0x04BF]
+
+
+def test_native_records_hold_the_same_as_the_view() -> None:
+    native = MANY.records(TELEGRAM, FRAME * 2)
+    assert native["position_actual_a"].dtype.isnative
+    assert native["position_actual_a"].tolist() == [-12345, -12345]
+
+
+def test_bits_are_columns_by_name() -> None:
+    column = MANY.decode_many(TELEGRAM, FRAME * 2)["status_word_1"]
+    one = HIWIN.StatusWord1Positioning(0x04BF)
+    assert {name: held.tolist() for name, held in MANY.bits(type(one), column).items()} == {
+        name: [held, held] for name, held in one.flags().items()
+    }
+
+
+def test_counts_become_values_in_the_unit() -> None:
+    columns = MANY.decode_many(TELEGRAM, FRAME.replace(b"\x10\0\0\0\0\0\0\0\0\0", b"\x10\0\x20\0\0\0\0\0\0\0") * 2)
+    expected = TELEGRAM.decode(
+        FRAME.replace(b"\x10\0\0\0\0\0\0\0\0\0", b"\x10\0\x20\0\0\0\0\0\0\0")
+    ).speed_actual_b_percent
+    assert MANY.in_unit(TELEGRAM, "speed_actual_b", columns["speed_actual_b"]).tolist() == [expected, expected]
+    with pytest.raises(KeyError, match="fault_code is no field"):
+        MANY.in_unit(TELEGRAM, "fault_code", columns["fault_code"])
+
+
+def test_records_of_different_lengths_are_refused() -> None:
+    with pytest.raises(TypeError, match="the length of ExchangeRequest varies"):
+        MANY.decode_many(WIDGET.ExchangeRequest, b"")
