@@ -58,7 +58,7 @@ def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout]) -> Cited:
     by_line: dict[int, OnLine] = defaultdict(OnLine)
     known: set[str] = set()
     for layout in layouts:
-        for row in rows(layout):
+        for row in _completed(rows(layout)):
             key = repr(row)
             if key not in known:
                 known.add(key)
@@ -74,6 +74,15 @@ def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout]) -> Cited:
         example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
     )
     return Cited(dict(by_line), told | by_line.keys(), elided)
+
+
+def _completed(found: Sequence[Row]) -> Iterator[Row]:
+    """The rows; where another place states a fact again, any value of the fact may be what is printed there."""
+    by_path = {str(row["path"]): row for row in found}
+    for row in found:
+        path, again, _ = str(row["path"]).rpartition("/restated/")
+        fact = by_path.get(path) if again else None
+        yield row if fact is None else {key: fact[key] if cell is None else cell for key, cell in row.items()}
 
 
 def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
@@ -98,7 +107,10 @@ def says(row: Row, held: Held, elided: Collection[str]) -> bool:
     """Whether a fact says what is printed. `elided` are the paths of examples of which some bytes are not."""
     if held.column == "frame":
         printed, frame = bytes(byte_pairs(held.text)), _frame(row)
-        return printed == frame or (row["path"] in elided and in_order(printed, frame))
+        if printed == frame or (row["path"] in elided and in_order(printed, frame)):
+            return True
+        broken = len({*lines_of(citations(str(row["sources"] or ""), ""))}) > 1
+        return broken and printed in frame
     if held.column == "name":
         return _named(row, held.text)
     if held.column == "access":
@@ -161,6 +173,9 @@ def _bounds(row: Row, column: str) -> set[Decimal]:
     scale = row["scale"] if isinstance(row["scale"], Decimal) else 1
     found = _INTERVAL.findall(str(row["ranges"]))
     ends = [Decimal(high or low) if column == "max" else Decimal(low) for low, high in found]
+    size = row["bytes"]
+    if str(row["type"]).startswith("i") and isinstance(size, int):
+        ends += [end + (1 << 8 * size) for end in ends if end < 0]  # a negative bound as its bytes show it
     return {*ends, *(end * scale for end in ends)}
 
 
@@ -190,7 +205,7 @@ def corrects(erratum: Erratum, held: Held) -> bool:
     values = [_plain(value) for value in erratum.printed.values()]
     texts = [reduced(text) for text in (erratum.literal, *values) if text]
     if held.column == "frame":
-        return any(bytes(byte_pairs(held.text)) == bytes(byte_pairs(text)) for text in texts)
+        return any(bytes(byte_pairs(held.text)) in bytes(byte_pairs(text)) for text in texts)
     if held.column == "name":
         wanted = words(reduced(held.text))
         return any(_holds(words(text), wanted) for text in texts)
