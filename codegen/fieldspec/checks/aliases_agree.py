@@ -1,4 +1,5 @@
-"""A register, or a field, that is the same as another one has its type, scale, unit and range.
+"""A register, or a field, that is the same as another one has its type, scale, unit and range. Of two records that
+are laid out alike, this holds of the fields with the same names.
 
 Why: one value that is described twice is described in one way. A difference is a misprint, or the two
 are not the same.
@@ -26,16 +27,20 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
         other = registers.get(register.same_as)
         if other is not None:
             yield from _compared(f"{register.name} is {other.name}", register, register.value, other, other.value)
+    for record in device.records.values():
+        alike = device.records.get(record.same_as)
+        for field in record.fields:
+            same = alike.named(field.name) if alike is not None else None
+            yield from _echo(field, same, f"{field.name} is that of {record.same_as}")
     for message in device.messages.values():
         asked = {field.name: field for field in message.request.fields}
         for field in message.response.fields:
-            yield from _echo(field, asked.get(field.same_as))
+            yield from _echo(field, asked.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
 
 
-def _echo(field: Field, asked: Field | None) -> Iterator[Diagnostic]:
-    if asked is not None and field.value is not None and asked.value is not None:
-        text = f"{field.name} repeats {asked.name} of the request"
-        yield from _compared(text, field, field.value, asked, asked.value)
+def _echo(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
+    if same is not None and field.value is not None and same.value is not None:
+        yield from _compared(text, field, field.value, same, same.value)
 
 
 def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:

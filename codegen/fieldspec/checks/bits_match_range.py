@@ -6,7 +6,8 @@ is wrong.
 Example: a range of 0..1 for a word with one bit for each of 14 inputs.
 
 Cure: Put the range or the list right, and write an erratum. Bits that are listed as reserved may count
-or not; a field of bits with a closed enum may count with the greatest value of that.
+or not; a field of bits with a closed enum may count with the greatest value of that; and all bits of the
+type may count where the last of them is listed.
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ def _compared(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) ->
     every = _union(bit for bit in word.bits)
     useful = _union(bit for bit in word.bits if not bit.reserved)
     highest = sum(_highest(device, bit) << bit.first for bit in word.bits if not bit.reserved)
-    if ranges.intervals not in (((0, every),), ((0, useful),), ((0, highest),), ((0, word.type.high),)):
+    whole = word.type.high if every.bit_length() == word.type.high.bit_length() else useful
+    if ranges.intervals not in (((0, every),), ((0, useful),), ((0, highest),), ((0, whole),)):
         yield finding(
             "bits_match_range",
             fact.place,

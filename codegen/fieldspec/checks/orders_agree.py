@@ -1,4 +1,5 @@
-"""All links of a device have the same byte order and the same word order, which is given where it matters.
+"""All links of a device have the same byte order and the same word order, which is given where it matters: by one of
+them, and by each on which data are counted in words.
 
 Why: a value of several words means nothing without the order of its words. It is stated and never
 assumed; and the same register cannot have two orders.
@@ -13,13 +14,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
+from fieldspec.checks.frames import messages_on
 from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.link import Part
+from fieldspec.model.link import Link, Part
 from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Value
 
 _CODE = "orders_agree"
+_WORD = 2
 
 
 def orders_agree(device: Device) -> Iterator[Diagnostic]:
@@ -34,9 +38,26 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, link.place, key, text, help, there)
     if links and not any(link.word_order for link in links):
         for fact, value in values(device):
-            wide = value.size > 2 and value.type.kind in (Kind.INTEGER, Kind.FLOAT)
-            if wide and not isinstance(fact, Part):
+            if _wide(value) and not isinstance(fact, Part):
                 text = f"{fact.name} has several words, and no link says in which order they come"
                 there = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
                 yield finding(_CODE, links[0].place, "word_order", text, "give the link its `word_order`", there)
                 return
+    for link in links:
+        yield from _in_words(device, link)
+
+
+def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
+    """A link on which data are counted in words says itself which word of a longer number comes first."""
+    for message in messages_on(device, link) if not link.word_order else ():
+        for data in (message.request, message.response):
+            for field in data.fields:
+                if field.word_span is not None and field.value is not None and _wide(field.value):
+                    text = f"{field.name} has several words, and {link.name} does not say in which order they come"
+                    there = label(field.place, "word_span", "where they lie")
+                    yield finding(_CODE, link.place, "word_order", text, "give the link its `word_order`", there)
+                    return
+
+
+def _wide(value: Value) -> bool:
+    return value.size > _WORD and value.type.kind in (Kind.INTEGER, Kind.FLOAT)

@@ -39,6 +39,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         if value.parameter is not None:
             yield from _of_part(device, fact.place, value.parameter)
     for record in device.records.values():
+        yield from _named(record.place, "same_as", "record", record.same_as, device.records)
         yield from _within(device, record, record, None)
     for message in device.messages.values():
         yield from _of_message(device, message)

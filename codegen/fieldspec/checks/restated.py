@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.checks.finding import hexadecimal, interval, shown
+from fieldspec.checks.frames import sent_on
 from fieldspec.checks.occupied import merged
 from fieldspec.checks.sizes import Sizes
 from fieldspec.model.device import Device
@@ -12,7 +13,7 @@ from fieldspec.model.enum import Enum, Member
 from fieldspec.model.fact import Fact, Plain
 from fieldspec.model.flags import Bit, Flags
 from fieldspec.model.limit import Limit
-from fieldspec.model.link import Link, Part
+from fieldspec.model.link import CHECK_STARTS, Link, Part
 from fieldspec.model.message import Message
 from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
 from fieldspec.model.ranges import Ranges, intervals
@@ -23,8 +24,8 @@ from fieldspec.model.table import Table
 from fieldspec.model.value import Value, exact_scale
 
 _RANGES = ("range", "repeat", "enum_values")
-_ADDRESSES = ("at", "code", "wire_number")
-_NAMES = ("applies_to", "messages")
+_ADDRESSES = ("at", "code", "refusal_code", "initial", "wire_number")
+_NAMES = ("applies_to", "messages", "available_since")
 
 Intervals = tuple[tuple[Decimal, Decimal], ...]
 
@@ -60,6 +61,10 @@ def told(key: str, held: object) -> str:
 
 def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
     """What a fact says, by key; a key that it says nothing about is not there, or None."""
+    return {"available_since": frozenset(fact.since) or None, **_said(device, sizes, fact)}
+
+
+def _said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Register):
         return {
             **_value(device, fact.value),
@@ -76,7 +81,7 @@ def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Parameter):
         return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
-        return _value(device, fact.value) if fact.value is not None else {}
+        return {"initial": CHECK_STARTS.get(fact.algorithm), **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
         count = {"count": _length(fact.indices)} if isinstance(fact, Subindex) else {}
         return {**_value(device, fact.value), **count}
@@ -86,12 +91,12 @@ def said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Record):
         size = sizes.named(fact.name)
         return {"words": _words(fact.words, size), "length": size, "count": len(fact.fields)}
-    return _other(fact)
+    return _other(device, fact)
 
 
-def _other(fact: Fact) -> dict[str, object]:
+def _other(device: Device, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Message):
-        return {"code": fact.code, "number": fact.number}
+        return {"code": fact.code, "number": fact.number, "refusal_code": _refusal_code(device, fact)}
     if isinstance(fact, Member):
         return {"value": fact.value, "code": fact.value, "number": fact.number}
     if isinstance(fact, Bit):
@@ -114,6 +119,14 @@ def _other(fact: Fact) -> dict[str, object]:
     if isinstance(fact, Link) and fact.stations is not None:
         return {"range": _merged(fact.stations.ranges)}
     return {}
+
+
+def _refusal_code(device: Device, message: Message) -> int | None:
+    """The code of a refusal, where all links on which a message is sent mark it in one way."""
+    links = [link for link in device.links.values() if sent_on(link, message)]
+    marks = {link.error.flag if link.error is not None else None for link in links}
+    mark = marks.pop() if len(marks) == 1 else None
+    return None if mark is None or message.code is None else message.code | mark
 
 
 def _parameter(device: Device, parameter: Parameter) -> dict[str, object]:

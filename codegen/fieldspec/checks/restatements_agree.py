@@ -32,6 +32,7 @@ _STANDS_UNDER = {
     "code": ("code", "number", "value"),
     "range": ("range", "unit_range", "numbers"),
     "unit_range": ("unit_range", "range"),
+    "available_since": ("since",),
     "default": ("default", "unit_default"),
     "unit_default": ("unit_default", "default"),
     "value": ("value", "const", "full_scale"),

@@ -25,6 +25,7 @@ from fieldspec.checks.copies_agree import copies_agree
 from fieldspec.checks.data_words_match import data_words_match
 from fieldspec.checks.decimal_equals_hex import decimal_equals_hex
 from fieldspec.checks.default_within_range import default_within_range
+from fieldspec.checks.descriptions_differ import descriptions_differ
 from fieldspec.checks.elements_match_table import elements_match_table
 from fieldspec.checks.enum_contiguous import enum_contiguous
 from fieldspec.checks.enum_names_unique import enum_names_unique
@@ -37,6 +38,7 @@ from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
 from fieldspec.checks.limits_ordered import limits_ordered
@@ -54,6 +56,7 @@ from fieldspec.checks.parameter_messages_complete import parameter_messages_comp
 from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascending
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
 from fieldspec.checks.printed_names_match import printed_names_match
+from fieldspec.checks.printed_names_whole import printed_names_whole
 from fieldspec.checks.range_ends_match import range_ends_match
 from fieldspec.checks.range_within_enum import range_within_enum
 from fieldspec.checks.range_within_type import range_within_type
@@ -97,6 +100,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("data_words_match", data_words_match),
     ("decimal_equals_hex", decimal_equals_hex),
     ("default_within_range", default_within_range),
+    ("descriptions_differ", descriptions_differ),
     ("elements_match_table", elements_match_table),
     ("enum_contiguous", enum_contiguous),
     ("enum_names_unique", enum_names_unique),
@@ -108,6 +112,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
     ("inferred_keys_given", inferred_keys_given),
+    ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
     ("limits_ordered", limits_ordered),
@@ -125,6 +130,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("parameter_numbers_ascending", parameter_numbers_ascending),
     ("parameter_numbers_within_range", parameter_numbers_within_range),
     ("printed_names_match", printed_names_match),
+    ("printed_names_whole", printed_names_whole),
     ("range_ends_match", range_ends_match),
     ("range_within_enum", range_within_enum),
     ("range_within_type", range_within_type),

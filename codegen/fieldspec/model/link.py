@@ -13,6 +13,9 @@ from fieldspec.model.value import Value
 CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
 """The bytes of each check algorithm's result."""
 
+CHECK_STARTS = {"crc16_modbus": 0xFFFF, "lrc": 0, "sum8": 0}
+"""The value from which each check algorithm begins."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part(Fact):

@@ -62,11 +62,15 @@ class Field(Fact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record(Fact):
-    """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints."""
+    """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints.
+
+    `same_as` names the record that this one is laid out like, else it is empty.
+    """
 
     size: int | None
     words: int | None
     fields: tuple[Field, ...]
+    same_as: str = ""
 
     def named(self, name: str) -> Field | None:
         """The field with a name."""

@@ -15,6 +15,7 @@ def record(entry: Entry) -> Record:
         size=entry.integer("size"),
         words=entry.integer("words"),
         fields=tuple(_field(inner) for inner in entry.named("fields", entry.path)),
+        same_as=entry.text("same_as"),
     )
 
 

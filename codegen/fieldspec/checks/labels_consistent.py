@@ -1,0 +1,62 @@
+"""Fields with one label and different names have values of one type, range, scale, unit and enum.
+
+Why: a manual labels a quantity in one way wherever it stands. Where one label stands at two quantities, the
+label of one of them was copied from another table. Fields of one record are looked at by labels_unique.
+
+Example: a word that is written, labelled "number of words", as the count of another message is.
+
+Cure: Find out what the field is, give it the right label, and write an erratum with the printed one. If both
+are printed with one label and it is no slip, say `allow: {labels_consistent: <reason>}`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.walking import layers
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field, Record
+from fieldspec.model.value import Value
+
+
+def labels_consistent(device: Device) -> Iterator[Diagnostic]:
+    families: dict[str, list[tuple[Record, Field]]] = {}
+    for layer in layers(device):
+        for field in layer.fields:
+            if field.label and field.value is not None and not field.reserved:
+                families.setdefault(field.label, []).append((layer, field))
+    for family in families.values():
+        yield from _odd(family)
+
+
+def _odd(family: Sequence[tuple[Record, Field]]) -> Iterator[Diagnostic]:
+    """Findings at the fields with the rarer names; of names that are equally rare, at those that come later."""
+    usual, _ = Counter(field.name for _, field in family).most_common(1)[0]
+    holder, example = next((layer, field) for layer, field in family if field.name == usual)
+    for layer, field in family:
+        alike = field.name == usual or layer is holder
+        if not alike and field.value and example.value and _differ(field.value, example.value):
+            yield finding(
+                "labels_consistent",
+                field.place,
+                "label",
+                f"{field.name} and {example.name} have one label, `{field.label}`, and are different values",
+                "find out what each of them is, or allow it with a reason",
+                label(example.place, "label", example.name),
+            )
+
+
+def _differ(value: Value, other: Value) -> bool:
+    return value.type != other.type or any(
+        mine != theirs
+        for mine, theirs in (
+            (value.unit, other.unit),
+            (value.ranges, other.ranges),
+            (value.enum, other.enum),
+            (value.flags, other.flags),
+        )
+        if mine and theirs
+    )
