@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces
 from fieldspec.audit.poll_blocks import PollBlock, Polling, ReadLimit, Unit, polling
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
 from fieldspec.audit.subject import Subject
+from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 
 _NAMES = 4

@@ -11,9 +11,9 @@ import hashlib
 from base64 import b64decode, b64encode
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from datetime import date
 
+from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.facts import Row, rows
 from fieldspec.layout.device import DeviceLayout

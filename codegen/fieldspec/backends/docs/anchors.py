@@ -55,7 +55,7 @@ def every(sections: tuple[Section, ...]) -> Iterator[str]:
 
 
 class _Anchors:
-    """The anchors of a page, and its parts with links to them."""
+    """The anchors of a page, and its parts with links to them. Most have the right ones already, and are kept."""
 
     def __init__(self, known: frozenset[str]) -> None:
         self.known = known
@@ -67,13 +67,17 @@ class _Anchors:
         path = innermost(link[1:], self.known)
         return f"#{path}" if path else ""
 
+    def right(self, line: Line) -> bool:
+        """Whether all links of a line lead to anchors."""
+        return not any(piece.link and piece.link[1:] not in self.known and piece.link[0] == "#" for piece in line)
+
     def piece(self, held: Piece) -> Piece:
         """A piece with its link."""
         return replace(held, link=self.target(held.link)) if held.link else held
 
     def line(self, held: Line) -> Line:
         """A line with its links."""
-        return tuple(map(self.piece, held))
+        return held if self.right(held) else tuple(map(self.piece, held))
 
     def lines(self, held: tuple[Line, ...]) -> tuple[Line, ...]:
         """Lines with their links."""
@@ -85,6 +89,8 @@ class _Anchors:
 
     def cell(self, held: Cell) -> Cell:
         """A cell with its links."""
+        if not held.items and all(map(self.right, held.lines)):
+            return held
         items = tuple(Item(self.line(item.line), self.lines(item.inner)) for item in held.items)
         return replace(held, lines=self.lines(held.lines), items=items)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.docs import markdown
+from fieldspec.backends.docs import html, markdown
 from fieldspec.backends.docs.anchors import every, headings
 from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps
 from fieldspec.backends.docs.document import Document, plain
@@ -54,7 +54,12 @@ def shared() -> dict[str, str]:
 
 
 def _html(document: Document) -> str:
-    return fill("docs/page.html.j2", page=document)
+    return fill(
+        "docs/page.html.j2",
+        page=document,
+        summary=html.lines(document, document.summary),
+        parts=html.parts(document),
+    )
 
 
 def _markdown(document: Document) -> str:

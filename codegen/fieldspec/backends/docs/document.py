@@ -182,6 +182,8 @@ class Document:
 
 def clean(text: str) -> str:
     """Text in one line, with a picture for every other control character."""
+    if text.isprintable() and "  " not in text:
+        return text
     text = _BLANKS.sub(" ", text)
     return "".join(_shown(char) if unicodedata.category(char) in ("Cc", "Cs") else char for char in text)
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum, Member
 from fieldspec.names import Name

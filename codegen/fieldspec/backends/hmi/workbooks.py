@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from fieldspec.backends.hmi.codes import Code, lists
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.names import Name
 from fieldspec.spreadsheet import Cell, Workbook, Worksheet

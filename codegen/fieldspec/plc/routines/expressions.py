@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import reduce
 from typing import TypeAlias
 
+from fieldspec.classes import dataclass
 from fieldspec.plc.routines.types import BITS, BOOL, INT, LREAL, Elementary, EnumType, Type
 
 

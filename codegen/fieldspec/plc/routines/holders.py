@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from typing import Protocol, TypeVar
 
+from fieldspec.classes import dataclass, replace
 from fieldspec.plc.routines.expressions import Element, Expression, Operation, Whole, converted, joined, part, plus
 from fieldspec.plc.routines.statements import Assignment, Statement
 from fieldspec.plc.routines.types import BYTE, WORD

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from fieldspec.classes import dataclass
 from fieldspec.plc.routines.expressions import Call, Expression, Variable
 from fieldspec.plc.routines.statements import Body
 from fieldspec.plc.routines.types import Type

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
+from fieldspec.classes import dataclass, field
 from fieldspec.plc.routines.routine import SECTIONS
 
 

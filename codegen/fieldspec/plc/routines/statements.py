@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from fieldspec.classes import dataclass
 from fieldspec.plc.routines.expressions import Expression, Listed, Variable
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.primitive import Kind

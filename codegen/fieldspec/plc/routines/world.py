@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
+from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
