@@ -23,7 +23,19 @@ from fieldspec.model.parameter import Parameter
 from fieldspec.model.register import Register
 from fieldspec.source import Span
 
-NUMBERS = ("at", "decimal", "base", "value", "code", "number", "wire_number", "bit", "bits", "word_span")
+NUMBERS = (
+    "at",
+    "decimal",
+    "base",
+    "value",
+    "code",
+    "refusal_code",
+    "number",
+    "wire_number",
+    "bit",
+    "bits",
+    "word_span",
+)
 """The keys of what is known by a number: each of them is printed where its fact is."""
 
 
@@ -158,6 +170,8 @@ def _failing(claim: _Claimed, manual: Aligned, plan: Plan, printed: list[str]) -
     for source in claim.sources:
         for first, _ in source.lines:
             section = plan.section(first)
+            if not manual.line(first):
+                yield Missing(claim.path, f"line {first}, on which nothing is printed", claim.span, source)
             if source.section and not _in_section(source.section, section):
                 text = f"line {first}, which is in section {section or 'none'}, as one of section {source.section}"
                 yield Missing(claim.path, text, claim.span, source)

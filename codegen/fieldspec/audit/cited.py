@@ -143,13 +143,19 @@ def _named(row: Row, text: str) -> bool:
     printed = words(reduced(text))
     if not printed:
         return True
+    if row["label"] and " | " in str(row["label"]) and _holds(words(reduced(str(row["label"]))), printed):
+        return True  # one of the cells of a look-up table
     names = [words(reduced(str(row[key]))) for key in ("printed_name", "label", "name") if row[key]]
     return printed in names or (len(names) > 1 and printed in (names[0] + names[1], names[1] + names[0]))
 
 
 def _counts(row: Row, column: str, held: Held) -> bool:
     """Whether a number of a fact is the printed one; bounds and defaults may be printed in the unit."""
-    if column == "code" and str(row["type"]).startswith("bool") and set(_means(held)) & {0, 1}:
+    if (
+        column == "code"
+        and (row["kind"] == "bit" or str(row["type"]).startswith("bool"))
+        and set(_means(held)) & {0, 1}
+    ):
         return True
     if column in ("min", "max") and _bounds(row, column) & {*_means(held)}:
         return True
@@ -184,7 +190,7 @@ def _means(held: Held) -> tuple[Decimal, ...]:
         return tuple(
             Decimal(int(one).bit_length() - 1) for one in readings(held.text, "hex") if int(one).bit_count() == 1
         )
-    return readings(held.text, "decimal" if held.form == "range" else held.form)
+    return readings(held.text, "decimal" if held.form in ("range", "span") else held.form)
 
 
 def _same_range(cell: str, held: Held) -> bool:
@@ -209,7 +215,7 @@ def corrects(erratum: Erratum, held: Held) -> bool:
     if held.column == "name":
         wanted = words(reduced(held.text))
         return any(_holds(words(text), wanted) for text in texts)
-    if held.form == "range" and any(_same_range(text, held) for text in texts):
+    if held.form in ("range", "span") and any(_same_range(text, held) for text in texts):
         return True
     means = _means(held)
     return any(numbers(text).holds(one) for text in texts for one in means)

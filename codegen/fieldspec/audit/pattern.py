@@ -28,6 +28,7 @@ FORMS = {
     "word": r"[A-Za-z_][A-Za-z0-9_]{0,63}",
     "text": r"[^|\s](?:[^|]{0,200}[^|\s])?",
     "range": rf"{_NUMBER}(?: ?(?:~|-|\.\.) ?{_NUMBER})?",
+    "span": rf"{_NUMBER} ?(?:~|-|\.\.) ?{_NUMBER}",
     "bytes": rf"{_PAIR}(?:[ |,+]{{1,5}}{_PAIR}){{1,300}}(?![0-9A-Za-z])",
 }
 """What a placeholder may look like. `mask` is a number with one bit set, `bytes` a frame of two bytes or more."""

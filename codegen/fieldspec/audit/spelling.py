@@ -17,9 +17,9 @@ _NUMBER = re.compile(
     rf"(?<![A-Za-z0-9.])(?:{_POWER}|{_HEX}|{_DECIMAL}|{_BARE})(?![0-9])"
     r"|(?<=[A-Za-z_])[0-9][0-9A-Fa-f]{0,5}\b|(?<=[A-Za-z]\.)[0-9A-Fa-f]{1,6}\b|(?<=[A-Za-z][0-9]\.)[0-9]{1,2}\b"
 )
-_SINGLE = re.compile(r"(?<![^|\". ])([0-9A-F])(?:[|\". ]+([0-9A-F])(?![^|\". ]))+")
+_SINGLE = re.compile(r"(?<![^|\". ~])([0-9A-F])(?:[|\". ~]+([0-9A-F])(?![^|\". ~]))+")
 _TO = re.compile(r"\s*(?:~|-|\.\.+|to)\s*([+(-]*)[A-Za-z_]*|[^0-9|]{0,40}(?:~|\.\.\.)[^0-9|]{0,40}()")
-_WORD = re.compile(r"[A-Za-z_0-9]+")
+_WORD = re.compile(r"[A-Za-z0-9]+")
 _BYTES = re.compile(r"(?<![0-9A-Za-z])(?:0x)?([0-9A-Fa-f]{2})[Hh]?(?![0-9A-Za-z])")
 
 
@@ -90,7 +90,7 @@ def numbers(line: str) -> Numbers:
 
 def words(text: str) -> tuple[str, ...]:
     """The words of a text as they are compared: in lower case, without what stands between them."""
-    return tuple(word.lower() for found in _WORD.findall(text) if (word := found.strip("_")))
+    return tuple(word.lower() for word in _WORD.findall(text))
 
 
 def hold(line: str, word: str) -> bool:

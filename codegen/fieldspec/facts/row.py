@@ -54,6 +54,7 @@ _CLAIMED = {
     "length": "bytes",
     "bit": "bit",
     "code": "code",
+    "refusal_code": "code",
     "printed_name": "printed_name",
     "label": "label",
     "type": "type",
