@@ -189,6 +189,13 @@ def parser() -> argparse.ArgumentParser:
     audit.add_argument("--table", metavar="NAME", help="one table alone, such as ledger; csv and xlsx hold one")
     audit.add_argument("--format", choices=("text", "json", "sarif", "csv", "xlsx"), default="text")
     audit.add_argument("--out", metavar="FILE", help="the file for the table; left out: the output")
+    audit.add_argument("--dump", metavar="FILE", help="judge what was read from a device: CSV, XLSX or JSON; -: input")
+    for role in ("address", "value", "words", "space"):
+        audit.add_argument(f"--{role}", metavar="COLUMN", help=f"the column of its {role}, where it is not found")
+    audit.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help="how the dump's addresses are written")
+    audit.add_argument("--offset", type=int, metavar="NUMBER", help="by how much they are higher than on the wire")
+    audit.add_argument("--encoding", metavar="NAME", help="how the dump is encoded, such as gbk, big5 or utf-16")
+    audit.add_argument("--sheet", metavar="NAME", help="the sheet of a dump that is a workbook")
     signs = "record that a section of the manual was compared with the spec; `all` for every one"
     audit.add_argument("--sign", metavar="SECTION", help=signs)
     audit.add_argument("--by", metavar="NAME", help="who compared it, for --sign: a name or a role")

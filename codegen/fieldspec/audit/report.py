@@ -14,6 +14,7 @@ from fieldspec.audit.sign_off import sign_off
 from fieldspec.audit.sources import sources
 from fieldspec.audit.subject import Subject
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout
 
 PARTS: tuple[Callable[[Subject], Section], ...] = (
     coverage,
@@ -37,6 +38,12 @@ def printed_report(subject: Subject) -> tuple[Report, tuple[Diagnostic, ...]]:
     """What the checks find in the print, as a report of one section, and these findings."""
     printed = as_printed(subject.spec, subject.proofs)
     return _report(subject, (section(printed),)), printed.findings
+
+
+def dump_report(layout: DeviceLayout, found: Section) -> Report:
+    """What was read from a device, as a report of one section."""
+    device = layout.device
+    return Report(device.id, device.name, device.version, layout.identity, (found,))
 
 
 def _report(subject: Subject, sections: tuple[Section, ...]) -> Report:

@@ -10,16 +10,18 @@ Cure: Put the access right and write an erratum, or take `trigger` out.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
 
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.parameter import Parameter
+from fieldspec.model.register import Register
 
 
 def triggers_writable(device: Device) -> Iterator[Diagnostic]:
-    parameters = (one for held in device.parameters.values() for one in held.parameters)
-    for fact in chain(device.registers(), parameters):
+    held: list[Register | Parameter] = [*device.registers()]
+    held += [one for parameters in device.parameters.values() for one in parameters.parameters]
+    for fact in held:
         if fact.trigger and fact.access == "ro":
             text = f"{fact.name} starts an action when it is written, but its access is ro"
             there = label(fact.place, "trigger", "only writing starts an action")

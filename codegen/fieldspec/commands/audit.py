@@ -15,6 +15,10 @@ from fieldspec.diagnostics import Diagnostic, has_errors, in_order
 
 if TYPE_CHECKING:
     from fieldspec.audit.section import Report
+    from fieldspec.layout.device import DeviceLayout
+
+OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
+"""The options that say how a dump is read."""
 
 LISTS = ("csv", "xlsx")
 """The formats that hold one table."""
@@ -39,11 +43,16 @@ def run(arguments: argparse.Namespace) -> int:
     given = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
     if given and not arguments.sign:
         raise UsageError(f"--{given[0]} goes with --sign SECTION")
+    given = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
+    if given and not arguments.dump:
+        raise UsageError(f"--{given[0]} goes with --dump FILE")
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layouts = {one: specs.laid(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
     layout = layouts[version]
     if arguments.sign:
         return signing.sign(arguments, spec, [layouts[one] for one in spec.versions()])
+    if arguments.dump:
+        return _print_dump(arguments, layout)
     if arguments.record:
         return manuals.record(arguments.specs, layout.device, arguments.manual)
     index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)
@@ -59,6 +68,20 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         _print_report(made, found, arguments.format, arguments.all or arguments.as_printed)
     return 1 if has_errors(found) and not arguments.as_printed else 0
+
+
+def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
+    """Prints what a dump says. Exit code 1 where the device held what it should not."""
+    from fieldspec.audit.report import dump_report
+    from fieldspec.commands.dumped import dumped
+
+    section, found = dumped(arguments, layout)
+    made = dump_report(layout, section)
+    if arguments.table:
+        _print_table(made, arguments)
+    else:
+        _print_report(made, found, arguments.format, arguments.all)
+    return 1 if has_errors(found) else 0
 
 
 def _print_report(made: Report, found: tuple[Diagnostic, ...], form: str, everything: bool) -> None:

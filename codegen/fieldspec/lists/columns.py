@@ -57,6 +57,10 @@ HEADINGS: dict[str, tuple[str, ...]] = {
     "count": _words("count elements repeat instances"),
     "stride": _words("stride"),
     "space": _words("space area"),
+    "value": _words(
+        """value rawvalue currentvalue actualvalue presentvalue reading raw data valuehex hexvalue 值 数值 數值
+        当前值 當前值 现在值 現在值 读数 讀數 数据 數據 資料"""
+    ),
 }
 ROLES = tuple(HEADINGS)
 

@@ -1,0 +1,86 @@
+"""Every value that a device holds at an address: of arrays each element, of tables each field of each element."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A value at `address`, which takes `words` there; its bytes begin `skip` bytes behind the first.
+
+    `order` and `swapped` are those of its bytes. What is read of one that is `unread` is not what was written: it can
+    only be written, or starts something.
+    """
+
+    name: str
+    fact: Fact
+    address: int
+    words: int
+    skip: int
+    value: Value
+    order: str
+    swapped: bool
+    unread: bool
+    reserved: bool
+
+
+def units(layout: DeviceLayout) -> Iterator[Unit]:
+    """The values in the register space."""
+    for laid in layout.registers:
+        register = laid.register
+        for number in range(laid.count):
+            name = f"{laid.name}[{register.index_from + number}]" if laid.count > 1 else laid.name
+            address = laid.address + number * laid.stride
+            yield Unit(
+                name,
+                register,
+                address,
+                max(1, laid.words),
+                0,
+                register.value,
+                laid.order,
+                laid.swapped,
+                register.trigger or register.access == "wo",
+                register.reserved,
+            )
+    for table in layout.tables.values():
+        placed = list(_flat(table.record))
+        for index in table.table.indexes:
+            for name, field, byte in placed:
+                yield _field(table, index, name, field, byte)
+
+
+def _field(laid: TableLayout, index: int, name: str, field: FieldLayout, byte: int) -> Unit:
+    assert field.value is not None
+    return Unit(
+        f"{laid.name}[{index}].{name}",
+        field.field,
+        laid.table.address(index) + byte // 2,
+        (byte % 2 + field.size + 1) // 2,
+        byte % 2,
+        field.value,
+        field.order,
+        field.swapped,
+        (field.field.access or laid.table.access) == "wo",
+        field.field.reserved,
+    )
+
+
+def _flat(record: RecordLayout, before: str = "", at: int = 0) -> Iterator[tuple[str, FieldLayout, int]]:
+    """The values in a record with their names and their first bytes; those of records in it too, each of several."""
+    for field in record.fields:
+        count = field.count or 1
+        for number in range(count):
+            name = f"{before}{field.name}" + (f"[{number}]" if count > 1 else "")
+            byte = at + field.offset + number * field.size
+            if field.record is not None:
+                yield from _flat(field.record, f"{name}.", byte)
+            elif field.value is not None:
+                yield name, field, byte

@@ -1,0 +1,137 @@
+"""A dump of a device's memory as it lies in a file: which words were at which address."""
+
+from __future__ import annotations
+
+import json
+import re
+import unicodedata
+from collections.abc import Mapping, Sequence
+
+from fieldspec.classes import dataclass
+from fieldspec.lists.addresses import HEXADECIMAL, said_by_heading, spelled
+from fieldspec.lists.listed import Listing, listing
+from fieldspec.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
+from fieldspec.lists.text_sheet import decoded
+from fieldspec.spreadsheet import clean
+
+_GROUPED = re.compile(r"[-+]?[0-9]{1,3}(?:[,'][0-9]{3})+")
+_BETWEEN = re.compile(r"[\s,;]+")
+_NUMBER = re.compile(r"([-+]?)(?:(?:0x|&h|\$)([0-9a-f]{1,16})|([0-9a-f]{1,16})h|([0-9a-f]{1,20}))", re.IGNORECASE)
+_POINTLESS = re.compile(r"([-+]?[0-9]+)\.0+")
+_WORDS = {"true": "1", "on": "1", "false": "0", "off": "0"}
+_NOT_READ = ("", "-", "--", "n/a", "none", "null", "timeout", "error")
+_LIMIT = 1 << 64
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """What was read at an address: one number, or several words from there on. `row` is its number in the file.
+
+    `words` is how many words the number is made of, None where the file does not say it. `space` is what the file
+    calls the addresses, empty where it says nothing.
+    """
+
+    row: int
+    address: int
+    values: tuple[int, ...]
+    words: int | None
+    space: str
+
+
+@dataclass(frozen=True, slots=True)
+class Dump:
+    """A dump: the ways in which its addresses may be read, the likeliest first, and the rows that have no value."""
+
+    listing: Listing
+    values: Mapping[int, tuple[int, ...]]
+    skipped: tuple[int, ...]
+
+    @property
+    def bases(self) -> tuple[str, ...]:
+        """The ways in which the addresses can be read."""
+        return self.listing.bases
+
+    def entries(self, base: str) -> list[Entry]:
+        """What was read, with addresses read in a way of `bases`."""
+        return [
+            Entry(row.row, row.address, self.values[row.row], row.words, row.texts.get("space", ""))
+            for row in self.listing.rows(base)
+            if row.row in self.values
+        ]
+
+
+def object_sheet(content: bytes, encoding: str = "") -> Sheet | None:
+    """The sheet in a JSON object of addresses and values; None where the file is no object."""
+    if not content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
+        return None
+    try:
+        pairs = json.loads(decoded(content, encoding), object_pairs_hook=list)
+    except (ValueError, RecursionError):
+        raise ListError("begins like JSON and is none") from None
+    if len(pairs) > MOST_ROWS:
+        raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")
+    rows = [SheetRow(1, ("address", "value"))]
+    rows += [SheetRow(number, (clean(key), _cell(value))) for number, (key, value) in enumerate(pairs, 2)]
+    return Sheet(tuple(rows), len(pairs) + 1)
+
+
+def _cell(value: object) -> str:
+    text = value if isinstance(value, str) else "" if value is None else json.dumps(value, ensure_ascii=False)
+    return clean(text)
+
+
+def dump(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Dump:
+    """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written. Raises ListError.
+
+    A sheet of two columns without headings has the addresses in the first one.
+    """
+    if not {"address", "value"} & given.keys() and _bare(sheet):
+        given = {**given, "address": "1", "value": "2"}
+    held = listing(sheet, given, base)
+    if "value" not in held.columns.places:
+        shown = ", ".join(text for text in held.columns.headings if text) or "no headings"
+        raise ListError(f"has no column that looks like values ({shown}); name it with --value, by heading or number")
+    texts = {row.number: held.columns.cell(row, "value") for row, _ in held.written}
+    lettered = any(_lettered(piece) for text in texts.values() for piece in _pieces(text))
+    hexadecimal = lettered or said_by_heading(held.columns.heading("value")) == HEXADECIMAL
+    values = {row: _values(text, row, hexadecimal) for row, text in texts.items() if text.lower() not in _NOT_READ}
+    if not values:
+        raise ListError(f"has no value under {held.columns.heading('value')}")
+    skipped = (*held.skipped, *(row for row in texts if row not in values))
+    return Dump(held, values, tuple(sorted(skipped)))
+
+
+def _bare(sheet: Sheet) -> bool:
+    """Whether all rows are two cells, the first of which is an address."""
+    first = sheet.rows[0].cells[0] if sheet.rows else ""
+    return first[:1].isdigit() and all(len(row.cells) == 2 and spelled(row.cells[0]) is not None for row in sheet.rows)
+
+
+def _pieces(text: str) -> Sequence[str]:
+    """The numbers in a cell: one, or several words."""
+    shown = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("[]()").strip()
+    return [piece for piece in _BETWEEN.split(shown) if piece]
+
+
+def _lettered(piece: str) -> bool:
+    """Whether there are letters among digits without a mark, so that they are hexadecimal."""
+    found = _NUMBER.fullmatch(piece)
+    return found is not None and bool(found[4]) and not found[4].isdecimal()
+
+
+def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
+    if _GROUPED.fullmatch(unicodedata.normalize("NFKC", text).strip()):
+        raise ListError(f"has the value `{text}` in row {row}, with separators between thousands; take them out")
+    return tuple(_number(_WORDS.get(piece.lower(), piece), text, row, hexadecimal) for piece in _pieces(text))
+
+
+def _number(piece: str, text: str, row: int, hexadecimal: bool) -> int:
+    pointless = _POINTLESS.fullmatch(piece)
+    found = _NUMBER.fullmatch(pointless[1] if pointless else piece)
+    if found is None:
+        raise ListError(f"has the value `{text[:40]}` in row {row}, which is no whole number of counts")
+    sign, marked, ended, plain = found.groups()
+    number = int(marked or ended, 16) if marked or ended else int(plain, 16 if hexadecimal else 10)
+    if number >= _LIMIT:
+        raise ListError(f"has the value `{text[:40]}` in row {row}, which is too great")
+    return -number if sign == "-" else number
