@@ -188,25 +188,26 @@ def test_every_module_of_a_version_holds_its_identity() -> None:
             assert f'IDENTITY: _Final = "{layout.identity}"' in text
 
 
-def test_no_two_modules_of_the_package_depend_on_the_compiler() -> None:
+def test_no_module_of_the_package_depends_on_the_compiler_and_one_alone_on_numpy() -> None:
     for path, text in texts().items():
         for node in ast.walk(ast.parse(text)) if path.endswith(".py") else ():
             if isinstance(node, ast.ImportFrom) and node.level == 0:
                 assert node.module in ALLOWED, path
-            if isinstance(node, ast.Import):
+            if isinstance(node, ast.Import) and not (path.endswith("/many.py") and node.names[0].name == "numpy"):
                 pytest.fail(f"{path} imports {node.names[0].name}")
 
 
 ALLOWED = {
     "__future__",
+    "array",
     "binascii",
     "collections.abc",
     "enum",
-    "array",
     "importlib",
     "operator",
     "re",
     "struct",
+    "sys",
     "types",
     "typing",
     "typing_extensions",

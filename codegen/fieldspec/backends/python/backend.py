@@ -27,6 +27,7 @@ RUNTIME = (
     "_frames",
     "_parameters",
     "_quantities",
+    "_record",
     "_refusals",
     "_registers",
     "_typing",

@@ -47,14 +47,16 @@ _IMPORTS = {
     "_choices": "Choice",
     "_codes": "by_number by_printed_name",
     "_conversions": (
-        "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members text texts turned"
+        "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new text texts"
+        " turned"
     ),
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
     "_flags": "BITS_OF Flags",
     "_framers": "CodeFramer LengthFramer MarkFramer",
-    "_frames": "ErrorReply Frames Request RequestOf Response new",
+    "_frames": "ErrorReply Frames Request RequestOf Response",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
     "_quantities": "Conversion",
+    "_record": "Record",
     "_refusals": (
         "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
     ),

@@ -48,21 +48,6 @@ def chained(start: str, items: Sequence[str], joint: str, empty: str, indent: in
     return [f"{start}(", f"    {items[0]}", *(f"    {joint} {item}" for item in items[1:]), ")"]
 
 
-def shown(name: str, attributes: Sequence[str], indent: int) -> list[str]:
-    """The statement that returns a class and its attributes as a text."""
-    pieces = [f"{attribute}={{self.{attribute}!r}}" for attribute in attributes]
-    line = f'return f"{name}({", ".join(pieces)})"'
-    if not pieces:
-        return [f'return "{name}()"']
-    if len(line) + indent <= WIDTH:
-        return [line]
-    rows = [f'    f"{name}("']
-    for number, piece in enumerate(pieces):
-        joint = ", " if number < len(pieces) - 1 else ")"
-        rows.append(f'    f"{piece}{joint}"')
-    return ["return (", *rows, ")"]
-
-
 def union(name: str, types: Sequence[str]) -> list[str]:
     """The statement that names a union of types."""
     return chained(f"{name}: _TypeAlias = ", types, "|", "", 0)

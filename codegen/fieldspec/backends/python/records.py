@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.python.choosing import CASE, choice_lines, decided_read, decided_values
-from fieldspec.backends.python.lines import chained, filled, listed, shown, unpacked
+from fieldspec.backends.python.lines import chained, filled, listed, unpacked
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
 from fieldspec.backends.python.reading import indexed, local, made, reading, targets
 from fieldspec.backends.python.scaled import ConstantView, ScaledView, scaled_views, sentinel_views
@@ -84,8 +84,6 @@ class RecordView:
     slots: list[str]
     match_args: list[str]
     init: list[str]
-    equal: list[str]
-    shown: list[str]
     size: int | None
     columns: tuple[str, ...] = ()
 
@@ -127,8 +125,6 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         init=listed(
             "def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4
         ),
-        equal=chained("return ", [f"self.{name} == other.{name}" for name in names], "and", "True", 8),
-        shown=shown(name, names, 8),
         size=record.size,
     )
 

@@ -9,7 +9,14 @@ if TYPE_CHECKING:
     from typing import ClassVar, Final
 
 
-BITS_OF = tuple(tuple(byte >> place & 1 == 1 for place in range(8)) for byte in range(256))
+def _bits() -> tuple[tuple[bool, ...], ...]:
+    held: list[tuple[bool, ...]] = [()]
+    for _ in range(8):
+        held = [(*bits, value) for value in (False, True) for bits in held]
+    return tuple(held)
+
+
+BITS_OF = _bits()
 """The bits of each byte, the least significant first."""
 
 

@@ -12,14 +12,14 @@ dimension, a record within the record has columns of its own.
 
 from __future__ import annotations
 
-import sys
 from array import array
+from sys import byteorder
 
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import Any, Protocol, TypeAlias
+    from typing import Any, ClassVar, Protocol, TypeAlias
 
     import numpy as np
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     class Record(Protocol):
         """A generated class whose records have all the same size."""
 
-        _SIZE: int
+        _SIZE: ClassVar[int]
 
         @staticmethod
         def _columns() -> tuple[Column, ...]: ...
@@ -125,7 +125,7 @@ def _array(column: Column, data: bytes, base: int, size: int, number: int) -> ar
     joined = bytearray(width * count * number)
     for element in range(count):
         places = column.places(element)
-        if sys.byteorder == "big":
+        if byteorder == "big":
             places.reverse()
         for place, at in enumerate(places):
             joined[element * width + place :: width * count] = data[base + at :: size]
@@ -149,11 +149,11 @@ def _interleaved(each: list[Arrays], number: int) -> Arrays:
 
 
 def _test_each(column: Column, held: array[Any] | list[bytes], data: bytes, size: int, whole: type[Record]) -> None:
-    if column.text:
-        wrong = not all(map(bytes.isascii, held))
+    if isinstance(held, list):
+        right = not column.text or all(map(bytes.isascii, held))
     else:
-        wrong = any(not any(low <= value <= high for low, high in column.tests) for value in {*held})
-    if wrong:
+        right = all(any(low <= value <= high for low, high in column.tests) for value in {*held})
+    if not right:
         _refuse(whole, data, size)
 
 
@@ -210,7 +210,8 @@ def _straight(column: Column, held: np.ndarray[Any, Any]) -> np.ndarray[Any, Any
     if column.order == "little":
         shifts = shifts[::-1]
     joined = numpy.bitwise_or.reduce(words << shifts, axis=-1).astype(f"u{column.size}")
-    return joined.view(_TYPES[column.letter])
+    numbers: np.ndarray[Any, Any] = joined.view(_TYPES[column.letter])
+    return numbers
 
 
 def _allowed(record: type[Record], columns: Columns) -> bool:
@@ -331,4 +332,3 @@ def _refuse(record: type[Record], data: bytes, size: int) -> None:
             record.decode(data[at : at + size])
         except CodecError as error:
             raise error.shifted(at) from None
-
