@@ -7,7 +7,6 @@ from binascii import hexlify, unhexlify
 from struct import Struct
 
 from ._checks import crc16_modbus, lrc, sum8
-from ._conversions import new
 from ._error import CodecError, wrong_const
 from ._record import Record
 from ._typing import TYPE_CHECKING, Generic, M, R

@@ -51,8 +51,8 @@ class Column:
     """Where a field lies: the letter of `struct` for one element, and its offset in bytes.
 
     `count` is the number of elements of a list, 0 for a single one. `swapped` says that the 16-bit words lie in the
-    other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is (a, b, c) of
-    value = (count * a + b) / c in the unit. A field without a name is tested only.
+    other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is
+    (a, b, c) of value = (count * a + b) / c in the unit. A field without a name is tested only.
     """
 
     __slots__ = ("count", "letter", "name", "offset", "order", "ratio", "record", "size", "swapped", "tests", "text")
@@ -298,7 +298,7 @@ def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
 
 
 def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """A column of counts in the unit of its field, as floating-point numbers. Raises KeyError for a field without one."""
+    """A column of counts in the unit of its field, as floating-point numbers. Raises KeyError for other fields."""
     for one in record._columns():
         if one.name == name and one.ratio is not None:
             a, b, c = one.ratio
@@ -327,8 +327,9 @@ def _number(record: type[Record], data: Data) -> int:
 
 def _refuse(record: type[Record], data: bytes, size: int) -> None:
     """Raises what decoding the first wrong record raises."""
-    for at in range(0, len(data), size):
-        try:
+    at = 0
+    try:
+        for at in range(0, len(data), size):
             record.decode(data[at : at + size])
-        except CodecError as error:
-            raise error.shifted(at) from None
+    except CodecError as error:
+        raise error.shifted(at) from None
