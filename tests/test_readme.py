@@ -1,4 +1,4 @@
-"""Every command and every piece of code in the README does what it says."""
+"""Every command and every piece of code in the README, and in the page on the generated Python, does what it says."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ ROOT = Path(__file__).resolve().parent.parent
 TEXT = (ROOT / "README.md").read_text("utf-8")
 
 
-def blocks(language: str) -> list[str]:
-    return re.findall(rf"```{language}\n(.*?)```", TEXT, re.DOTALL)
+PYTHON = (ROOT / "docs" / "python.md").read_text("utf-8")
+
+
+def blocks(language: str, text: str = TEXT) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", text, re.DOTALL)
 
 
 COMMANDS = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("fieldspec ")]
@@ -38,7 +41,7 @@ def test_make_and_make_test_are_the_commands_to_start_with() -> None:
     assert {"build", "test"} <= set(targets)
 
 
-@pytest.mark.parametrize("code", blocks("python"))
+@pytest.mark.parametrize("code", [*blocks("python"), *blocks("python", PYTHON)])
 def test_the_python_code_runs(code: str) -> None:
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated" / "python")}
     result = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False)
