@@ -116,7 +116,8 @@ def says(row: Row, held: Held, elided: Collection[str]) -> bool:
     if held.column == "access":
         return row["access"] == held.text.lower()
     if held.column == "type":
-        return row["type"] == _INTEGER.sub("i", held.text.lower()).replace("ui", "u")
+        printed = _INTEGER.sub("i", held.text.lower()).replace("ui", "u")
+        return str(row["type"]) in (printed, f"bool{printed[1:]}")
     if held.column == "range":
         return _ranges(row, held)
     if held.column == "value":
@@ -163,7 +164,7 @@ def _counts(row: Row, column: str, held: Held) -> bool:
     if cell is None:
         return False
     if isinstance(cell, str):
-        return cell == held.text or _same_range(cell, held)
+        return cell == held.text or _same_range(cell, held) or _one_of(row, cell, held)
     if not isinstance(cell, int | Decimal):
         return False
     scale = row["scale"]
@@ -198,6 +199,14 @@ def _same_range(cell: str, held: Held) -> bool:
     return [int(one) for one in _FIGURES.findall(cell)] == [int(one) for one in _FIGURES.findall(held.text)]
 
 
+def _one_of(row: Row, cell: str, held: Held) -> bool:
+    """Whether a printed number is one of those of a cell such as `4..6`: a table may print them one a line."""
+    if len({*lines_of(citations(str(row["sources"] or ""), ""))}) < 2:
+        return False
+    bounds = [int(one) for one in _FIGURES.findall(cell)]
+    return len(bounds) == 2 and held.text.isdecimal() and bounds[0] <= int(held.text) <= bounds[1]
+
+
 def _in_text(row: Row, held: Held) -> bool:
     """Whether a number stands in a text of a fact, or is one of the bytes of an example."""
     if row["kind"] == "example":
@@ -212,7 +221,7 @@ def corrects(erratum: Erratum, held: Held) -> bool:
     texts = [reduced(text) for text in (erratum.literal, *values) if text]
     if held.column == "frame":
         return any(bytes(byte_pairs(held.text)) in bytes(byte_pairs(text)) for text in texts)
-    if held.column == "name":
+    if held.column in ("name", "type", "access"):
         wanted = words(reduced(held.text))
         return any(_holds(words(text), wanted) for text in texts)
     if held.form in ("range", "span") and any(_same_range(text, held) for text in texts):

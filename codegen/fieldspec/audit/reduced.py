@@ -42,6 +42,7 @@ _SIGNS = str.maketrans(
 _CIRCLED = {ord("①") + at: f"({at + 1}) " for at in range(20)}
 _CELL_TAG = re.compile(r"</?(?:td|th)\b[^<>]{0,100}>", re.IGNORECASE)
 _TAG = re.compile(r"</?[a-zA-Z]+\b[^<>]{0,100}>")
+_FOOTNOTE = re.compile(r"(?<![A-Za-z0-9])\^?\{? ?\*[0-9]{1,2}(?![0-9.,%])\}?")
 _COMMAND = re.compile(r"\\[a-zA-Z]+")
 _RULE = re.compile(r"[\s|:+=-]*")
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -60,6 +61,7 @@ def reduced(line: str) -> str:
     """The line as an index keeps it: cells with ` | ` between them, `…` for what is left out."""
     text = _CELL_TAG.sub("|", line[:LONGEST])
     text = _TAG.sub(" ", text)
+    text = _FOOTNOTE.sub("", text)
     text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
     text = unicodedata.normalize("NFKC", text.translate(_SIGNS | _CIRCLED)).translate(_SIGNS)
     text = _COMMAND.sub(" ", text).replace("$", "").replace("\t", "|")
