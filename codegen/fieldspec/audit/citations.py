@@ -87,10 +87,10 @@ def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
         for claim in _claims(device):
             claims.setdefault((claim.path, claim.key, claim.span.start), claim)
         for erratum in device.errata:
-            corrected[erratum.fact] += [erratum.literal, *map(str, erratum.printed.values())]
+            corrected[erratum.fact] += [erratum.literal, *map(_put, erratum.printed.values())]
             for line in lines_of(erratum.sources):
                 for key, printed in erratum.printed.items():
-                    beside[line, key].append(str(printed))
+                    beside[line, key].append(_put(printed))
     looked_up, used, missing = 0, set(), []
     for claim in claims.values():
         also = [text for line in lines_of(claim.sources) for text in beside.get((line, claim.key), ())]
@@ -105,6 +105,12 @@ def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
     unused = tuple(one for one in plan.unprinted if id(one) not in used)
     excepted = sum(_excepted(plan, claim.path) is not None for claim in claims.values())
     return Judged(looked_up, tuple(missing), excepted, unused)
+
+
+def _put(printed: object) -> str:
+    """What an erratum calls printed, as text; a number is put so that it has one reading."""
+    whole = isinstance(printed, int) and not isinstance(printed, bool) and printed >= 0
+    return f"0x{printed:X}" if whole else str(printed)
 
 
 def _excepted(plan: Plan, path: str) -> Unprinted | None:
