@@ -75,7 +75,12 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[])(void) 
     (void (*)(void))(uintptr_t)stack_end, start, fault, fault, fault, fault, fault,
 };
 
-#define ENTER() (*(volatile uint32_t *)0xE000ED14u |= 1u << 3) /* CCR.UNALIGN_TRP */
+/* CCR.UNALIGN_TRP, in force behind the barrier. */
+static void enter(void)
+{
+    *(volatile uint32_t *)0xE000ED14u |= 1u << 3;
+    __asm__ volatile("isb 0xf" : : : "memory");
+}
 
 #elif defined(__m68k__)
 
@@ -90,7 +95,6 @@ static long call(long number, long first, long second, long third)
 }
 #define WRITE 4
 #define EXIT 1
-#define ENTER() (void)0
 
 #elif defined(__aarch64__)
 
@@ -105,11 +109,14 @@ static long call(long number, long first, long second, long third)
 }
 #define WRITE 64
 #define EXIT 93
-#define ENTER() (void)0
 
 #endif
 
 #ifdef WRITE
+static void enter(void)
+{
+}
+
 static void print(const char *text)
 {
     long size = 0;
@@ -136,11 +143,12 @@ static void tell(const char *what)
 
 void start(void)
 {
-    ENTER();
+    enter();
 #ifdef UNALIGNED_ON_PURPOSE
     {
         static uint8_t bytes[8];
-        *(volatile uint32_t *)(bytes + 1) = 1;
+        volatile uintptr_t address = (uintptr_t)bytes + 1;
+        *(volatile uint32_t *)address = 1;
     }
 #endif
     leave(SELFTEST(tell) == 0 ? 0 : 1);

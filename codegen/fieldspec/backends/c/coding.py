@@ -162,9 +162,7 @@ def _writer(naming: Naming, device: Device, record: RecordLayout, field: FieldLa
     def one(at: str, name: str) -> list[str]:
         target = f"out + {at}"
         if field.record is not None:
-            encode = naming.function("record", field.record.name, "encode")
-            argument = member_argument(field.record, name)
-            return returning(naming, f"{encode}({argument}{target}, {field.size}u, &inner_length)")
+            return _inner_writer(naming, device, field.record, name, target)
         held = wire(field)
         if field.field.measures is not None:
             return _measure_written(naming, record, field, target)
@@ -176,23 +174,54 @@ def _writer(naming: Naming, device: Device, record: RecordLayout, field: FieldLa
     return one
 
 
+def _inner_writer(naming: Naming, device: Device, record: RecordLayout, name: str, target: str) -> list[str]:
+    """Statements that check and write a record within another."""
+    if not packed(record):
+        encode, argument = naming.function("record", record.name, "encode"), member_argument(record, name)
+        return returning(naming, f"{encode}({argument}{target}, {record.size}u, &inner_length)")
+    check, pack = (naming.function("record", record.name, end) for end in ("check", "pack"))
+    lines = returning(naming, f"{check}(&{name})") if check_lines(naming, device, record) else []
+    return [*lines, f"{pack}(&{name}, {target});"]
+
+
+def _inner_reader(naming: Naming, device: Device, record: RecordLayout, name: str, source: str) -> list[str]:
+    """Statements that read and check a record within another."""
+    if packed(record) and not found_lines(naming, device, record):
+        return [f"{naming.function('record', record.name, 'unpack')}({source}, &{name});"]
+    argument = f", &{name}" if members(record) else ""
+    return returning(naming, f"{naming.function('record', record.name, 'decode')}({source}, {record.size}u{argument})")
+
+
 def _measure_written(naming: Naming, record: RecordLayout, field: FieldLayout, target: str) -> list[str]:
     held = wire(field)
     number = f"uint{8 * held.size}_t"
     measured = measure(record, field, "in->")
     highest = held.value.ranges.high if held.value.ranges else held.value.type.high
-    lines = refused(naming, f"{measured} > {highest}u", "err_out_of_range") if highest < 2**31 else []
+    most = _most_measured(record, field)
+    fits = most is not None and most <= highest
+    lines = [] if fits or highest >= 2**31 else refused(naming, f"{measured} > {highest}u", "err_out_of_range")
     store = naming.own("store", access_name(held.size, held.order, held.swapped))
     return [*lines, f"{store}({target}, ({number})({measured}));"]
+
+
+def _most_measured(record: RecordLayout, field: FieldLayout) -> int | None:
+    """The most that a field can have to say of another, None where that differs from case to case."""
+    held = field.field.measures
+    assert held is not None
+    other = record.named(held.field)
+    assert other is not None
+    if other.cases:
+        return None
+    repeat = other.field.repeat
+    count = repeat.high if repeat is not None else other.count or 1
+    return count * other.size if held.of == "bytes" else count
 
 
 def _reader(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> One:
     def one(at: str, name: str) -> list[str]:
         source = f"in + {at}"
         if field.record is not None:
-            argument = f", &{name}" if members(field.record) else ""
-            decode = naming.function("record", field.record.name, "decode")
-            return returning(naming, f"{decode}({source}, {field.size}u{argument})")
+            return _inner_reader(naming, device, field.record, name, source)
         held = wire(field)
         if field.field.measures is not None:
             test = f"{load(naming, held, source)} != {measure(record, field, 'out->')}"

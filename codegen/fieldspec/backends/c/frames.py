@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.backends.c.comments import told
+from fieldspec.backends.c.elements import returning
 from fieldspec.backends.c.enums import closed_test
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, argument, frame_member
@@ -295,20 +296,10 @@ def _message(
     arguments += ["uint8_t *out", "size_t capacity", "size_t *length"]
     function = naming.function("link", link.name, "encode", name, *(() if flag is not None else (direction,)))
     codes = [f"code | {flag}u"] if flag is not None else [f"{code}u"] if code is not None else []
-    values = ", ".join([*heads, *codes, "body_length", "out", "capacity", "length"])
-    held = "in, " if members(data) else ""
-    head, encode = shape.head_size, naming.function("record", data.name, "encode")
-    room = f"out + {head}, capacity - {head}u" if head else "out, capacity"
-    body = [
-        "size_t body_length = 0;",
-        f"{naming.own('codec_status')} status;",
-        *(refused(naming, f"capacity < {head}u", "err_capacity") if head else []),
-        f"status = {encode}({held}{room}, &body_length);",
-        f"if (status != {naming.own_macro('ok')}) {{",
-        "    return status;",
-        "}",
-        f"return {naming.function('link', link.name, direction, 'close')}({values});",
-    ]
+    close = naming.function("link", link.name, direction, "close")
+    given = [*heads, *codes, "body_length" if data.fields else "0", "out", "capacity", "length"]
+    closed = f"return {close}({', '.join(given)});"
+    body = [*_body_written(naming, shape, data), closed] if data.fields else [closed]
     what = "an error reply to a code" if flag is not None else f"the {direction} {data.name}"
     return [
         *comment(f"Writes the whole frame of {what}."),
@@ -316,4 +307,17 @@ def _message(
         "{",
         *indented(body),
         "}",
+    ]
+
+
+def _body_written(naming: Naming, shape: FrameLayout, data: RecordLayout) -> list[str]:
+    """Statements that write the body of a frame to where it lies in it."""
+    held = "in, " if members(data) else ""
+    head, encode = shape.head_size, naming.function("record", data.name, "encode")
+    room = f"out + {head}, capacity - {head}u" if head else "out, capacity"
+    return [
+        "size_t body_length = 0;",
+        f"{naming.own('codec_status')} status;",
+        *(refused(naming, f"capacity < {head}u", "err_capacity") if head else []),
+        *returning(naming, f"{encode}({held}{room}, &body_length)"),
     ]

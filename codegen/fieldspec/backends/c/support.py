@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from fieldspec.backends.c.machine import cleared, copied
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import comment
-from fieldspec.backends.c.values import access_functions, signed_functions
+from fieldspec.backends.c.values import Wire, access_functions, signed_functions
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders, RecordLayout
+from fieldspec.model.primitive import Kind
 
 STATUSES = (
     ("ok", "It is done."),
@@ -38,33 +39,33 @@ def status_lines(naming: Naming) -> list[str]:
 
 def accesses(layout: DeviceLayout) -> list[tuple[int, str, bool]]:
     """The widths and orders in which numbers of the device lie."""
-    device = layout.device
-    orders = Orders(device.byte_order, device.word_order)
-    found: set[tuple[int, str, bool]] = set()
-
-    def add(size: int, order: str, swapped: bool) -> None:
-        found.add((size, order, swapped) if size > 1 else (1, "big", False))
-
-    for record in _records(layout):
-        for field in record.fields:
-            if field.value is not None and field.value.type.letter != "s":
-                add(field.size, field.order, field.swapped)
-            for case in field.cases:
-                if case.value.type.letter != "s":
-                    add(case.value.size, case.order, case.swapped)
+    found = {
+        (wire.size, wire.order, wire.swapped) if wire.size > 1 else (1, "big", False)
+        for wire in _wires(layout)
+        if wire.kind not in (Kind.TEXT, Kind.BYTES)
+    }
     for link in layout.links.values():
         for frame in (link.request, link.response):
             for part in (*frame.head, *frame.tail):
-                add(part.size, part.order, False)
+                found.add((part.size, part.order, False) if part.size > 1 else (1, "big", False))
+    return sorted(found)
+
+
+def _wires(layout: DeviceLayout) -> Iterator[Wire]:
+    """The values of records, registers and parameters, as they lie in bytes."""
+    device = layout.device
+    orders = Orders(device.byte_order, device.word_order)
+    for record in _records(layout):
+        for field in record.fields:
+            if field.value is not None:
+                yield Wire(field.value, field.order, field.swapped)
+            yield from (Wire(case.value, case.order, case.swapped) for case in field.cases)
     for register in layout.registers:
-        if register.register.value.type.letter != "s":
-            add(register.register.value.size, register.order, register.swapped)
+        yield Wire(register.register.value, register.order, register.swapped)
     for held in device.parameters.values():
         for parameter in held.parameters:
             for value in (parameter.value, *(inner.value for inner in parameter.subindices)):
-                if value.type.letter != "s":
-                    add(value.size, *orders.of(value))
-    return sorted(found)
+                yield Wire(value, *orders.of(value))
 
 
 def _records(layout: DeviceLayout) -> Iterator[RecordLayout]:
@@ -75,9 +76,17 @@ def _records(layout: DeviceLayout) -> Iterator[RecordLayout]:
 
 
 def number_lines(naming: Naming, layout: DeviceLayout) -> list[list[str]]:
-    """The functions for numbers, texts and characters."""
+    """The functions for numbers, texts and characters that the device has."""
     blocks = [access_functions(naming, *access) for access in accesses(layout)]
-    return [*blocks, signed_functions(naming), _floats(naming), _texts(naming), _digits(naming)]
+    blocks.append(signed_functions(naming))
+    kinds = {wire.kind for wire in _wires(layout)}
+    if Kind.FLOAT in kinds:
+        blocks.append(_floats(naming))
+    if Kind.TEXT in kinds:
+        blocks.append(_texts(naming))
+    if any(link.link.encoding == "hex_ascii" for link in layout.links.values()):
+        blocks.append(_digits(naming))
+    return blocks
 
 
 def _floats(naming: Naming) -> list[str]:
