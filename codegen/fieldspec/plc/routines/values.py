@@ -73,7 +73,10 @@ def read(
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
         wanted = Whole(value.const & wire.bits.high, wire.bits)
-        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
+        refusal = draft.refusal(compared(bits, "<>", wanted), "wrong_constant")
+        if target is None or not isinstance(target.type, Elementary):
+            return [refusal]
+        return [refusal, Assignment(target, converted(bits, target.type))]
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
@@ -118,6 +121,9 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
             *_put(wire, holder, offset, raw, converted(held, wire.whole)),
         ]
     statements = _closed(draft, world, wire, source)
+    if value.const is not None:
+        wrong = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
+        statements.append(draft.refusal(wrong, "wrong_constant"))
     if value.ranges is not None:
         sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
         wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)

@@ -10,6 +10,7 @@ from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import CHECK_SIZES
 from fieldspec.model.primitive import Kind
+from fieldspec.model.register import RegisterGroup
 from fieldspec.model.value import Value
 from fieldspec.names import Name
 from fieldspec.plc.routines.expressions import Call, Expression
@@ -164,15 +165,21 @@ class World:
 
     @property
     def words(self) -> ArrayType:
-        """The words of the longest list of registers that a message carries, or of the longest record in a table."""
+        """The words of the longest list of registers that a message carries; where none does, of the longest group."""
         lists = [most // 2 for most in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
-        return sequence(max([*lists, *tables], default=1), WORD)
+        groups = [_span(group) for group in self.layout.device.groups] if not lists else []
+        return sequence(max([*lists, *tables, *groups], default=1), WORD)
 
 
 def raw_name(kind: Elementary) -> str:
     """The parameter for a number on the wire."""
     return f"{PREFIXES[kind.name]}Raw"
+
+
+def _span(group: RegisterGroup) -> int:
+    ends = [register.end for register in group.registers]
+    return max(ends, default=1) - min((register.address for register in group.registers), default=0)
 
 
 def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
