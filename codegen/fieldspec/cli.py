@@ -187,8 +187,8 @@ def parser() -> argparse.ArgumentParser:
         "--as-printed", action="store_true", help="what the checks find in the print, as if no erratum were written"
     )
     audit.add_argument("--table", metavar="NAME", help="one table alone, such as ledger; csv and xlsx hold one")
-    audit.add_argument("--format", choices=("text", "json", "sarif", "csv", "xlsx"), default="text")
-    audit.add_argument("--out", metavar="FILE", help="the file for the table; left out: the output")
+    audit.add_argument("--format", choices=("text", "json", "html", "sarif", "csv", "xlsx"), default="text")
+    audit.add_argument("--out", metavar="FILE", help="the file for the page or the table; left out: the output")
     audit.add_argument("--dump", metavar="FILE", help="judge what was read from a device: CSV, XLSX or JSON; -: input")
     for role in ("address", "value", "words", "space"):
         audit.add_argument(f"--{role}", metavar="COLUMN", help=f"the column of its {role}, where it is not found")

@@ -16,9 +16,13 @@ from fieldspec.diagnostics import Diagnostic, has_errors, in_order
 if TYPE_CHECKING:
     from fieldspec.audit.section import Report
     from fieldspec.layout.device import DeviceLayout
+    from fieldspec.model.device import Device
 
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
 """The options that say how a dump is read."""
+
+WHOLE = ("sarif", "html")
+"""The formats that hold all sections."""
 
 LISTS = ("csv", "xlsx")
 """The formats that hold one table."""
@@ -36,10 +40,10 @@ def run(arguments: argparse.Namespace) -> int:
 
     if arguments.format in LISTS and not arguments.table:
         raise UsageError(f"{arguments.format} holds one table; name it with --table, such as --table ledger")
-    if arguments.table and arguments.format == "sarif":
-        raise UsageError("sarif holds findings and no table; give --table with text, json, csv or xlsx")
-    if arguments.out and not arguments.table:
-        raise UsageError("--out writes one table; name it with --table, such as --table ledger")
+    if arguments.table and arguments.format in WHOLE:
+        raise UsageError(f"{arguments.format} is of the whole audit; give --table with text, json, csv or xlsx")
+    if arguments.out and not arguments.table and arguments.format != "html":
+        raise UsageError("--out writes a page or a table; give --format html, or --table, such as --table ledger")
     given = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
     if given and not arguments.sign:
         raise UsageError(f"--{given[0]} goes with --sign SECTION")
@@ -66,7 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.table:
         _print_table(made, arguments)
     else:
-        _print_report(made, found, arguments.format, arguments.all or arguments.as_printed)
+        _print_report(made, found, arguments, layout.device)
     return 1 if has_errors(found) and not arguments.as_printed else 0
 
 
@@ -80,12 +84,22 @@ def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
     if arguments.table:
         _print_table(made, arguments)
     else:
-        _print_report(made, found, arguments.format, arguments.all)
+        _print_report(made, found, arguments, layout.device)
     return 1 if has_errors(found) else 0
 
 
-def _print_report(made: Report, found: tuple[Diagnostic, ...], form: str, everything: bool) -> None:
-    if form == "json":
+def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argparse.Namespace, device: Device) -> None:
+    """Prints the whole audit, or writes the page to a file."""
+    form = arguments.format
+    if form == "html":
+        from fieldspec.render.audit_html import rendered as page
+
+        text = page(made, device, {})
+        if arguments.out:
+            write(Path(arguments.out), text.encode("utf-8"))
+        else:
+            print(text, end="")
+    elif form == "json":
         from fieldspec.render.audit_json import rendered
 
         print(rendered(made), end="")
@@ -94,7 +108,7 @@ def _print_report(made: Report, found: tuple[Diagnostic, ...], form: str, everyt
     else:
         from fieldspec.render.audit_text import blocks
 
-        print_blocks(blocks(made, everything))
+        print_blocks(blocks(made, arguments.all or arguments.as_printed))
         if found:
             print()
             print_findings(found, "text", "")

@@ -1,0 +1,250 @@
+"""The audit of a device as a page that stands on its own, to be read, printed and handed on.
+
+The template has the page; the rows of its tables are written here, as a template takes eight times as long.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fieldspec.audit.address_map import Space
+from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
+from fieldspec.backends.docs.document import clean
+from fieldspec.backends.docs.html import escaped
+from fieldspec.backends.templates import fill
+from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic, Severity, in_order
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Citation
+from fieldspec.render.audit_map import Map, maps, states
+from fieldspec.source import Span
+
+_SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
+_GOOD = {True: "good", False: "bad", None: ""}
+
+
+@dataclass(frozen=True, slots=True)
+class _Number:
+    """A figure: the number, the whole, what it counts, and how it stands, as a word and as a sign."""
+
+    number: str
+    whole: str
+    what: str
+    kind: str
+    sign: str
+    said: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """A table: its rows are written already."""
+
+    anchor: str
+    title: str
+    count: str
+    headings: tuple[str, ...]
+    numbered: tuple[str, ...]
+    marked: bool
+    rows: str
+    detail: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A section: its figures, its texts, its tables, and its drawings."""
+
+    anchor: str
+    title: str
+    says: tuple[str, ...]
+    figures: tuple[_Number, ...]
+    tables: tuple[_Table, ...]
+    folded: tuple[_Table, ...]
+    maps: tuple[Map, ...]
+    legend: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Finding:
+    """A finding: how grave it is, what it says, what would make it right, and where it shows."""
+
+    anchor: str
+    kind: str
+    sign: str
+    severity: str
+    rule: str
+    message: str
+    help: str
+    place: str
+    link: str
+    section: str
+    labels: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Head:
+    """What the report is about."""
+
+    title: str
+    subtitle: str
+    identity: str
+    rows: tuple[tuple[str, str], ...]
+    verdict: str
+    kind: str
+    sign: str
+
+
+def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
+    """The page; `links` leads from paths of facts to where they are documented, where there is such a place."""
+    found = [(section, one) for section in report.sections for one in in_order(section.findings)]
+    parts = [_part(section, links) for section in report.sections]
+    rows = {section.name: _rows_by_place(section) for section in report.sections}
+    findings = [_finding(number, section, one, rows[section.name]) for number, (section, one) in enumerate(found, 1)]
+    return fill("audit.html.j2", head=_head(report, device, [one for _, one in found]), parts=parts, findings=findings)
+
+
+def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
+    manual = device.manual
+    edition = f", {manual.edition}" if manual.edition else ""
+    rows = (
+        ("Device", f"{device.name}, {device.vendor}"),
+        ("Version", report.version),
+        ("Identity of the spec", report.identity),
+        ("Manual", f"{manual.title}{edition}"),
+        ("Text of the manual", f"{manual.file}, {manual.lines} lines, SHA-256 {manual.sha256}"),
+    )
+    errors = sum(1 for one in found if one.severity is Severity.ERROR)
+    warnings = len(found) - errors
+    if errors:
+        verdict, kind = f"{_many(errors, 'error')} and {_many(warnings, 'warning')} are open.", "bad"
+    elif warnings:
+        verdict, kind = f"No error; {_many(warnings, 'warning')} to be looked at.", "warning"
+    else:
+        verdict, kind = "Nothing is open: no finding in any part of the audit.", "good"
+    return _Head(
+        clean(f"Audit of {report.title}"),
+        clean(device.title),
+        report.identity,
+        tuple((term, clean(text)) for term, text in rows),
+        verdict,
+        kind,
+        _SIGNS[kind][0],
+    )
+
+
+def _many(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+
+
+def _part(section: Section, links: Mapping[str, str]) -> _Part:
+    tables = [_table(section.name, table, links) for table in section.tables if table.rows]
+    drawn = section.drawn if isinstance(section.drawn, tuple) else ()
+    spaces = tuple(space for space in drawn if isinstance(space, Space))
+    return _Part(
+        section.name,
+        clean(section.title),
+        tuple(map(clean, section.says)),
+        tuple(map(_number, section.figures)),
+        tuple(table for table in tables if not table.detail),
+        tuple(table for table in tables if table.detail),
+        maps(spaces),
+        tuple(states(spaces)),
+    )
+
+
+def _number(figure: Figure) -> _Number:
+    kind = _GOOD[figure.good]
+    whole = "" if figure.whole is None else f"of {figure.whole}"
+    return _Number(str(figure.number), whole, clean(figure.what), kind, *_SIGNS[kind])
+
+
+def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Table:
+    marked = any(table.kinds)
+    numbered = tuple("number" if _counts(table, at) else "" for at in range(len(table.columns)))
+    rows = "".join(_row(section, table, number, numbered, marked, links) for number in range(len(table.rows)))
+    many = len(table.rows)
+    return _Table(
+        f"{section}-{table.name}",
+        clean(table.title),
+        f"{many} row" if many == 1 else f"{many} rows",
+        tuple(column.replace("_", " ") for column in table.columns),
+        numbered,
+        marked,
+        rows,
+        table.detail,
+    )
+
+
+def _counts(table: SectionTable, at: int) -> bool:
+    """Whether a column holds numbers alone."""
+    held = [row[at] for row in table.rows if row[at] is not None]
+    return bool(held) and all(isinstance(cell, int) for cell in held)
+
+
+def _row(
+    section: str, table: SectionTable, number: int, numbered: Sequence[str], marked: bool, links: Mapping[str, str]
+) -> str:
+    kind = table.kinds[number] if table.kinds else ""
+    cells = [_sign(kind)] if marked else []
+    for at, cell in enumerate(table.rows[number]):
+        style = f' class="{numbered[at]}"' if numbered[at] else ""
+        cells.append(f"<td{style}>{_cell(cell, links)}</td>")
+    style = f' class="{kind}"' if kind else ""
+    return f'<tr id="{section}-{table.name}-{number + 1}"{style}>{"".join(cells)}</tr>\n'
+
+
+def _sign(kind: str) -> str:
+    sign, said = _SIGNS[kind]
+    return f'<td class="sign"><span aria-hidden="true">{sign}</span><span class="said">{said}</span></td>'
+
+
+def _cell(cell: Cell, links: Mapping[str, str]) -> str:
+    if cell is None:
+        return ""
+    if isinstance(cell, Span):
+        return f"<code>{escaped(clean(_place(cell)))}</code>"
+    if isinstance(cell, Citation):
+        return f'<span class="source">{escaped(clean(cell.text()))}</span>'
+    text = escaped(clean(str(cell)))
+    link = links.get(cell) if isinstance(cell, str) else None
+    if link is not None:
+        return f'<a href="{escaped(link)}"><code>{text}</code></a>'
+    return text
+
+
+def _place(span: Span) -> str:
+    return f"{span.file.path}:{span.position()[0]}"
+
+
+def _rows_by_place(section: Section) -> dict[str, str]:
+    """The anchors of the rows that show a place of a file."""
+    anchors: dict[str, str] = {}
+    for table in section.tables:
+        for number, row in enumerate(table.rows, 1):
+            for cell in row:
+                if isinstance(cell, Span):
+                    anchors.setdefault(_place(cell), f"{section.name}-{table.name}-{number}")
+    return anchors
+
+
+def _finding(number: int, section: Section, found: Diagnostic, rows: Mapping[str, str]) -> _Finding:
+    kind = "bad" if found.severity is Severity.ERROR else "warning"
+    places = [_place(found.span), *(_place(label.span) for label in found.labels)]
+    link = next((rows[place] for place in places if place in rows), section.name)
+    return _Finding(
+        f"finding-{number}",
+        kind,
+        _SIGNS[kind][0],
+        found.severity.value,
+        found.code,
+        clean(found.message),
+        clean(found.help),
+        clean(places[0]),
+        link,
+        clean(section.title),
+        tuple(_labels(found)),
+    )
+
+
+def _labels(found: Diagnostic) -> Iterator[str]:
+    for label in found.labels:
+        yield clean(f"{_place(label.span)}: {label.text}")

@@ -1,0 +1,207 @@
+"""The address map of an audit as drawings: where each box lies, and what stands in it.
+
+A block is drawn in rows of sixteen addresses; rows in which nothing changes are one row. How a box stands shows in its
+pattern, so that it can be told on paper and without colours, and each drawing says in words what it shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.audit.address_map import DECLARED, STATES, UNDECLARED, UNDESCRIBED, UNUSED, Block, Run, Space
+from fieldspec.backends.docs.document import clean
+from fieldspec.classes import dataclass
+
+A_ROW = 16
+_BOX, _HIGH, _LEFT, _HEAD, _FOLDED = 60, 24, 62, 16, 18
+_LETTER = 5.2
+"""The width of a letter of a box's text, as wide as any that is common."""
+
+_LEAST_LETTERS = 3
+_LINE = 0x1000
+_OVERVIEW = 960
+_EMPTY = (DECLARED, UNDECLARED, UNDESCRIBED, UNUSED)
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangle: how it stands, what it says, and what it says at length."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+    state: str
+    text: str
+    title: str
+
+    @property
+    def text_x(self) -> int:
+        """Where its text begins."""
+        return self.x + 4
+
+    @property
+    def text_y(self) -> int:
+        """Where its text stands."""
+        return self.y + self.height // 2 + 4
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A text beside the boxes, at its foot; `anchor` is `start`, `middle` or `end`."""
+
+    x: int
+    y: int
+    text: str
+    anchor: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """A drawing with its size. `title` and `description` say in words what it shows, `caption` stands above it."""
+
+    anchor: str
+    caption: str
+    title: str
+    description: str
+    width: int
+    height: int
+    boxes: tuple[Box, ...]
+    marks: tuple[Mark, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Map:
+    """The drawings of a space, the overview first where there is one, and the states that stand in them."""
+
+    title: str
+    drawings: tuple[Drawing, ...]
+
+
+def maps(spaces: Sequence[Space]) -> tuple[Map, ...]:
+    """The drawings of all spaces."""
+    return tuple(Map(clean(space.title), tuple(_drawings(space))) for space in spaces)
+
+
+def states(spaces: Sequence[Space]) -> list[tuple[str, str]]:
+    """The states that occur, with the words for them."""
+    held = {run.state for space in spaces for block in space.blocks for run in block.runs}
+    return [(state, words) for state, words in STATES.items() if state in held]
+
+
+def _drawings(space: Space) -> Iterator[Drawing]:
+    if space.name == "registers":
+        yield _overview(space)
+    for block in space.blocks:
+        yield _block(space, block)
+
+
+def _overview(space: Space) -> Drawing:
+    """All blocks where they lie in the whole space, a line for each 1000h addresses."""
+    lines = sorted({line for block in space.blocks for line in range(block.first // _LINE, block.last // _LINE + 1)})
+    rows = {line: _HEAD + number * _HIGH for number, line in enumerate(lines)}
+    boxes = []
+    for block in space.blocks:
+        for line in range(block.first // _LINE, block.last // _LINE + 1):
+            first, last = max(block.first, line * _LINE), min(block.last, line * _LINE + _LINE - 1)
+            x = _LEFT + (first % _LINE) * _OVERVIEW // _LINE
+            width = max(3, (last - first + 1) * _OVERVIEW // _LINE)
+            title = f"{space.written(block.first)} to {space.written(block.last)}: {clean(block.title)}"
+            boxes.append(Box(x, rows[line] + 3, width, _HIGH - 6, "used", _fitting(clean(block.title), width), title))
+    marks = [Mark(_LEFT + part * _OVERVIEW // 4, _HEAD - 4, f"+{part * _LINE // 4:03X}h", "start") for part in range(4)]
+    marks += [Mark(_LEFT - 6, y + _HIGH - 8, f"{line * _LINE:04X}h", "end") for line, y in rows.items()]
+    names = "; ".join(
+        f"{clean(block.title)} from {space.written(block.first)} to {space.written(block.last)}"
+        for block in space.blocks
+    )
+    return Drawing(
+        "map-overview",
+        "All blocks in the space of addresses",
+        "Where the blocks lie",
+        f"A line for each 1000h addresses in which there is a block. {names}.",
+        _LEFT + _OVERVIEW + 2,
+        _HEAD + len(lines) * _HIGH + 2,
+        tuple(boxes),
+        tuple(marks),
+    )
+
+
+def _block(space: Space, block: Block) -> Drawing:
+    boxes: list[Box] = []
+    marks = [Mark(_LEFT + at * _BOX + _BOX // 2, _HEAD - 4, f"{at:X}", "middle") for at in range(A_ROW)]
+    y = _HEAD
+    for first, last in _lines(block):
+        marks.append(Mark(_LEFT - 6, y + 16, space.written(first), "end"))
+        if last - first >= A_ROW:
+            run = next(run for run in block.runs if run.first <= first <= run.last)
+            text = f"to {space.written(last)}: {_said(run)}"
+            boxes.append(Box(_LEFT, y + 1, A_ROW * _BOX, _FOLDED - 2, run.state, _fitting(text, A_ROW * _BOX), text))
+            y += _FOLDED
+            continue
+        boxes += _pieces(space, block, first, y)
+        y += _HIGH
+    if block.repeats > 1:
+        text = f"and {block.repeats - 1} more elements, {block.stride} apart, to {space.written(block.last)}"
+        marks.append(Mark(_LEFT, y + 12, text, "start"))
+        y += _FOLDED
+    counts = ", ".join(f"{count} {words}" for state, words in STATES.items() if (count := block.count(state)))
+    ends = f"{space.written(block.first)} to {space.written(block.last)}"
+    return Drawing(
+        f"map-{space.name}-{block.name}".replace(" ", "-"),
+        f"{clean(block.title)}, {ends}",
+        f"{clean(block.title)}, {ends}",
+        f"Of {space.what}: {counts}. The table of every address says the same in words.",
+        _LEFT + A_ROW * _BOX + 2,
+        y + 2,
+        tuple(boxes),
+        tuple(marks),
+    )
+
+
+def _lines(block: Block) -> Iterator[tuple[int, int]]:
+    """The first and last addresses of the rows of a block; several rows that are one empty run are one."""
+    end = block.runs[-1].last if block.repeats == 1 else max(run.last for run in block.runs)
+    start = block.runs[0].first
+    line = start // A_ROW * A_ROW
+    while line <= end:
+        run = next((run for run in block.runs if run.first <= max(line, start) <= run.last), None)
+        whole = (run.last + 1) // A_ROW * A_ROW if run is not None else line
+        if run is not None and run.state in _EMPTY and line >= run.first and whole - line >= 2 * A_ROW:
+            yield line, whole - 1
+            line = whole
+        else:
+            yield line, line + A_ROW - 1
+            line += A_ROW
+
+
+def _pieces(space: Space, block: Block, line: int, y: int) -> Iterator[Box]:
+    """The boxes in a row: of a run that goes over several rows, its part in this one."""
+    for run in block.runs:
+        first, last = max(run.first, line), min(run.last, line + A_ROW - 1)
+        if first > last:
+            continue
+        width = (last - first + 1) * _BOX
+        name = " and ".join(holder.name for holder in run.holders)
+        about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
+        ends = space.written(run.first) + (f" to {space.written(run.last)}" if run.size > 1 else "")
+        title = f"{ends}: {_said(run)}{f', {about}' if about else ''}"
+        text = _fitting(name, width) if first == run.first or run.size > A_ROW else ""
+        x = _LEFT + (first - line) * _BOX
+        yield Box(x, y + 1, width, _HIGH - 2, run.state, text, clean(title))
+
+
+def _said(run: Run) -> str:
+    """What a run is, in words."""
+    names = " and ".join(holder.name for holder in run.holders)
+    state = STATES[run.state]
+    if run.holders and run.state == "used":
+        return names
+    return f"{names} ({state})" if names else f"{state}{f', {clean(run.reason)}' if run.reason else ''}"
+
+
+def _fitting(text: str, width: int) -> str:
+    """As much of a text as fits into a box."""
+    most = int((width - 8) / _LETTER)
+    if len(text) <= most:
+        return text
+    return f"{text[: most - 1]}…" if most > _LEAST_LETTERS else ""
