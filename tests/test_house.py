@@ -25,7 +25,9 @@ TEXTS = sorted(path for path in PACKAGE.rglob("*") if path.is_file() and path.su
 TESTS = sorted((ROOT / "tests").glob("*.py"))
 
 LONGEST_FILE = 400
-BACK_ENDS_IMPORT = {"backends", "classes", "changes", "layout", "model", "names", "reserved", "spreadsheet"}
+BACK_ENDS_IMPORT = {
+    *("backends", "classes", "changes", "diagnostics", "layout", "model", "names", "plc", "reserved", "spreadsheet"),
+}
 
 # Where alone a library is imported: folders end with a slash.
 HOMES = {

@@ -1,0 +1,1 @@
+"""What all outputs for programmable controllers share: dialects, names, declarations, layouts in memory, routines."""

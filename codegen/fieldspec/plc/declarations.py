@@ -1,0 +1,207 @@
+"""All that is declared for a device in a dialect, by its names there, and what is found while they are given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.fact import Fact
+from fieldspec.names import Name
+from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
+from fieldspec.plc.dialects import Dialect
+from fieldspec.plc.enums import EnumDeclaration, EnumMember, available
+from fieldspec.plc.naming import Scope
+from fieldspec.plc.narrowing import narrowed
+from fieldspec.plc.routines.choices import choice_type
+from fieldspec.plc.routines.groups import register_type
+from fieldspec.plc.routines.records import field_type, given
+from fieldspec.plc.routines.remarks import source
+from fieldspec.plc.routines.status import BASE, STATUSES, Status
+from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.types import EnumType, StructType, Type
+from fieldspec.plc.routines.world import Names, World
+from fieldspec.plc.structs import Member, Struct, fixed
+from fieldspec.plc.texts import TextTable, coded
+
+_STATUS = "codec_status"
+
+
+@dataclass(frozen=True, slots=True)
+class Declarations:
+    """What is declared for a device, in the order in which it can be.
+
+    `structs` hold values, for programs; each stands behind those that lie in it. `world` has the same names for the
+    routines. `status` is also the first one of `enums`. `found` are the errors that forbid an output.
+    """
+
+    dialect: Dialect
+    layout: DeviceLayout
+    world: World
+    enums: tuple[EnumDeclaration, ...]
+    structs: tuple[Struct, ...]
+    constants: tuple[ConstantList, ...]
+    texts: tuple[TextTable, ...]
+    found: tuple[Diagnostic, ...]
+
+    @property
+    def status(self) -> EnumDeclaration:
+        """The enum that routines return."""
+        return self.enums[0]
+
+
+def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
+    """The declarations of a device that has passed the checks."""
+    laid, found = narrowed(layout, dialect)
+    declaring = _Declaring(laid, dialect, [*found])
+    enums = tuple(declaring.enums())
+    structs = tuple(declaring.structs())
+    constants = tuple(declaring.constants())
+    texts = tuple(declaring.texts())
+    return Declarations(dialect, laid, declaring.world, enums, structs, constants, texts, tuple(declaring.found))
+
+
+class _Declaring:
+    """The names of a device while they are given."""
+
+    def __init__(self, layout: DeviceLayout, dialect: Dialect, found: list[Diagnostic]) -> None:
+        self.layout, self.dialect, self.found = layout, dialect, found
+        self.device = Name.of(layout.device.id)
+        self.scope = Scope(dialect, "name", found)
+        self.alone = Scope(dialect, "constant", found)
+        self._structs: dict[str, str] = {}
+        self._members: dict[str, dict[str, str]] = {}
+        self._enums: dict[str, EnumType] = {}
+        self._enum_members: dict[str, dict[str, str]] = {}
+        self.status_members = {name: self.member_of_enum(name) for name, _ in STATUSES}
+        status = EnumType(self.scope.take(self._form(dialect.enum, _STATUS), None), BASE)
+        names = Names(
+            self.device.pascal(),
+            self._structs,
+            self._members,
+            self._enums,
+            self._enum_members,
+            Status(status, self.status_members),
+        )
+        self.world = World(layout, names)
+
+    def _form(self, form: str, name: str) -> str:
+        return form.format(self.device.pascal(), Name.of(name).pascal())
+
+    def member_of_enum(self, name: str) -> str:
+        """The name of a member of an enum."""
+        return self.dialect.spelled(Name.of(name).pascal())
+
+    def enums(self) -> Iterator[EnumDeclaration]:
+        """The status, and the enums that are types."""
+        members = tuple(
+            EnumMember(self.status_members[name], number, text) for number, (name, text) in enumerate(STATUSES)
+        )
+        yield EnumDeclaration(self.world.status.type.name, BASE, "What the functions return.", members)
+        for enum in self.layout.device.enums.values():
+            listed = available(enum)
+            base = self.world.raw_type(enum.name)
+            if len(listed) < self.dialect.enum_members or base.size > self.dialect.widest:
+                continue
+            scope = Scope(self.dialect, f"member of {enum.name}", self.found)
+            named = {one.name: scope.take(Name.of(one.name).pascal(), one) for one in listed}
+            name = self.scope.take(self._form(self.dialect.enum, enum.name), enum)
+            self._enums[enum.name] = EnumType(name, base)
+            self._enum_members[enum.name] = named
+            made = (EnumMember(named[one.name], one.value, _told(one, _printed(one)), one) for one in listed)
+            yield EnumDeclaration(name, base, _told(enum, enum.title or _printed(enum)), tuple(made), enum)
+
+    def structs(self) -> Iterator[Struct]:
+        """The structs of records, of groups of registers, and of the data of telegrams."""
+        for record in self.layout.records.values():
+            if fixed(record):
+                yield self._of_record(record, "record", record.record, record.record.label)
+        for message in telegrams(self.layout):
+            for data in (message.request, message.response):
+                if data.size and fixed(data):
+                    title = message.message.title or Name.of(message.name).title()
+                    yield self._of_record(data, "telegram", message.message, title)
+        for group in self.layout.device.groups:
+            laid = [one for one in self.layout.registers if one.register in group.registers]
+            if laid:
+                scope = Scope(self.dialect, f"member of {group.name}", self.found)
+                members = []
+                for one in laid:
+                    kind = register_type(self.world, one)
+                    name = scope.take(self._member(one.name, kind), one.register)
+                    remark = self._remark(one.register, one.register.value)
+                    members.append(Member(name, kind, remark, one.register, one.register.value))
+                    self._members.setdefault(group.name, {})[one.name] = name
+                title = group.title or Name.of(group.name).title()
+                yield self._struct(group.name, "registers", group, title, members)
+
+    def _of_record(self, record: RecordLayout, kind: str, fact: Fact, title: str) -> Struct:
+        scope = Scope(self.dialect, f"member of {record.name}", self.found)
+        members = []
+        self._members[record.name] = {}
+        for field in record.fields:
+            if given(field):
+                type_of = self._type(field)
+                name = scope.take(self._member(field.name, type_of), field.field)
+                members.append(Member(name, type_of, self._remark(field.field, field.value), field.field, field.value))
+                self._members[record.name][field.name] = name
+        return self._struct(record.name, kind, fact, title, members)
+
+    def _struct(self, key: str, kind: str, fact: Fact, title: str, members: list[Member]) -> Struct:
+        name = self.scope.take(self._form(self.dialect.struct, key), fact)
+        self._structs[key] = name
+        return Struct(name, key, kind, _told(fact, title), tuple(members), None, fact)
+
+    def _type(self, field: FieldLayout) -> Type:
+        if field.record is not None and field.record.name not in self._structs:
+            return StructType(self._form(self.dialect.struct, field.record.name))
+        return choice_type(field) if field.cases else field_type(self.world, field)
+
+    def _member(self, name: str, kind: Type) -> str:
+        return self.world.variable(name, kind) if self.dialect.prefixed else Name.of(name).camel()
+
+    def _remark(self, fact: Fact, value: object) -> str:
+        told = self.world.told(fact, value)  # type: ignore[arg-type]
+        return " ".join(part for part in (_printed(fact), told) if part)
+
+    def constants(self) -> Iterator[ConstantList]:
+        """The lists that have constants."""
+        types = frozenset(self._enums) if self.dialect.enums else frozenset[str]()
+        for key, (word, title, make) in LISTS.items():
+            drafts = list(make(self.layout, types))
+            if drafts:
+                name = self._form(self.dialect.constants, key)
+                yield ConstantList(name, key, title, tuple(self._named(drafts, name, word)))
+
+    def _named(self, drafts: list[Draft], listed: str, word: str) -> Iterator[Constant]:
+        qualified = self.dialect.qualified
+        scope = Scope(self.dialect, f"constant of {listed}", self.found) if qualified else self.alone
+        before = Name(()) if qualified else self.device + Name.of(word)
+        texts = []
+        for one in drafts:
+            name = (before + Name.of(one.name)).upper()
+            texts.append(name if self.dialect.spelled(name) == name else f"{name}_VALUE")
+        given_names: dict[int, str] = {}
+        for derived in (False, True):
+            for number, one in enumerate(drafts):
+                if one.derived is derived:
+                    given_names[number] = scope.free(texts[number]) if derived else scope.take(texts[number], one.fact)
+        for number, one in enumerate(drafts):
+            yield Constant(given_names[number], one.type, one.value, one.remark, one.fact, one.hexadecimal)
+
+    def texts(self) -> Iterator[TextTable]:
+        """The texts of codes."""
+        scope = Scope(self.dialect, "table of texts", self.found)
+        for enum, texts in coded(self.layout.device):
+            name = scope.take(Name.of(f"{enum.name}_texts").upper(), enum)
+            yield TextTable(name, _told(enum, enum.title or _printed(enum)), enum, texts)
+
+
+def _printed(fact: Fact) -> str:
+    return " ".join(text for text in (fact.printed_name, fact.label) if text)
+
+
+def _told(fact: Fact, text: str) -> str:
+    return " ".join(part for part in (text, source(fact)) if part)

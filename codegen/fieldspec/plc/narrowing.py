@@ -1,0 +1,155 @@
+"""Devices whose whole numbers are too wide for a dialect: each becomes two of half its width."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import replace
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.primitive import PRIMITIVES, Kind
+from fieldspec.model.register import Register
+from fieldspec.model.value import Value
+from fieldspec.plc.dialects import Dialect
+
+_HALVES = {"u64": ("u32", "u32"), "i64": ("i32", "u32")}
+"""The types of the upper and the lower half of a type."""
+
+
+def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list[Diagnostic]]:
+    """The layout with whole numbers that the dialect has, and what cannot be split so.
+
+    A number `turns` becomes `turns_high` and `turns_low`, in the order of the wire: turns = high * 2^32 + low. The
+    halves are plain counts, because a scale or a range is one of the whole.
+    """
+    if dialect.widest >= 8:
+        return layout, []
+    found: list[Diagnostic] = []
+    records = {record.name: _record(record, dialect, found) for record in layout.records.values()}
+    laid_again = {id(layout.records[name]): record for name, record in records.items()}
+    messages = {
+        message.name: MessageLayout(
+            message.message,
+            message.name,
+            _record(message.request, dialect, found, laid_again),
+            _record(message.response, dialect, found, laid_again),
+        )
+        for message in layout.messages.values()
+    }
+    registers = [(laid, tuple(_registers(laid))) for laid in layout.registers]
+    halves = {id(laid.register): [half.register for half in made] for laid, made in registers}
+    groups = tuple(
+        replace(group, registers=tuple(half for one in group.registers for half in halves.get(id(one), [one])))
+        for group in layout.device.groups
+    )
+    links = {
+        link.name: LinkLayout(
+            link.link, link.name, link.request, link.response, {name: messages[name] for name in link.messages}
+        )
+        for link in layout.links.values()
+    }
+    tables = {
+        table.name: TableLayout(table.table, table.name, records[table.record.name], table.words)
+        for table in layout.tables.values()
+    }
+    made = replace(
+        layout,
+        device=replace(layout.device, groups=groups),
+        records=records,
+        messages=messages,
+        links=links,
+        registers=tuple(half for _, some in registers for half in some),
+        tables=tables,
+    )
+    return made, found
+
+
+def _wide(value: Value | None) -> bool:
+    return value is not None and value.type.kind is Kind.INTEGER and value.type.name in _HALVES
+
+
+def _record(
+    record: RecordLayout,
+    dialect: Dialect,
+    found: list[Diagnostic],
+    laid_again: dict[int, RecordLayout] | None = None,
+) -> RecordLayout:
+    fields: list[FieldLayout] = []
+    for field in record.fields:
+        if field.record is not None and laid_again:
+            fields.append(replace(field, record=laid_again.get(id(field.record), field.record)))
+        elif _wide(field.value) and not field.listed and field.field.measures is None:
+            fields += _fields(field)
+        else:
+            if _wide(field.value) or any(_wide(case.value) for case in field.cases):
+                found.append(_refused(field, dialect))
+            fields.append(field)
+    return replace(record, fields=tuple(fields))
+
+
+def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
+    """The halves in the order of the wire, with what stands behind the name."""
+    kinds = zip(("high", "low"), _HALVES[value.type.name], strict=True)
+    const = value.const
+    shifted = {"high": None if const is None else const >> 32, "low": None if const is None else const & 0xFFFFFFFF}
+    made = [
+        (
+            word,
+            replace(
+                value,
+                type=PRIMITIVES[kind],
+                size=4,
+                scale=type(value.scale)(1),
+                scale_text="",
+                offset=type(value.offset)(0),
+                unit="",
+                ranges=None,
+                default=None,
+                const=shifted[word],
+                enum="",
+                flags="",
+                sentinels=(),
+                parameter=None,
+            ),
+        )
+        for word, kind in kinds
+    ]
+    return made if (order == "big") != swapped else made[::-1]
+
+
+def _fields(field: FieldLayout) -> Iterator[FieldLayout]:
+    assert field.value is not None
+    for number, (word, half) in enumerate(_halves(field.value, field.order, field.swapped)):
+        name = f"{field.name}_{word}"
+        model = replace(field.field, name=name, value=half, doc=_doc(field.name, word, field.field.doc))
+        yield replace(field, field=model, name=name, offset=field.offset + 4 * number, size=4, value=half)
+
+
+def _registers(laid: RegisterLayout) -> Iterator[RegisterLayout]:
+    if not _wide(laid.register.value):
+        yield laid
+        return
+    for number, (word, half) in enumerate(_halves(laid.register.value, laid.order, laid.swapped)):
+        name, address = f"{laid.name}_{word}", laid.address + 2 * number
+        stated = laid.register
+        doc = _doc(stated.name, word, stated.doc)
+        register: Register = replace(stated, name=name, address=address, value=half, words=2, doc=doc)
+        yield replace(laid, register=register, name=name, address=address, words=2)
+
+
+def _doc(name: str, word: str, doc: str) -> str:
+    other = "lower" if word == "low" else "upper"
+    return f"The {other} half of {name}. {doc}".strip()
+
+
+def _refused(field: FieldLayout, dialect: Dialect) -> Diagnostic:
+    return Diagnostic(
+        "plc_numbers_fit",
+        f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split",
+        field.field.place["type"],
+        help="leave this output out for the device: name the others after --to",
+    )
