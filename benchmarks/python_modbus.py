@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers import modbus
+from peers.kaitai import reader
 from rows import Row, printed, timed, use_generated
 
 use_generated()
@@ -46,6 +47,14 @@ def rows() -> Iterator[Row]:
 
     assert built() == modbus.ReadRequest(1, 0x1000, 1).build() == FRAME
     assert by_construct().body.value.start == 0x1000
+    kaitai = reader("request")
+
+    def by_kaitai() -> object:
+        request = kaitai.from_bytes(FRAME)
+        if modbus.crc16(FRAME[:6]) != request.check:
+            raise ValueError("CRC")
+        return request
+
     hand = "struct, CRC by a loop over 256 entries"
     yield timed(GROUP, "build", built, hand, lambda: modbus.ReadRequest(1, 0x1000, 1).build())
     yield timed(GROUP, "parse", parsed, hand, lambda: modbus.ReadRequest.parse(FRAME))
@@ -54,6 +63,7 @@ def rows() -> Iterator[Row]:
     yield timed(
         GROUP, "build and parse", both, f"construct {version('construct')}, compiled", by_construct, at_least=30
     )
+    yield timed(GROUP, "parse", parsed, f"Kaitai {version('kaitaistruct')}, CRC by hand", by_kaitai, at_least=13)
 
 
 if __name__ == "__main__":

@@ -51,7 +51,7 @@ class Row:
 def interleaved(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[float, float, float]:
     """Nanoseconds of ours and of the peer, and the ratio of the two: medians over the rounds."""
     first, second = timeit.Timer(ours), timeit.Timer(peer)
-    numbers = [max(1, int(LEAST / max(timer.timeit(3) / 3, 1e-9))) for timer in (first, second)]
+    numbers = [_enough(timer) for timer in (first, second)]
     collecting = gc.isenabled()
     gc.disable()
     try:
@@ -66,6 +66,14 @@ def interleaved(ours: Callable[[], object], peer: Callable[[], object]) -> tuple
         if collecting:
             gc.enable()
     return median(a for a, _ in pairs), median(b for _, b in pairs), median(a / b for a, b in pairs)
+
+
+def _enough(timer: timeit.Timer) -> int:
+    """How many calls take long enough to be timed; the first ones may have to prepare something."""
+    number = 1
+    while timer.timeit(number) < LEAST:
+        number *= 2
+    return number
 
 
 def timed(

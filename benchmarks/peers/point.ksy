@@ -1,0 +1,29 @@
+# The point record of CK10: 64 bytes.
+meta: {id: point, endian: be}
+seq:
+  - {id: position, type: s4}
+  - {id: low_speed, type: u4}
+  - {id: high_speed, type: u4}
+  - {id: acceleration_time, type: u2}
+  - {id: deceleration_time, type: u2}
+  - {id: command, type: u2}
+  - {id: waiting_time, type: u2}
+  - {id: reserved_0, type: u2}
+  - {id: jump_point, type: u2}
+  - {id: jump_point_of_input_0, type: u2}
+  - {id: jump_point_of_input_1, type: u2}
+  - {id: jump_point_of_input_2, type: u2}
+  - {id: loop_count, type: u2}
+  - {id: loop_jump_point, type: u2}
+  - {id: output_setting, type: u2}
+  - {id: clear_loop_counter_of, type: u2}
+  - {id: check_in_position, type: u2}
+  - {id: trigger_position, type: s4}
+  - {id: trigger_time, type: u2}
+  - {id: push_torque_ratio, type: u2}
+  - {id: push_speed, type: u4}
+  - {id: push_position, type: s4}
+  - {id: push_mode, type: u2}
+  - {id: reserved_1, type: u2}
+  - {id: reserved_2, type: u2}
+  - {id: reserved_3, type: u2}
