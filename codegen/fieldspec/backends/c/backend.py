@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.backends.c.comments import told
-from fieldspec.backends.c.enums import enum_lines, text_lines
+from fieldspec.backends.c.enums import coded, enum_lines, text_lines
 from fieldspec.backends.c.frames import link_lines
 from fieldspec.backends.c.machine import OWN_MACROS, machine_lines
 from fieldspec.backends.c.naming import Naming, stem
@@ -21,7 +21,6 @@ from fieldspec.backends.c.words import flags_lines
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
 
-_PLAIN_KINDS = ("enum", "function", "type")
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
 
@@ -70,7 +69,6 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         ("Parameters", [b for held in device.parameters.values() for b in parameter_lines(naming, device, held)]),
         ("Frames", [link_lines(naming, layout, link) for link in layout.links.values()]),
     ]
-    coded = [enum for enum in device.enums.values() if enum.kind not in _PLAIN_KINDS]
     return fill(
         "c/header.h.j2",
         title=plain(f"{device.name} ({device.vendor}), version {device.version}"),
@@ -83,10 +81,10 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity),
         sections=[(name, ["\n".join(block) for block in blocks]) for name, blocks in sections if blocks],
-        switches=_switches(naming, algorithms, bool(coded), bool(device.conversions)),
+        switches=_switches(naming, algorithms, bool(coded(device)), bool(device.conversions)),
         texts_macro=naming.own_macro("with_texts"),
         text_type=naming.own("code_text"),
-        texts=["\n".join(text_lines(naming, enum)) for enum in coded],
+        texts=["\n".join(text_lines(naming, enum)) for enum in coded(device)],
     )
 
 
@@ -100,10 +98,10 @@ def _claim(naming: Naming, version: str, versions: Sequence[str]) -> None:
     claim_selection(naming, versions)
 
 
-def _switches(naming: Naming, algorithms: set[str], coded: bool, converting: bool) -> list[str]:
+def _switches(naming: Naming, algorithms: set[str], texts: bool, converting: bool) -> list[str]:
     """What may be defined before the header is included."""
     known = (
-        ("with_texts", "for the texts of codes, which take memory", coded),
+        ("with_texts", "for the texts of codes, which take memory", texts),
         ("without_double", "to leave conversions out, which need double", converting),
         ("wide_crc_table", "for a faster check with a table of 512 bytes", "crc16_modbus" in algorithms),
     )

@@ -13,6 +13,14 @@ from fieldspec.model.value import Value
 _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = 2**63 - 1
 
+# Enums that are no tables of codes, and have no texts but their members' comments.
+_PLAIN_KINDS = ("enum", "function", "type")
+
+
+def coded(device: Device) -> list[Enum]:
+    """The tables of codes, which have texts: alarms, faults, exceptions, errors."""
+    return [enum for enum in device.enums.values() if enum.kind not in _PLAIN_KINDS]
+
 
 def available(enum: Enum) -> list[Member]:
     """The members that a value may be."""

@@ -226,7 +226,10 @@ def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayo
     number = f"uint{8 * held.size}_t"
     at = f"out + {part.offset}"
     if part.role == "length":
-        limit = refused(naming, f"total > {held.value.type.high}u", "err_wrong_length")
+        highest = held.value.type.high
+        limit = refused(naming, f"total > {highest}u", "err_wrong_length")
+        if highest >= 0xFFFF:
+            limit = [f"#if SIZE_MAX > {highest}u", *limit, "#endif"]
         return [*limit, f"{store}({at}, ({number})total);"]
     if part.role == "code":
         return [

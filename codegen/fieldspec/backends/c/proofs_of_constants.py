@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.backends.c.assertions import same
-from fieldspec.backends.c.enums import available
+from fieldspec.backends.c.enums import available, coded
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.parameters import wire_type
 from fieldspec.backends.c.text import hexadecimal, indented, integer, string
@@ -22,6 +22,7 @@ def constants(layout: DeviceLayout, naming: Naming) -> Iterator[list[str]]:
     found = [
         [line for word in device.flags.values() for line in _word(naming, word)],
         [line for enum in device.enums.values() for line in _enum(naming, enum)],
+        [line for enum in coded(device) for line in _texts(naming, enum)],
         list(_messages(layout, naming)),
         list(_addresses(layout, naming)),
         [line for held in device.parameters.values() for line in _numbers(naming, held)],
@@ -62,7 +63,7 @@ def _states(naming: Naming, word: Flags) -> Iterator[str]:
 
 
 def _enum(naming: Naming, enum: Enum) -> Iterator[str]:
-    """Which values a closed enum knows, and the texts of codes."""
+    """Which values a closed enum knows."""
     members = available(enum)
     largest = max((member.value for member in members), default=0)
     wide = largest >= 2**63
@@ -72,16 +73,19 @@ def _enum(naming: Naming, enum: Enum) -> Iterator[str]:
             yield same(known, f"{known}({integer(member.value, 8, not wide)})", "true")
         if largest + 1 < 2**63:
             yield same(known, f"{known}({integer(largest + 1, 8)})", "false")
-    if enum.kind not in ("enum", "function", "type"):
-        text = naming.function("enum", enum.name, "text")
-        for member in [member for member in enum.members if member.value < 2**63]:
-            call, number = f"{text}({integer(member.value, 8)})", -1 if member.number is None else member.number
-            names = ((member.name, "name"), (member.printed_name, "printed"))
-            tests = [f"same_text({call}->{end}, {string(name)})" for name, end in names]
-            tests = [f"{call} != NULL", f"{call}->number == {integer(number, 8)}", *tests]
-            yield f"expect({' && '.join(tests)}, {string(text)});"
-        unknown = next(code for code in range(len(enum.members) + 1) if enum.member(code) is None)
-        yield same(text, f"{text}({integer(unknown, 8)})", "NULL")
+
+
+def _texts(naming: Naming, enum: Enum) -> Iterator[str]:
+    """The names of codes, and what is said of a code that there is not."""
+    text = naming.function("enum", enum.name, "text")
+    for member in [member for member in enum.members if member.value < 2**63]:
+        call, number = f"{text}({integer(member.value, 8)})", -1 if member.number is None else member.number
+        names = ((member.name, "name"), (member.printed_name, "printed"))
+        tests = [f"same_text({call}->{end}, {string(name)})" for name, end in names]
+        tests = [f"{call} != NULL", f"{call}->number == {integer(number, 8)}", *tests]
+        yield f"expect({' && '.join(tests)}, {string(text)});"
+    unknown = next(code for code in range(len(enum.members) + 1) if enum.member(code) is None)
+    yield same(text, f"{text}({integer(unknown, 8)})", "NULL")
 
 
 def _messages(layout: DeviceLayout, naming: Naming) -> Iterator[str]:

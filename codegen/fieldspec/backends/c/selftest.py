@@ -7,6 +7,7 @@ from typing import Any
 
 from fieldspec.backends.c.assertions import assigned, compared, same
 from fieldspec.backends.c.decided import Decided, every
+from fieldspec.backends.c.enums import coded
 from fieldspec.backends.c.expected import field_value, high_value, record_bytes, record_value
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, member
@@ -30,7 +31,7 @@ def program(layout: DeviceLayout, naming: Naming, header: str) -> str:
         title=plain(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
         selftest=naming.own("selftest"),
-        texts_macro=naming.own_macro("with_texts"),
+        texts_macro=naming.own_macro("with_texts") if coded(layout.device) else "",
         tests=[(f"test_{at}", "\n".join(lines)) for at, lines in enumerate(tests)],
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t", "?": "\\?"}
@@ -32,9 +33,10 @@ def comment(*texts: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """A text that ends no comment and starts none, on one line, without trigraphs or joined lines."""
+    """A text that ends no comment and starts none, on one line, without trigraphs, joined lines or marks of HTML."""
     text = "".join(char if char.isprintable() else " " for char in text)
     text = text.replace("*/", "* /").replace("/*", "/ *").replace("//", "/ /").replace("??", "? ?")
+    text = re.sub(r"<(?=[A-Za-z/!])", "< ", text)
     return " ".join(text.replace("\\", "\\ ").replace("@", "(at)").split())
 
 
