@@ -14,14 +14,14 @@ from fieldspec.model.parameter import ParameterSet
 from fieldspec.model.place import Place
 from fieldspec.model.register import RegisterGroup
 
-USED, RESERVED, UNDESCRIBED, OVERLAP, DECLARED, UNDECLARED, UNUSED = (
+USED, RESERVED, UNDESCRIBED, OVERLAP, DECLARED, UNDECLARED, UNLISTED = (
     "used",
     "reserved",
     "undescribed",
     "overlap",
     "declared_gap",
     "undeclared_gap",
-    "unused",
+    "unlisted",
 )
 STATES = {
     USED: "used",
@@ -30,9 +30,13 @@ STATES = {
     OVERLAP: "held twice",
     DECLARED: "declared gap",
     UNDECLARED: "undeclared gap",
-    UNUSED: "unused",
+    UNLISTED: "not listed",
 }
 """How an address may stand, with the words for it."""
+
+
+HOLES_MEANT = 4
+"""Where at least one of so many steps in a set of parameters skips numbers, it lists some of them only."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,7 +214,7 @@ def _aliases(device: Device) -> Iterator[Alias]:
 def _parameters(name: str, sets: Sequence[ParameterSet]) -> Space:
     blocks = sorted((_set(held) for held in sets if held.parameters), key=lambda block: block.first)
     highest = max((block.last for block in blocks), default=0)
-    title = sets[0].title if len(sets) == 1 and sets[0].title else name
+    title = sets[0].title if len(sets) == 1 and sets[0].title else f"Parameters: {name.replace('_', ' ')}"
     return Space(name, title, "numbers", 4 if highest > 0xFF else 2, tuple(blocks))
 
 
@@ -230,8 +234,11 @@ def _set(held: ParameterSet) -> Block:
     whole = held.numbers.intervals if held.numbers is not None else ()
     low, high = min((low, *(held.base + a for a, _ in whole))), max((high, *(held.base + b for _, b in whole)))
     runs = tuple(_runs(low, high, rows, gaps, held.place.path))
+    skips = sum(1 for one, after in pairwise(ordered) if after.number > one.number + one.count)
     if held.numbers is not None:
         runs = tuple(replace(run, state=UNDESCRIBED) if not run.holders else run for run in runs)
+    elif skips * HOLES_MEANT > len(ordered) - 1:
+        runs = tuple(replace(run, state=UNLISTED) if run.state == UNDECLARED else run for run in runs)
     return Block(held.name, held.title or held.name, held.place.path, held.place, runs)
 
 
@@ -254,12 +261,12 @@ def _messages(device: Device) -> Iterator[Space]:
 
 def _codes(link: Link, coded: bool, held: Sequence[Held]) -> Space:
     part = next((one.name for one in link.request if one.role == "code"), link.message_name)
-    word = part if coded else link.message_name
+    word = (part if coded else link.message_name).replace("_", " ")
     what = f"{word} codes" if coded else f"{word} numbers"
     low, high = held[0][0], held[-1][1]
     runs = _runs(low, high, held, [], "")
-    unused = tuple(run if run.holders else replace(run, state=UNUSED) for run in runs)
-    block = Block(word, what, link.place.path, link.place, unused)
+    listed = tuple(run if run.holders else replace(run, state=UNLISTED) for run in runs)
+    block = Block(word, what, link.place.path, link.place, listed)
     title = what[:1].upper() + what[1:]
     return Space(f"{link.name}_{what}".replace(" ", "_"), title, what, 2 if high <= 0xFF else 4, (block,))
 

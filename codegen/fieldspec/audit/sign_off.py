@@ -26,9 +26,7 @@ def sign_off(subject: Subject) -> Section:
     figures = (
         Figure("sections compared with the manual", len(compared), len(held), len(compared) == len(held)),
         Figure("sections compared by two readers or more", len(twice), len(held)),
-        Figure(
-            "sections as they were when last compared", len(same), len(compared), len(same) == len(compared) or None
-        ),
+        Figure("sections as they were when last compared", len(same), len(compared)),
     )
     tables = (_readings(found), _sections(held), _changed(held))
     return Section("sign_off", "Sign-off", (_SAYS,), figures, tables, (*wrong, *uncited(now, found)))

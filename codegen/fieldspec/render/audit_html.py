@@ -41,9 +41,9 @@ class _Table:
 
     anchor: str
     title: str
+    short: str
     count: str
     headings: tuple[str, ...]
-    numbered: tuple[str, ...]
     marked: bool
     rows: str
     detail: bool
@@ -159,15 +159,16 @@ def _number(figure: Figure) -> _Number:
 
 def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Table:
     marked = any(table.kinds)
-    numbered = tuple("number" if _counts(table, at) else "" for at in range(len(table.columns)))
-    rows = "".join(_row(section, table, number, numbered, marked, links) for number in range(len(table.rows)))
+    full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
+    styles = {at: ' class="number"' if _counts(table, at) else "" for at in full}
+    rows = "".join(_row(section, table, number, styles, marked, links) for number in range(len(table.rows)))
     many = len(table.rows)
     return _Table(
         f"{section}-{table.name}",
         clean(table.title),
+        clean(table.title.partition(". ")[0]),
         f"{many} row" if many == 1 else f"{many} rows",
-        tuple(column.replace("_", " ") for column in table.columns),
-        numbered,
+        tuple(table.columns[at].replace("_", " ") for at in full),
         marked,
         rows,
         table.detail,
@@ -181,13 +182,12 @@ def _counts(table: SectionTable, at: int) -> bool:
 
 
 def _row(
-    section: str, table: SectionTable, number: int, numbered: Sequence[str], marked: bool, links: Mapping[str, str]
+    section: str, table: SectionTable, number: int, styles: Mapping[int, str], marked: bool, links: Mapping[str, str]
 ) -> str:
+    """A row with the cells of some columns, each in its style."""
     kind = table.kinds[number] if table.kinds else ""
     cells = [_sign(kind)] if marked else []
-    for at, cell in enumerate(table.rows[number]):
-        style = f' class="{numbered[at]}"' if numbered[at] else ""
-        cells.append(f"<td{style}>{_cell(cell, links)}</td>")
+    cells += [f"<td{style}>{_cell(table.rows[number][at], links)}</td>" for at, style in styles.items()]
     style = f' class="{kind}"' if kind else ""
     return f'<tr id="{section}-{table.name}-{number + 1}"{style}>{"".join(cells)}</tr>\n'
 

@@ -8,42 +8,48 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.audit.address_map import DECLARED, STATES, UNDECLARED, UNDESCRIBED, UNUSED, Block, Run, Space
+from fieldspec.audit.address_map import DECLARED, STATES, UNDECLARED, UNDESCRIBED, UNLISTED, Block, Run, Space
 from fieldspec.backends.docs.document import clean
 from fieldspec.classes import dataclass
 
 A_ROW = 16
-_BOX, _HIGH, _LEFT, _HEAD, _FOLDED = 60, 24, 62, 16, 18
-_LETTER = 5.2
+_BOX, _HIGH, _LEFT, _HEAD, _FOLDED = 60, 30, 62, 16, 20
+_LETTER = 5.8
 """The width of a letter of a box's text, as wide as any that is common."""
 
 _LEAST_LETTERS = 3
+_LEADING = 11
 _LINE = 0x1000
 _OVERVIEW = 960
-_EMPTY = (DECLARED, UNDECLARED, UNDESCRIBED, UNUSED)
+_EMPTY = (DECLARED, UNDECLARED, UNDESCRIBED, UNLISTED)
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A line in a box, where it begins and stands."""
+
+    x: int
+    y: int
+    text: str
 
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangle: how it stands, what it says, and what it says at length."""
+    """A rectangle: how it stands, what it says in one line or two, and what it says at length."""
 
     x: int
     y: int
     width: int
     height: int
     state: str
-    text: str
+    lines: tuple[str, ...]
     title: str
 
     @property
-    def text_x(self) -> int:
-        """Where its text begins."""
-        return self.x + 4
-
-    @property
-    def text_y(self) -> int:
-        """Where its text stands."""
-        return self.y + self.height // 2 + 4
+    def texts(self) -> tuple[Text, ...]:
+        """Its lines where they stand, in the middle of its height."""
+        first = self.y + self.height // 2 + (4 if len(self.lines) == 1 else -2)
+        return tuple(Text(self.x + 4, first + number * _LEADING, line) for number, line in enumerate(self.lines))
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,9 +113,10 @@ def _overview(space: Space) -> Drawing:
             x = _LEFT + (first % _LINE) * _OVERVIEW // _LINE
             width = max(3, (last - first + 1) * _OVERVIEW // _LINE)
             title = f"{space.written(block.first)} to {space.written(block.last)}: {clean(block.title)}"
-            boxes.append(Box(x, rows[line] + 3, width, _HIGH - 6, "used", _fitting(clean(block.title), width), title))
+            lines_of = _fitting(clean(block.title), width, 1)
+            boxes.append(Box(x, rows[line] + 5, width, _HIGH - 10, "used", lines_of, title))
     marks = [Mark(_LEFT + part * _OVERVIEW // 4, _HEAD - 4, f"+{part * _LINE // 4:03X}h", "start") for part in range(4)]
-    marks += [Mark(_LEFT - 6, y + _HIGH - 8, f"{line * _LINE:04X}h", "end") for line, y in rows.items()]
+    marks += [Mark(_LEFT - 6, y + _HIGH // 2 + 4, f"{line * _LINE:04X}h", "end") for line, y in rows.items()]
     names = "; ".join(
         f"{clean(block.title)} from {space.written(block.first)} to {space.written(block.last)}"
         for block in space.blocks
@@ -131,11 +138,12 @@ def _block(space: Space, block: Block) -> Drawing:
     marks = [Mark(_LEFT + at * _BOX + _BOX // 2, _HEAD - 4, f"{at:X}", "middle") for at in range(A_ROW)]
     y = _HEAD
     for first, last in _lines(block):
-        marks.append(Mark(_LEFT - 6, y + 16, space.written(first), "end"))
-        if last - first >= A_ROW:
+        folded = last - first >= A_ROW
+        marks.append(Mark(_LEFT - 6, y + (14 if folded else 19), space.written(first), "end"))
+        if folded:
             run = next(run for run in block.runs if run.first <= first <= run.last)
             text = f"to {space.written(last)}: {_said(run)}"
-            boxes.append(Box(_LEFT, y + 1, A_ROW * _BOX, _FOLDED - 2, run.state, _fitting(text, A_ROW * _BOX), text))
+            boxes.append(Box(_LEFT, y + 1, A_ROW * _BOX, _FOLDED - 2, run.state, _fitting(text, A_ROW * _BOX, 1), text))
             y += _FOLDED
             continue
         boxes += _pieces(space, block, first, y)
@@ -185,9 +193,9 @@ def _pieces(space: Space, block: Block, line: int, y: int) -> Iterator[Box]:
         about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
         ends = space.written(run.first) + (f" to {space.written(run.last)}" if run.size > 1 else "")
         title = f"{ends}: {_said(run)}{f', {about}' if about else ''}"
-        text = _fitting(name, width) if first == run.first or run.size > A_ROW else ""
         x = _LEFT + (first - line) * _BOX
-        yield Box(x, y + 1, width, _HIGH - 2, run.state, text, clean(title))
+        lines = _fitting(f"…{name}" if name and first > run.first else name, width, 2)
+        yield Box(x, y + 1, width, _HIGH - 2, run.state, lines, clean(title))
 
 
 def _said(run: Run) -> str:
@@ -199,9 +207,18 @@ def _said(run: Run) -> str:
     return f"{names} ({state})" if names else f"{state}{f', {clean(run.reason)}' if run.reason else ''}"
 
 
-def _fitting(text: str, width: int) -> str:
-    """As much of a text as fits into a box."""
-    most = int((width - 8) / _LETTER)
+def _fitting(text: str, width: int, lines: int) -> tuple[str, ...]:
+    """As much of a text as fits into a box: its beginning and, on a second line, its end, by which names differ."""
+    most = int((width - 6) / _LETTER)
     if len(text) <= most:
-        return text
-    return f"{text[: most - 1]}…" if most > _LEAST_LETTERS else ""
+        return (text,) if text else ()
+    if most <= _LEAST_LETTERS:
+        return ()
+    if lines == 1:
+        return (f"{text[: most - 1]}…",)
+    breaks = [at for at, sign in enumerate(text) if sign == "_" and at <= most and len(text) - at <= most]
+    if breaks:
+        return text[: breaks[-1]], text[breaks[-1] :]
+    if len(text) <= 2 * most:
+        return text[:most], text[most:]
+    return f"{text[: most - 1]}…", f"…{text[len(text) - most + 1 :]}"
