@@ -166,6 +166,8 @@ class Comparison:
 
     def _enter(self, noun: type, pair: Pair[Any]) -> None:
         """Keeps a pair that differs, and pairs what it holds."""
+        if pair.old is pair.new and not NOUNS[noun].holds:
+            return
         if getattr(pair.old, "reserved", False) != getattr(pair.new, "reserved", False):
             self.turned.append(pair)
         elif OWN[noun](pair.old) != OWN[noun](pair.new):
