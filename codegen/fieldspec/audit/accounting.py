@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from fieldspec.audit.agreement import corrects, says
 from fieldspec.audit.alignment import Aligned
-from fieldspec.audit.cited import Cited, OnLine, corrects, says
+from fieldspec.audit.cited import Cited, OnLine
 from fieldspec.audit.pattern import Found, Held
 from fieldspec.audit.plan import LeftOut, Pattern, Plan, within
+from fieldspec.audit.spelling import readings
 from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
 STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)
+LONGEST_SERIES = 4096
 LINE = "line"
 """The kind of a line that has a number, and of which no pattern says what it is."""
 
@@ -36,40 +40,44 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True)
 class Accounts:
-    """All candidates, the patterns that have found none, and what is left out without being there."""
+    """All candidates, the patterns that have found none, and what is left out without being there.
+
+    `needed` are the paths of the facts without which something would not be accounted for.
+    """
 
     candidates: Sequence[Candidate]
     unused: Sequence[Pattern | LeftOut]
+    needed: frozenset[str]
 
 
 def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
     """Looks through the manual line by line: its patterns first, then whatever else has a number."""
     made: list[Candidate] = []
     used: set[int] = set()
+    needed: set[str] = set()
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
         at = manual.known[number - 1]
+        section = plan.section(at)
         out = _left_out(plan, at, text)
         before = len(made)
         told = OnLine() if number in manual.new else cited.at(at)
         pieces = list(_pieces(plan, at, text))
         used.update(id(pattern) for pattern, _ in pieces)
-        for pattern, found in pieces:
-            status, missing = _standing(found, told, cited)
+        for (pattern, found), (status, missing) in zip(pieces, _standings(pieces, told, cited, needed), strict=True):
             if status == OPEN and out is not None:
                 status, missing = LEFT_OUT, ()
-            made.append(
-                Candidate(pattern.kind, number, at, plan.section(at), found.start, found.end, status, missing, pattern)
-            )
+            place = number, at, section, found.start, found.end
+            made.append(Candidate(pattern.kind, *place, status, missing, pattern))
         if not pieces and any(char.isdigit() for char in text):
             known = number not in manual.new and at in cited.lines
             status = COVERED if known else LEFT_OUT if out is not None else OPEN
-            made.append(Candidate(LINE, number, at, plan.section(at), 0, len(text), status))
+            made.append(Candidate(LINE, number, at, section, 0, len(text), status))
         if out is not None and any(one.status == LEFT_OUT for one in made[before:]):
             used.add(id(out))
     declared: list[Pattern | LeftOut] = [*plan.patterns, *plan.left_out]
-    return Accounts(made, [one for one in declared if id(one) not in used])
+    return Accounts(made, [one for one in declared if id(one) not in used], frozenset(needed))
 
 
 def _left_out(plan: Plan, line: int, text: str) -> LeftOut | None:
@@ -87,18 +95,50 @@ def _pieces(plan: Plan, line: int, text: str) -> Iterator[tuple[Pattern, Found]]
             if pattern.row is not None:
                 found = pattern.row.find(text)
                 if found is not None:
-                    yield pattern, found
+                    yield pattern, _whole(pattern, found)
             elif pattern.each is not None:
                 for one in pattern.each.each(text):
-                    yield pattern, one
+                    yield pattern, _whole(pattern, one)
 
 
-def _standing(found: Found, told: OnLine, cited: Cited) -> tuple[str, tuple[Held, ...]]:
-    """How a piece stands: each of its values must be one of a fact, or of an erratum, that cites the line."""
-    open_ = [held for held in found.values if not any(says(row, held, cited.elided) for row in told.facts)]
-    missing = tuple(held for held in open_ if not any(corrects(erratum, held) for erratum in told.errata))
-    if not found.values:
-        return (COVERED, ()) if told.facts or told.errata else (OPEN, ())
-    if missing:
-        return OPEN, missing
-    return (CORRECTED if open_ else COVERED), ()
+def _owners(paths: set[str]) -> set[str]:
+    """Facts without those that are parts of others: a message and its fields have one code."""
+    return {path for path in paths if not any(path.startswith(f"{other}/") for other in paths)}
+
+
+def _whole(pattern: Pattern, found: Found) -> Found:
+    """A piece; of a series, with all numbers from the first to the last in place of those two."""
+    if not pattern.series or len(found.values) != 2:
+        return found
+    low, high = (readings(held.text, held.form)[:1] for held in found.values)
+    if not low or not high or not 0 <= high[0] - low[0] <= LONGEST_SERIES:
+        return found
+    column = found.values[0].column
+    numbers = range(int(low[0]), int(high[0]) + 1)
+    return Found(tuple(Held(column, "decimal", str(number)) for number in numbers), found.start, found.end)
+
+
+def _standings(
+    pieces: Sequence[tuple[Pattern, Found]], told: OnLine, cited: Cited, needed: set[str]
+) -> Iterator[tuple[str, tuple[Held, ...]]]:
+    """How the pieces of a line stand: each value must be one of a fact, or of an erratum, that cites the line.
+
+    What a pattern finds in several pieces of the line must be said by as many facts. Paths of facts go to `needed`.
+    """
+    times = Counter((pattern.name, held) for pattern, found in pieces for held in {*found.values})
+    seen: Counter[tuple[str, Held]] = Counter()
+    for pattern, found in pieces:
+        corrected, missing = False, []
+        for held in dict.fromkeys(found.values):
+            key = pattern.name, held
+            seen[key] += 1
+            paths = _owners({str(row["path"]) for row in told.facts if says(row, held, cited.elided)})
+            if len(paths) == times[key]:
+                needed.update(path.partition("/restated/")[0] for path in paths)
+            if len(paths) < seen[key]:
+                corrected = any(corrects(erratum, held) for erratum in told.errata)
+                missing += [] if corrected else [held]
+        if found.values:
+            yield (OPEN if missing else CORRECTED if corrected else COVERED), tuple(missing)
+        else:
+            yield (COVERED if told.facts or told.errata else OPEN), ()

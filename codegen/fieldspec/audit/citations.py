@@ -55,9 +55,13 @@ class Missing:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """The citations that were looked up, those that fail, and exceptions that nothing needs."""
+    """The citations that were looked up, those that fail, and exceptions that nothing needs.
+
+    `numbered` are the paths of the facts that are known by a number.
+    """
 
     looked_up: int
+    numbered: frozenset[str]
     missing: tuple[Missing, ...]
     excepted: int
     unused: tuple[Unprinted, ...]
@@ -102,9 +106,10 @@ def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
                 missing.append(one)
             else:
                 used.add(id(out))
+    numbered = frozenset(claim.path.partition("/restated/")[0] for claim in claims.values() if claim.key in NUMBERS)
     unused = tuple(one for one in plan.unprinted if id(one) not in used)
     excepted = sum(_excepted(plan, claim.path) is not None for claim in claims.values())
-    return Judged(looked_up, tuple(missing), excepted, unused)
+    return Judged(looked_up, numbered, tuple(missing), excepted, unused)
 
 
 def _put(printed: object) -> str:

@@ -112,6 +112,8 @@ def _figures(counted: Accounts, claims: Judged) -> Iterator[Figure]:
     yield Figure("are covered with a correction", states[CORRECTED], whole)
     yield Figure("are left out on purpose", states[LEFT_OUT], whole)
     yield Figure("are not accounted for", states[OPEN], whole, states[OPEN] == 0)
+    needed = len(counted.needed & claims.numbered)
+    yield Figure("facts that have a number would be missed if they were gone", needed, len(claims.numbered))
     failing = len({(one.path, one.what) for one in claims.missing})
     yield Figure(
         "addresses, codes, identifiers and prints stand where the spec cites them",

@@ -31,7 +31,7 @@ class ManualSection:
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """What looks like a fact: a row, or any piece of a line."""
+    """What looks like a fact: a row, or any piece of a line. Of a `series`, the first and the last one are printed."""
 
     name: str
     kind: str
@@ -39,6 +39,7 @@ class Pattern:
     lines: Lines
     row: Row | None
     each: Template | None
+    series: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +124,7 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
             inner.refuse("audit_sound", key, f"the pattern is not understood: {error}", "see docs/audit.md")
             continue
         where = _lines(inner, sections, lines)
-        yield Pattern(inner.text("name"), inner.text("kind"), inner.place(), where, rows, each)
+        yield Pattern(inner.text("name"), inner.text("kind"), inner.place(), where, rows, each, inner.flag("series"))
 
 
 def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[LeftOut]:

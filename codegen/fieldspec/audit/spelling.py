@@ -44,6 +44,7 @@ class Numbers:
         return any(digits.zfill(len(digits) + len(digits) % 2) in characters for characters in self.characters)
 
 
+@lru_cache(maxsize=16384)
 def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
     """The numbers that a spelling may mean: `10h` and `0x10` are sixteen, `1,000` is a thousand.
 
