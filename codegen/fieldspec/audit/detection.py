@@ -23,33 +23,34 @@ WIRE = ("bytes", "range")
 CLASSES = {
     "frame": ("frame", "values", "characters"),
     "address or number": ("at", "base", "decimal", "number", "wire_number", "code", "refusal_code", "index", "stride"),
-    "size or position": (
-        "words",
-        "span",
-        "word_span",
-        "size",
-        "length",
-        "request",
-        "response",
-        "repeat",
-        "count",
-        "elements",
-    ),
+    "size": ("words", "size", "length", "request", "response", "repeat", "count", "elements"),
+    "position": ("span", "word_span"),
     "bits": ("bit", "bits"),
-    "order": ("byte_order", "word_order", "start", "bit_order"),
+    "framing": ("byte_order", "word_order", "initial"),
     "type": ("type",),
     "range or default": ("range", "unit_range", "default", "unit_default", "min", "max", "numbers", "gaps"),
     "unit or scale": ("unit", "scale", "offset"),
     "code or cell": ("value", "enum", "flags", "cells", "members", "enum_values"),
-    "condition": ("since", "until", "only", "applies_to", "messages", "supplements", "access", "restart", "reserved"),
+    "condition": (
+        "since",
+        "until",
+        "only",
+        "applies_to",
+        "messages",
+        "supplements",
+        "access",
+        "restart",
+        "reserved",
+        "available_since",
+    ),
     "left out": ("present",),
     "name": ("name", "printed_name", "label"),
     "description": ("doc", "title", "one", "zero", "problem", "cause", "remedy"),
 }
 """The classes of misprints, by the first key that is misprinted."""
 
-WORDING = "wording"
-"""The class of what no key holds: a sentence that is wrong, unclear, or missing."""
+OTHER, WORDING = "other", "wording"
+"""The classes of what is misprinted in another key, and of what no key holds: a sentence that is wrong or missing."""
 
 OF_WRITING = ("allowances_used", "facts_verified", "inferred_keys_given", "sources_present")
 """What finds slips of who writes the spec. Who does not know of an erratum would have written it otherwise."""
@@ -85,7 +86,7 @@ class Printed:
 def misprint(erratum: Erratum) -> str:
     """The class of an erratum's misprint."""
     kinds = (kind for key in erratum.printed for kind, keys in CLASSES.items() if key in keys)
-    return next(kinds, WORDING)
+    return next(kinds, OTHER if erratum.printed else WORDING)
 
 
 def as_printed(spec: DeviceSpec, proofs: Iterable[Proof]) -> Printed:
@@ -183,7 +184,7 @@ def _figure(what: str, of: Sequence[Detection], judged: bool | None) -> Figure:
 
 def _classes(every: Sequence[Detection]) -> SectionTable:
     rows = []
-    for kind in (*CLASSES, WORDING):
+    for kind in (*CLASSES, OTHER, WORDING):
         own = [one for one in every if one.kind == kind]
         wire = [one for one in own if one.erratum.effect in WIRE]
         if own:
