@@ -43,10 +43,10 @@ def coded(device: Device) -> Iterator[tuple[Enum, tuple[Text, ...]]]:
     for enum in device.enums.values():
         members = sorted(available(enum), key=lambda member: member.value)
         if enum.kind in KINDS and members:
-            yield enum, tuple(Text(member.value, _text(enum, member), member) for member in members)
+            yield enum, tuple(Text(member.value, meaning(enum, member), member) for member in members)
 
 
-def _text(enum: Enum, member: Member) -> str:
+def meaning(enum: Enum, member: Member) -> str:
     """What stands on the device's own panel, if that is a form of the code, then the name, then what is wrong."""
     shown = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
     title = shown + Name.of(member.name).title()

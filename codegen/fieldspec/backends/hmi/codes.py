@@ -7,10 +7,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum, Member
-from fieldspec.names import Name
-
-KINDS = ("alarm", "fault", "warning", "error", "exception")
-"""The enums that are codes of something that happens, as opposed to values that are set."""
+from fieldspec.plc.texts import KINDS, meaning
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,14 +30,7 @@ def lists(device: Device) -> Iterator[tuple[Enum, tuple[Code, ...]]]:
 
 
 def _code(enum: Enum, member: Member) -> Code:
-    return Code(enum.kind, enum.name, member, _text(enum, member), _cause(member), _remedy(member))
-
-
-def _text(enum: Enum, member: Member) -> str:
-    """What stands on the device's own panel, if that is a form of the code, then the name, then what is wrong."""
-    shown = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
-    title = shown + Name.of(member.name).title()
-    return f"{title}: {member.problem}" if member.problem else title
+    return Code(enum.kind, enum.name, member, meaning(enum, member), _cause(member), _remedy(member))
 
 
 def _cause(member: Member) -> str:
