@@ -84,6 +84,7 @@ IGNORED = {
     "Message/Record.only": "it is that of the message",
     "Message/Record.size": "it is printed for records alone",
     "Message/Record.words": "it is printed for records alone",
+    "Message/Record.same_as": "it is said of records alone",
 }
 """`Class.attribute`, `Holder/Class.attribute`, or `*.attribute` for all classes, and why no rule looks at it."""
 

@@ -85,7 +85,7 @@ TEXTS: dict[type, Texts] = {
         **_FACT,
         **_named("title", "group", "request_length", "response_length", "request_words", "response_words"),
     },
-    Record: {**_FACT, **_named("size", "words")},
+    Record: {**_FACT, **_named("size", "words", "same_as")},
     Field: {**_OF_VALUE, **_named("at", "words", "span", "word_span", "signal")},
     Case: _OF_VALUE,
     Enum: {**_FACT, **_named("kind", "title", "gaps", "printed_as", "derived")},
