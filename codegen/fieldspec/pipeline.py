@@ -22,7 +22,7 @@ def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Proj
 
 def checked(project: Project) -> list[Diagnostic]:
     """All findings of all files and devices, in order."""
-    found = [finding for spec in project.devices.values() for finding in proven(spec)]
+    found = [finding for spec in project.devices.values() for finding in findings(spec)]
     return in_order([*project.found, *found])
 
 
@@ -36,15 +36,30 @@ def layouts(spec: DeviceSpec) -> list[DeviceLayout]:
     ]
 
 
+def findings(spec: DeviceSpec) -> list[Diagnostic]:
+    """The findings of one device at all its versions, beyond those of its files."""
+    return proven(spec)
+
+
 def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, bytes]:
     """The files of some outputs of some devices, by path relative to the folder of generated files."""
     devices = list(devices)
     made: dict[str, bytes] = {}
     for name in names:
-        output = OUTPUTS[name]
-        files = [output.shared(), *(output.files(versions) for versions in devices)]
-        made |= {f"{name}/{path}": _content(held) for part in files for path, held in part.items()}
+        made |= shared(name)
+        for versions in devices:
+            made |= output(name, versions)
     return made
+
+
+def output(name: str, versions: list[DeviceLayout]) -> dict[str, bytes]:
+    """The files of one output of one device, by path."""
+    return {f"{name}/{path}": _content(held) for path, held in OUTPUTS[name].files(versions).items()}
+
+
+def shared(name: str) -> dict[str, bytes]:
+    """The files of one output that belong to no device, by path."""
+    return {f"{name}/{path}": _content(held) for path, held in OUTPUTS[name].shared().items()}
 
 
 def _content(held: str | Workbook) -> bytes:

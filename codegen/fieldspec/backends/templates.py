@@ -25,3 +25,9 @@ def _environment() -> jinja2.Environment:
 def fill(template: str, **view: Any) -> str:
     """The text of a template, given by its path below `backends/` or `render/`, over a view of computed values."""
     return _environment().get_template(template).render(**view)
+
+
+def prepare() -> None:
+    """Compiles all templates, so that nobody waits for it later."""
+    for name in _environment().list_templates(["j2"]):
+        _environment().get_template(name)

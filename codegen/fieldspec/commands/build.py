@@ -1,71 +1,66 @@
-"""`fieldspec build`: writes the outputs, all or nothing."""
+"""`fieldspec build`: writes the outputs, all or nothing, and makes only those anew whose inputs have changed."""
 
 from __future__ import annotations
 
 import argparse
-import errno
-import hashlib
 import json
-import os
-import sys
-import tempfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from fieldspec.commands import specs
-from fieldspec.commands.output import on_terminal, print_findings
+from fieldspec.commands import placing, sources
+from fieldspec.commands.caching import digest
+from fieldspec.commands.fresh import Earlier, Hashes
+from fieldspec.commands.making import Made, Wanted, made
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.diagnostics import has_errors
-from fieldspec.layout.device import DeviceLayout
 
 MANIFEST = "manifest.json"
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Builds, or with `--check` tells what a build would change. Exit code 1 for findings and stale files."""
-    from fieldspec import pipeline
+    if arguments.watch:
+        from fieldspec.commands.watching import run as watch
 
-    wanted = [specs.split(text) for text in arguments.devices]
-    names = _outputs(arguments.to)
-    project = specs.project(arguments.specs, frozenset(device for device, _ in wanted))
-    with _progress(f"checking {len(project.devices)} devices"):
-        found = pipeline.checked(project)
-    if found:
-        print_findings(found, "text", "")
-    if has_errors(found):
-        return 1
-    devices: list[list[DeviceLayout]] = []
-    for device, spec in sorted(project.devices.items()):
-        named = [version for name, version in wanted if name == device] or [""]
-        picked = {specs.picked(spec, version) for version in named if version}
-        layouts = pipeline.layouts(spec)
-        devices.append([laid for laid in layouts if "" in named or laid.device.version in picked])
-    with _progress(f"writing {', '.join(names)}"):
-        made = pipeline.outputs(devices, names)
+        return watch(arguments)
+    return build(arguments)
+
+
+def build(arguments: argparse.Namespace) -> int:
+    """Builds once."""
+    wanted = Wanted(_outputs(arguments.to), _devices(arguments.devices))
+    path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
     out = Path(arguments.out)
+    earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
+    result = made(wanted, path, files, earlier)
+    if result.found:
+        from fieldspec.commands.output import print_findings
+        from fieldspec.diagnostics import has_errors
+
+        print_findings(result.found, "text", "")
+        if has_errors(result.found):
+            return 1
     before = _manifest(out)
-    whole = not arguments.devices
-    gone = _gone(before, made, names) if whole else []
-    identities = {} if whole else dict(before["identities"])
-    for laid in (laid for some in devices for laid in some):
-        identities |= {f"{laid.device.id}@{version}": laid.identity for version in (laid.device.version, *laid.twins)}
-    wanted_files = {**made, MANIFEST: _renewed(before, made, gone, identities)}
-    stale = sorted(path for path, content in wanted_files.items() if _differs(out / path, content))
+    hashes = _hashes(wanted, result)
+    gone = _gone(before, hashes, wanted.outputs) if wanted.whole else []
+    manifest = _renewed(before, wanted, result, hashes, gone)
+    contents = {**result.contents, MANIFEST: manifest}
+    stale = sorted(path for path, content in contents.items() if earlier.hash_of(path) != digest(content))
     if arguments.check:
         return _report(stale, gone)
     if stale or gone:
-        _write(out, {path: wanted_files[path] for path in stale}, gone)
-    print(f"{len(made)} files, {len(set(stale) - {MANIFEST})} written, {len(gone)} removed")
+        placing.place(out, {path: contents[path] for path in stale}, gone)
+    if not wanted.picked:
+        earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
+    print(f"{len(hashes)} files, {len(set(stale) - {MANIFEST})} written, {len(gone)} removed")
     return 0
 
 
-def _outputs(text: str | None) -> list[str]:
+def _outputs(text: str | None) -> tuple[str, ...]:
     from fieldspec.backends import OUTPUTS
 
     if text is None:
-        return list(OUTPUTS)
-    names = [name for name in text.split(",") if name]
+        return tuple(OUTPUTS)
+    names = tuple(name for name in text.split(",") if name)
     for name in names:
         if name not in OUTPUTS:
             raise unknown("output", name, OUTPUTS)
@@ -74,16 +69,17 @@ def _outputs(text: str | None) -> list[str]:
     return names
 
 
-@contextmanager
-def _progress(text: str) -> Iterator[None]:
-    """Says on a terminal what is being done."""
-    if not (on_terminal() and sys.stderr.isatty()):
-        yield
-        return
-    from rich.console import Console
+def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
+    """The versions that are asked for, by device; none where all are, as a device without a version asks for them."""
+    pairs = [sources.split(text) for text in texts]
+    named = {device: {version for name, version in pairs if name == device} for device, _ in pairs}
+    return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in named.items()}
 
-    with Console(stderr=True).status(text):
-        yield
+
+def _hashes(wanted: Wanted, result: Made) -> Hashes:
+    """The hashes of all files of the outputs that are built, whether they were made anew or not."""
+    holders = [result.shared, *(device.outputs for device in result.devices.values())]
+    return {path: one for held in holders for name in wanted.outputs for path, one in held.get(name, {}).items()}
 
 
 def _manifest(out: Path) -> dict[str, dict[str, str]]:
@@ -95,20 +91,24 @@ def _manifest(out: Path) -> dict[str, dict[str, str]]:
         return {"files": {}, "identities": {}}
 
 
-def _differs(path: Path, content: bytes) -> bool:
-    try:
-        return path.read_bytes() != content
-    except OSError:
-        return True
-
-
-def _gone(before: Mapping[str, Mapping[str, str]], made: Mapping[str, bytes], names: list[str]) -> list[str]:
+def _gone(before: Mapping[str, Mapping[str, str]], hashes: Hashes, names: Sequence[str]) -> list[str]:
     """Files of an earlier build that the outputs being built no longer produce."""
-    ours = (path for path in before["files"] if path.partition("/")[0] in names and path not in made)
+    ours = (path for path in before["files"] if path.partition("/")[0] in names and path not in hashes)
     return sorted(path for path in ours if ".." not in path.split("/"))
 
 
-def _report(stale: list[str], gone: list[str]) -> int:
+def _renewed(
+    before: Mapping[str, Mapping[str, str]], wanted: Wanted, result: Made, hashes: Hashes, gone: Sequence[str]
+) -> bytes:
+    identities = {} if wanted.whole else dict(before["identities"])
+    for device in result.devices.values():
+        identities |= device.identities
+    files = {path: one for path, one in before["files"].items() if path not in gone} | hashes
+    data = {"identities": dict(sorted(identities.items())), "files": dict(sorted(files.items()))}
+    return (json.dumps(data, indent=1) + "\n").encode("utf-8")
+
+
+def _report(stale: Sequence[str], gone: Sequence[str]) -> int:
     for path in stale:
         print(f"not fresh: {path}")
     for path in gone:
@@ -118,75 +118,3 @@ def _report(stale: list[str], gone: list[str]) -> int:
         return 0
     print("build again with: fieldspec build")
     return 1
-
-
-def _renewed(
-    before: Mapping[str, Mapping[str, str]], made: Mapping[str, bytes], gone: list[str], identities: Mapping[str, str]
-) -> bytes:
-    files = {path: digest for path, digest in before["files"].items() if path not in gone}
-    files |= {path: hashlib.sha256(content).hexdigest() for path, content in made.items()}
-    data = {"identities": dict(sorted(identities.items())), "files": dict(sorted(files.items()))}
-    return f"{json.dumps(data, indent=1)}\n".encode()
-
-
-def _write(out: Path, files: Mapping[str, bytes], gone: list[str]) -> None:
-    """Writes all files beside their folder first, then moves them into place; on failure nothing has changed."""
-    made = _missing(out)
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".fieldspec-", dir=out) as beside:
-            new, old = Path(beside, "new"), Path(beside, "old")
-            for path, content in files.items():
-                target = new / path
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(content)
-            _move(out, new, old, list(files), gone)
-    except OSError as error:
-        for folder in made:
-            with suppress(OSError):
-                folder.rmdir()
-        place = error.filename or out
-        raise UsageError(f"cannot write {place}: {error.strerror}; nothing was changed") from None
-
-
-def _move(out: Path, new: Path, old: Path, paths: list[str], gone: list[str]) -> None:
-    """Moves new files into place, keeping what was there until all are moved."""
-    kept: list[str] = []
-    placed: list[str] = []
-    made: list[Path] = []
-    try:
-        for path in [*paths, *gone]:
-            target = out / path
-            if target.is_dir():
-                raise IsADirectoryError(errno.EISDIR, "a folder is in the way", str(target))
-            if target.exists():
-                (old / path).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(target, old / path)
-                kept.append(path)
-            if path not in gone:
-                made = [*_missing(target.parent), *made]
-                target.parent.mkdir(parents=True, exist_ok=True)
-                os.replace(new / path, target)
-                placed.append(path)
-    except BaseException:  # an interrupt, too, leaves what was there
-        for path in placed:
-            (out / path).unlink(missing_ok=True)
-        for path in kept:
-            os.replace(old / path, out / path)
-        for folder in made:
-            with suppress(OSError):
-                folder.rmdir()
-        raise
-    for path in gone:
-        _remove_empty(out, (out / path).parent)
-
-
-def _missing(folder: Path) -> list[Path]:
-    """The folders that must be made for a folder to be there, the innermost first."""
-    return [above for above in (folder, *folder.parents) if not above.exists()]
-
-
-def _remove_empty(out: Path, folder: Path) -> None:
-    while folder != out and folder.is_dir() and not any(folder.iterdir()):
-        folder.rmdir()
-        folder = folder.parent

@@ -11,7 +11,7 @@ from fieldspec.commands import lists, specs
 from fieldspec.commands.compare import COLUMNS
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import has_errors
-from fieldspec.reading.project import MAIN
+from fieldspec.reading.folders import MAIN
 from fieldspec.schema import schema
 
 _FOLDER = re.compile(r"[^a-z0-9]+")

@@ -11,8 +11,9 @@ from string import Template
 
 from fieldspec.commands import specs
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.reading.folders import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.nodes import Mapping, identity, mappings
-from fieldspec.reading.project import MAIN, PROTOCOLS, VERSIONS, DeviceSpec, read
+from fieldspec.reading.project import DeviceSpec, read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import schema

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from fieldspec.classes import dataclass
 from fieldspec.commands.usage import UsageError
-from fieldspec.reading.project import MAIN, VERSIONS
+from fieldspec.reading.folders import MAIN, VERSIONS
 
 
 class NoRevision(UsageError):

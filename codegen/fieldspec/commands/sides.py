@@ -9,7 +9,8 @@ from fieldspec.commands import specs
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.model.device import Device
-from fieldspec.reading.project import MAIN, PROTOCOLS, DeviceSpec, Project, read
+from fieldspec.reading.folders import MAIN, PROTOCOLS
+from fieldspec.reading.project import DeviceSpec, Project, read
 from fieldspec.render.text import place
 
 

@@ -12,7 +12,7 @@ from fieldspec.commands.given import DIRECTIONS, direction_names, option_word
 from fieldspec.commands.usage import UsageError
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.link import Link
-from fieldspec.reading.project import MAIN
+from fieldspec.reading.folders import MAIN
 
 VERBS = ("decode", "encode")
 

@@ -13,6 +13,7 @@ from fieldspec.reading.building.device import built
 from fieldspec.reading.building.keeping import Kept
 from fieldspec.reading.expanding import expanded
 from fieldspec.reading.findings import bounded, near, quoted
+from fieldspec.reading.folders import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.joining import joined, laid_over
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.overlays import overlays
@@ -20,10 +21,6 @@ from fieldspec.reading.scalars import typed
 from fieldspec.reading.versions import Lines, selected
 from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.source import Span
-
-PROTOCOLS = "protocols"
-MAIN = "device.yaml"
-VERSIONS = "versions"
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
 _NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
@@ -39,7 +36,8 @@ class DeviceSpec:
     """The joined tree of a device, with its protocols, before a version is picked.
 
     `trees` are those of the versions that are written as changes of others, `bases` the versions that they change. A
-    version is the identifier of one, or of several of different lines with a `+` between them.
+    version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths of
+    all files that it was read from, those of protocols too.
     """
 
     id: str
@@ -47,6 +45,7 @@ class DeviceSpec:
     lines: Lines
     trees: Table[str, Mapping]
     bases: Table[str, str]
+    files: frozenset[str]
     kept: Kept = field(default_factory=dict, repr=False, compare=False)
 
     def versions(self) -> list[str]:
@@ -88,6 +87,7 @@ class _Reader:
         self.files = files
         self.found: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
+        self.uses: dict[str, set[str]] = {}
 
     def project(self, only: frozenset[str]) -> Project:
         folders: dict[str, list[str]] = {}
@@ -152,6 +152,7 @@ class _Reader:
             span = Span(whole.file, 0, 1)
             self.found.append(Diagnostic("device_section", text, span, help=f"write it in `{main}`"))
             return None
+        self.uses[""] = set()
         files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
         versions, whole = overlays(files, self._with_protocols(whole, ()))
         self.found += bounded(versions.found)
@@ -171,7 +172,13 @@ class _Reader:
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
         made = {version: expanded(tree)[0] for version, tree in layers.items()}
-        return DeviceSpec(identity.text, whole, lines, made, versions.bases)
+        used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
+        return DeviceSpec(identity.text, whole, lines, made, versions.bases, used)
+
+    def _used(self, name: str) -> set[str]:
+        """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""
+        own = self.uses.get(name, set())
+        return own.union(*(self._used(one) for one in own))
 
     def _placed(self, tree: Mapping, head: Mapping, name: str, foreign: tuple[str, ...]) -> None:
         """Finds an id that is not the name of the folder or file, and sections that mean nothing there."""
@@ -193,6 +200,8 @@ class _Reader:
                 continue
             name = use.values["protocol"]
             assert isinstance(name, Scalar)
+            if name.text not in within:
+                self.uses.setdefault(within[-1] if within else "", set()).add(name.text)
             protocol = self._protocol(name, within)
             if protocol is not None:
                 tree, found = laid_over(tree, protocol, use)

@@ -153,7 +153,11 @@ class _Writer:
         numbers = "".join(f'<th scope="col">{number}</th>' for number in row.numbers)
         boxes = "".join(
             f'<td colspan="{box.width}" class="{escaped(box.style)}">'
-            + (f'<a href="{escaped(box.link)}">{escaped(box.text)}</a>' if box.text else '<span class="quiet">–</span>')
+            + (
+                f'<a href="{escaped(box.link)}">{escaped(box.text)}</a>'
+                if box.text
+                else '<span class="quiet">\u2013</span>'
+            )
             + "</td>"
             for box in row.boxes
         )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterable
+from functools import lru_cache
 
 from fieldspec.model.fact import Citation, Fact
 
@@ -22,18 +24,19 @@ _HIDDEN = (
 )
 
 
-def _escaped(char: str) -> str:
-    code = ord(char)
-    if char == "\\":
+_ESCAPED = re.compile("[" + "".join(f"{chr(low)}-{chr(high)}" for low, high in _HIDDEN) + r"\\]")
+
+
+def _escape(found: re.Match[str]) -> str:
+    if found[0] == "\\":
         return "\\\\"
-    if not any(low <= code <= high for low, high in _HIDDEN):
-        return char
+    code = ord(found[0])
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
 def literal(text: str) -> str:
     """A text in double quotes on one line."""
-    return '"' + "".join(map(_escaped, text)).replace('"', '\\"') + '"'
+    return '"' + _ESCAPED.sub(_escape, text).replace('"', '\\"') + '"'
 
 
 def docstring(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
@@ -61,10 +64,11 @@ def docstring(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
 
 
 def _within_quotes(line: str) -> str:
-    return "".join(map(_escaped, line)).replace('"""', '\\"\\"\\"')
+    return _ESCAPED.sub(_escape, line).replace('"""', '\\"\\"\\"')
 
 
-def _wrapped(text: str, width: int) -> list[str]:
+@lru_cache(maxsize=20_000)  # versions of a device have most texts in common
+def _wrapped(text: str, width: int) -> tuple[str, ...]:
     """A text in lines; a leading blank stands for an indented line, whose continuation is indented more."""
     listed = text.startswith(" ")
     filled = textwrap.wrap(
@@ -75,7 +79,7 @@ def _wrapped(text: str, width: int) -> list[str]:
         break_long_words=False,
         break_on_hyphens=False,
     )
-    return filled or [""]
+    return tuple(filled) or ("",)
 
 
 def sentence(text: str) -> str:

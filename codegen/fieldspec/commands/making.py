@@ -1,0 +1,133 @@
+"""What a build makes: of every device what is not fresh any more, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from fieldspec.classes import dataclass
+from fieldspec.commands import sources
+from fieldspec.commands.caching import digest
+from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
+
+if TYPE_CHECKING:
+    from fieldspec.diagnostics import Diagnostic
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What is to be built: outputs, and devices with their versions, no version for all; no device for all."""
+
+    outputs: tuple[str, ...]
+    devices: dict[str, frozenset[str]]
+
+    @property
+    def whole(self) -> bool:
+        """Whether all devices are built, so that the files of others can be removed."""
+        return not self.devices
+
+    @property
+    def picked(self) -> bool:
+        """Whether devices are built at some of their versions only."""
+        return any(self.devices.values())
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What a build has found, the devices as they are now, and the contents of the files that were made anew.
+
+    `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
+    """
+
+    found: list[Diagnostic]
+    devices: dict[str, Built]
+    shared: dict[str, Hashes]
+    contents: dict[str, bytes]
+    quiet: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Plan:
+    """What is done for a device: whether it is checked, which outputs are made, and which are kept as they are."""
+
+    check: bool
+    outputs: tuple[str, ...]
+    kept: dict[str, Hashes]
+
+
+def made(wanted: Wanted, path: Path, files: Mapping[str, bytes], earlier: Earlier) -> Made:
+    """What must be made of some spec files; nothing of outputs where something is found that stops a build."""
+    plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
+    kept = {name: earlier.unspoilt(earlier.shared.get(name)) for name in wanted.outputs}
+    shared = {name: held for name, held in kept.items() if held is not None}
+    stale = frozenset(device for device, plan in plans.items() if plan.check or plan.outputs)
+    everything = wanted.whole and not earlier.confined()
+    if not stale and not everything and len(shared) == len(wanted.outputs):
+        return Made([], {device: earlier.devices[device] for device in plans}, shared, {}, True)
+    return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier)
+
+
+def _plan(device: str, wanted: Wanted, earlier: Earlier) -> _Plan:
+    if earlier.changed(device):
+        return _Plan(True, wanted.outputs, {})
+    before = earlier.devices[device]
+    held = {name: earlier.unspoilt(files) for name, files in before.outputs.items()}
+    kept = {name: files for name, files in held.items() if files is not None}
+    return _Plan(before.warned, tuple(name for name in wanted.outputs if name not in kept), kept)
+
+
+def _anew(
+    wanted: Wanted,
+    plans: Mapping[str, _Plan],
+    shared: Mapping[str, Hashes],
+    only: frozenset[str],
+    path: Path,
+    files: Mapping[str, bytes],
+    earlier: Earlier,
+) -> Made:
+    """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
+    from fieldspec import pipeline
+    from fieldspec.commands import specs
+    from fieldspec.commands.working import Task, carried_out
+    from fieldspec.diagnostics import has_errors, in_order
+    from fieldspec.reading.project import read
+
+    project = read(files, only, sources.shown(path))
+    outputs = not has_errors(project.found)
+    tasks = []
+    for spec in project.devices.values():
+        plan = plans.get(spec.id, _Plan(True, (), {}))
+        versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
+        if plan.check or plan.outputs:
+            tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else ()))
+    done = {one.device: one for one in carried_out(project, tasks, sum(map(len, files.values())))}
+    found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
+    if has_errors(found):
+        return Made(found, {}, {}, {}, False)
+    contents = {path: content for one in done.values() for path, content in one.files.items()}
+    common = {name: pipeline.shared(name) for name in wanted.outputs if name not in shared}
+    for held in common.values():
+        contents |= held
+    marked = {finding.span.file.path for finding in found}
+    folder = sources.shown(path)
+    devices = {}
+    for device, plan in plans.items():
+        if device not in done:
+            devices[device] = earlier.devices[device]
+            continue
+        files_read = project.devices[device].files
+        one = done[device]
+        devices[device] = Built(
+            {file: earlier.now[file] for file in sorted(files_read)},
+            one.identities or earlier.devices[device].identities,
+            any((f"{folder}/{file}" if folder else file) in marked for file in files_read),
+            {**plan.kept, **{name: _hashes(held) for name, held in one.outputs.items()}},
+        )
+    return Made(
+        found, devices, {**shared, **{name: _hashes(held) for name, held in common.items()}}, contents, not found
+    )
+
+
+def _hashes(contents: Mapping[str, bytes]) -> Hashes:
+    return {path: digest(content) for path, content in contents.items()}

@@ -1,0 +1,103 @@
+"""Checks devices and makes their outputs, on all processors where that is worth it.
+
+A process is forked with the project that is read already, and sends back findings and files.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+from fieldspec import pipeline
+from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.reading.project import Project
+
+WORTH_IT = 40_000
+"""Bytes of specs that take longer than starting processes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A device of which some versions get outputs, all where none is named, and whether it is checked first."""
+
+    device: str
+    versions: frozenset[str]
+    check: bool
+    outputs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """What is found in a device, the identities of its versions, and its files by output; nothing after errors."""
+
+    device: str
+    found: list[Diagnostic]
+    identities: dict[str, str]
+    outputs: dict[str, dict[str, bytes]]
+
+    @property
+    def files(self) -> dict[str, bytes]:
+        """All files by path."""
+        return {path: content for held in self.outputs.values() for path, content in held.items()}
+
+
+def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done]:
+    """The results of tasks, in their order. `size` is that of the specs, in bytes."""
+    processes = min(_processors(), sum(len(task.outputs) or 1 for task in tasks))
+    if processes < 2 or size < WORTH_IT or sys.platform != "linux":
+        return [carry_out(project, task) for task in tasks]
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    try:
+        pool = ProcessPoolExecutor(processes, get_context("fork"), _start, (project,))
+    except OSError:  # the system has no semaphores for us
+        return [carry_out(project, task) for task in tasks]
+    with pool:
+        if len(tasks) >= processes:
+            return list(pool.map(_carry_out, tasks))
+        checked = list(pool.map(_carry_out, [Task(task.device, task.versions, task.check, ()) for task in tasks]))
+        if any(has_errors(done.found) for done in checked):
+            return checked
+        single = [Task(task.device, task.versions, False, (name,)) for task in tasks for name in task.outputs]
+        parts = list(pool.map(_carry_out, single))
+    return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
+
+
+def _joined(done: Done, parts: list[Done]) -> Done:
+    identities, outputs = dict(done.identities), dict(done.outputs)
+    for part in parts:
+        identities |= part.identities
+        outputs |= part.outputs
+    return Done(done.device, done.found, identities, outputs)
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def carry_out(project: Project, task: Task) -> Done:
+    """The result of one task."""
+    spec = project.devices[task.device]
+    found = pipeline.findings(spec) if task.check else []
+    if has_errors(found) or not task.outputs:
+        return Done(task.device, found, {}, {})
+    layouts = [laid for laid in pipeline.layouts(spec) if not task.versions or laid.device.version in task.versions]
+    identities = {
+        f"{spec.id}@{version}": laid.identity for laid in layouts for version in (laid.device.version, *laid.twins)
+    }
+    return Done(task.device, found, identities, {name: pipeline.output(name, layouts) for name in task.outputs})
+
+
+_project: Project
+
+
+def _start(project: Project) -> None:
+    global _project
+    _project = project
+
+
+def _carry_out(task: Task) -> Done:
+    return carry_out(_project, task)
