@@ -1,8 +1,9 @@
-"""Where the spec departs from the print."""
+"""The ledger of errata: where the spec departs from the print, the worst effect first."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 from fieldspec.backends.docs.context import Context, address, cited
@@ -39,18 +40,25 @@ COLUMNS = (
     Column("Printed", "path", kept=True),
     Column("Used here", "path", kept=True),
     Column("Reason", "wide", kept=True),
-    Column("Confidence and proof", "proof", kept=True),
+    Column("Confidence and verdict", "proof", kept=True),
     Column("Source", "source"),
 )
 EFFECTS = {
-    "bytes": "Who trusts the print gets wrong bytes.",
-    "range": "Who trusts the print gets a wrong range.",
-    "name": "Who trusts the print gets a wrong name.",
-    "ambiguous": "Who trusts the print cannot tell.",
+    "bytes": ("Wrong bytes", "Who trusts the print gets wrong bytes."),
+    "range": ("Wrong range", "Who trusts the print gets a wrong range."),
+    "name": ("Wrong name", "Who trusts the print gets a wrong name."),
+    "ambiguous": ("Ambiguous", "Who trusts the print cannot tell."),
 }
+VERDICTS = ("proven", "judgement", "open")
+COUNTS = (
+    Column("Effect", kept=True),
+    Column("Errata", kept=True),
+    *(Column(verdict.capitalize(), kept=True) for verdict in VERDICTS),
+)
 INTRODUCTION = (
-    "What the manual prints, and what is used here instead. A proof names the check of the compiler that fails when "
-    "the printed value is put back; a judgement has none."
+    "What the manual prints, and what is used here instead. Proven: the check that is named finds the printed value "
+    "wrong as soon as it is put back. The compiler does that at every build, and writes nothing where the check "
+    "passes. A judgement is that of a person. What is open is not decided by the manual, and by nobody here."
 )
 
 
@@ -59,9 +67,24 @@ def errata(context: Context) -> Section:
     device = context.device
     if not device.errata:
         return Section("errata", (plain("Errata"),))
-    rows = [_row(context, erratum) for erratum in device.errata]
-    blocks = (Paragraph((plain(INTRODUCTION),)), table("Errata", COLUMNS, rows))
-    return Section("errata", (plain("Errata of the manual"),), blocks)
+    blocks = (Paragraph((plain(INTRODUCTION),)), table("Errata by effect", COUNTS, _counts(device.errata)))
+    parts = tuple(_of_effect(context, effect) for effect in EFFECTS)
+    return Section("errata", (plain("Errata of the manual"),), blocks, tuple(part for part in parts if part.blocks))
+
+
+def _counts(found: Sequence[Erratum]) -> Iterator[Row]:
+    counts = Counter((erratum.effect, erratum.verdict) for erratum in found)
+    for effect, (title, _) in EFFECTS.items():
+        numbers = [counts[effect, verdict] for verdict in VERDICTS]
+        if any(numbers):
+            yield Row((cell(plain(title, f"#errata-{effect}")), *(cell(str(one)) for one in (sum(numbers), *numbers))))
+
+
+def _of_effect(context: Context, effect: str) -> Section:
+    title, meaning = EFFECTS[effect]
+    rows = [_row(context, erratum) for erratum in context.device.errata if erratum.effect == effect]
+    blocks = (Paragraph((plain(meaning),)), table(title, COLUMNS, rows)) if rows else ()
+    return Section(f"errata-{effect}", (plain(title),), blocks)
 
 
 def _row(context: Context, erratum: Erratum) -> Row:
@@ -80,8 +103,7 @@ def _row(context: Context, erratum: Erratum) -> Row:
             cell(erratum.reason),
             cell(
                 styled(erratum.confidence, style),
-                EFFECTS[erratum.effect],
-                (styled("Proof: ", "quiet"), code(erratum.proof)) if erratum.proof != "judgement" else "A judgement.",
+                (styled("Proven: ", "quiet"), code(erratum.proof)) if erratum.verdict == "proven" else erratum.verdict,
             ),
             cell(cited(erratum.sources)),
         ),
