@@ -18,6 +18,7 @@ from typing import Any
 
 from fieldspec import __version__
 from fieldspec.commands.usage import UsageError
+from fieldspec.plc.layout.memory import MEMORIES
 
 FINE, FINDINGS, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
@@ -115,6 +116,13 @@ def parser() -> argparse.ArgumentParser:
     show = verb("show", "show a device, or one item of it")
     show.add_argument("device", metavar="DEVICE[@VERSION]")
     show.add_argument("item", nargs="?", metavar="ITEM", help="a name, a printed name, an address or a code")
+
+    placed = verb("layout", "tell where a controller has the members of a record in its memory")
+    placed.add_argument("device", metavar="DEVICE[@VERSION]")
+    placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message by name or number")
+    placed.add_argument(
+        "--target", required=True, choices=_Suggested(MEMORIES), metavar="NAME", help=f"one of {', '.join(MEMORIES)}"
+    )
 
     facts = verb("facts", "list every fact of a device")
     facts.add_argument("device", metavar="DEVICE[@VERSION]")

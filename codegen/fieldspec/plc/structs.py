@@ -10,6 +10,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.flags import Flags
 from fieldspec.model.primitive import Kind
 from fieldspec.model.value import Value
+from fieldspec.plc.routines.holders import places
 from fieldspec.plc.routines.types import BITS, BYTE, REAL, SIGNED, UNSIGNED, Elementary, Type, sequence
 
 
@@ -70,8 +71,6 @@ def elements(field: FieldLayout) -> int:
 
 def bit_places(size: int, order: str, swapped: bool) -> Iterator[tuple[int, int, int]]:
     """The bits of a word as they lie in its bytes: the byte, the bit in it, the bit of the word."""
-    from fieldspec.plc.routines.holders import places
-
     for byte, moved in enumerate(places(size, order, swapped)):
         for bit in range(8):
             yield byte, bit, moved + bit

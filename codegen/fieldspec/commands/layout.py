@@ -1,0 +1,65 @@
+"""`fieldspec layout`: where a controller has the members of a record in its memory."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+
+from fieldspec.commands import specs
+from fieldspec.commands.given import number_of
+from fieldspec.commands.output import print_blocks, print_findings
+from fieldspec.commands.usage import unknown
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.fact import Fact
+from fieldspec.plc.layout.fitting import found
+from fieldspec.plc.layout.images import Images, PlainNaming, choices
+from fieldspec.plc.layout.memory import MEMORIES
+from fieldspec.plc.layout.placing import placed
+from fieldspec.render.memory import blocks
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints the places as a table and a drawing. Exit code 1 where they are not those on the wire."""
+    if arguments.target not in MEMORIES:
+        raise unknown("target", arguments.target, MEMORIES)
+    memory = MEMORIES[arguments.target]
+    layout = specs.layout(arguments.specs, arguments.device)
+    wrong = []
+    for number, (record, fact, title) in enumerate(_asked(layout, arguments.record)):
+        if number:
+            print()
+        images = Images(layout, PlainNaming(), packed=memory.bits)
+        image = placed(images.of(record, "record", fact, title), memory, images.structs)
+        print_blocks(blocks(image, title))
+        wrong += found(image)
+    if wrong:
+        print()
+        print_findings(wrong, "text", "")
+    return 1 if wrong else 0
+
+
+def _asked(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
+    """The records that are meant, one for each type that a field can have, with what they are called."""
+    known = list(_records(layout))
+    number = number_of(name)
+    meant = [one for one in known if name == one[0].name]
+    meant = meant or [one for one in known if name in one[2] or (number is not None and str(number) in one[2])]
+    if not meant:
+        raise unknown(f"record of {layout.device.id}", name, {word for one in known for word in one[2]})
+    for record, fact, _ in meant:
+        for decided, chosen in choices(record):
+            yield chosen, fact, f"{record.name}, {decided}" if decided else record.name
+
+
+def _records(layout: DeviceLayout) -> Iterator[tuple[RecordLayout, Fact, set[str]]]:
+    """All records with the words that mean them: records, those of tables, and the data of messages."""
+    for record in layout.records.values():
+        tables = {table.name for table in layout.tables.values() if table.record is record}
+        yield record, record.record, {record.name, *tables}
+    for message in layout.messages.values():
+        held = message.message
+        for data in (message.request, message.response):
+            if data.fields:
+                number = {str(held.number)} if held.number is not None else set()
+                yield data, held, {data.name, held.name, *number}

@@ -1,0 +1,99 @@
+"""A struct in memory, drawn as boxes of bytes, and as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.plc.layout.placing import Placed
+from fieldspec.plc.layout.rows import member_rows
+from fieldspec.render.blocks import Block, Line, Table, narrowed
+
+_A_ROW = 4
+_BYTE = 16
+_NOTHING = "..."
+_HEADINGS = ("member", "type", "byte", "bit", "size", "elements", "stride", "on the wire", "read")
+
+
+def blocks(placed: Placed, title: str) -> Iterator[Block]:
+    """The size of a struct, its members as a table, and its bytes as boxes."""
+    yield Line(title, "bold")
+    size = (
+        "with as many elements as there can be" if placed.struct.size is None else f"on the wire {placed.struct.size}"
+    )
+    yield Line(f"{placed.memory.title}: {placed.size} bytes, {size}")
+    rows = [tuple("" if cell is None else str(cell) for cell in row) for row in member_rows(placed)]
+    yield narrowed(Table(_HEADINGS, tuple(rows)))
+    yield Line("")
+    yield from (Line(line, drawn=True) for line in drawn(placed))
+
+
+def drawn(placed: Placed) -> Iterator[str]:
+    """Four bytes a row, each value a box. A value that goes on in the next row has no wall there; `...` are bytes
+    that hold nothing, and `:` stands for rows that look like the one before."""
+    names = _names(placed)
+    yield " " * 6 + "".join(f"{number:<{_BYTE}}" for number in range(_A_ROW)).rstrip()
+    before: list[str] = []
+    shown = ""
+    for at in range(0, placed.size, _A_ROW):
+        row = names[at : at + _A_ROW]
+        yield from _wall(before, row)
+        if row == before and len(set(row)) == 1:
+            if shown != ":":
+                yield f"{'':5}:"
+            shown = ":"
+        else:
+            yield f"{at:>4} {_boxes(row, before)}"
+            shown = ""
+        before = row
+    yield from _wall([], before)
+
+
+def _wall(above: list[str], below: list[str]) -> Iterator[str]:
+    if above and above == below and len(set(above)) == 1:
+        return
+    count = max(len(above), len(below))
+    yield " " * 5 + "+" + "".join("-" * (_BYTE - 1) + "+" for _ in range(count))
+
+
+def _boxes(row: list[str], before: list[str]) -> str:
+    """The boxes of a row: bytes of one value share one."""
+    text, at = "|", 0
+    while at < len(row):
+        count = next((n for n, name in enumerate(row[at:]) if name != row[at]), len(row) - at)
+        room = count * _BYTE - 1
+        goes_on = at == 0 and before[-1:] == row[:1] and row[0] != _NOTHING
+        name = f"({row[at]})" if goes_on else row[at]
+        text += f" {_cut(name, room - 2):<{room - 2}} |"
+        at += count
+    return text
+
+
+def _cut(name: str, room: int) -> str:
+    return name if len(name) <= room else f"{name[: room - 2]}.."
+
+
+def _names(placed: Placed) -> list[str]:
+    """What lies in each byte."""
+    names = [_NOTHING] * placed.size
+    _fill(names, placed, "", 0)
+    return names
+
+
+def _fill(names: list[str], placed: Placed, before: str, start: int) -> None:
+    for one in placed.members:
+        path, at = f"{before}{one.member.name}", start + one.at
+        if one.bit is not None:
+            held = names[at]
+            names[at] = path if held == _NOTHING else f"{held.partition(' ..')[0]} .. {one.member.name}"
+        elif one.inner is not None and one.inner.struct.kind != "bits":
+            _fill(names, one.inner, f"{path}[0]." if one.listed else f"{path}.", at)
+            _name(names, f"{path}[1..{one.count - 1}]", at + one.stride, one.stride * (one.count - 1))
+        elif one.listed and one.size * one.count <= _A_ROW:
+            for number in range(one.count):
+                _name(names, f"{path}[{number}]", at + number * one.stride, one.size)
+        else:
+            _name(names, f"{path}[0..{one.count - 1}]" if one.listed else path, at, one.end - one.at)
+
+
+def _name(names: list[str], name: str, first: int, count: int) -> None:
+    names[first : first + count] = [name] * count
