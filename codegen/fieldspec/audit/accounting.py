@@ -24,7 +24,8 @@ LINE = "line"
 class Candidate:
     """Something that looks like a fact: the line of the text at hand, the cited line, and how it stands.
 
-    `missing` are the values that no fact and no erratum has; there are none for a line with a number.
+    `missing` are the values that no fact and no erratum has; there are none for a line with a number. `out` is what
+    leaves it out.
     """
 
     kind: str
@@ -36,6 +37,7 @@ class Candidate:
     status: str
     missing: tuple[Held, ...] = ()
     pattern: Pattern | None = None
+    out: LeftOut | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,21 +71,21 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
             if status == OPEN and out is not None:
                 status, missing = LEFT_OUT, ()
             place = number, at, section, found.start, found.end
-            made.append(Candidate(pattern.kind, *place, status, missing, pattern))
+            made.append(Candidate(pattern.kind, *place, status, missing, pattern, out if status == LEFT_OUT else None))
         if not pieces and any(char.isdigit() for char in text):
             known = number not in manual.new and at in cited.lines
             status = COVERED if known else LEFT_OUT if out is not None else OPEN
-            made.append(Candidate(LINE, number, at, section, 0, len(text), status))
-        if out is not None and any(one.status == LEFT_OUT for one in made[before:]):
-            used.add(id(out))
+            kept = out if status == LEFT_OUT else None
+            made.append(Candidate(LINE, number, at, section, 0, len(text), status, out=kept))
+        used.update(id(one.out) for one in made[before:])
     declared: list[Pattern | LeftOut] = [*plan.patterns, *plan.left_out]
     return Accounts(made, [one for one in declared if id(one) not in used], frozenset(needed))
 
 
 def _left_out(plan: Plan, line: int, text: str) -> LeftOut | None:
     """What leaves a line out."""
-    for out in plan.left_out:
-        if within(line, out.lines) and (out.like is None or out.like.whole(text) is not None):
+    for out in (*plan.left_out, plan.headings):
+        if within(line, out.lines) and (out.template is None or out.template.whole(text) is not None):
             return out
     return None
 

@@ -26,6 +26,8 @@ _KINDS = {
     LINE: "other lines with numbers",
 }
 
+_SHOWN = {OPEN: "bad", CORRECTED: "warning", LEFT_OUT: ""}
+
 
 def coverage(subject: Subject) -> Section:
     """How the manual is covered, and whether what the spec cites is there."""
@@ -54,7 +56,7 @@ def coverage(subject: Subject) -> Section:
         TITLE,
         tuple(_says(subject, manual)),
         tuple(_figures(counted, claims)),
-        (_by_kind(counted), _by_section(counted, made), _reasons(made), _rows(counted, manual)),
+        (_by_kind(counted), _by_section(counted, made), _reasons(counted, made), _rows(counted, manual)),
         tuple(found),
     )
 
@@ -153,25 +155,30 @@ def _by_section(counted: Accounts, made: Plan) -> SectionTable:
     return SectionTable("sections", "By section of the manual", columns, tuple(rows), kinds)
 
 
-def _reasons(made: Plan) -> SectionTable:
-    """What is left out, and why."""
-    rows = []
-    for out in made.left_out:
-        lines = "; ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in out.lines)
-        rows.append((lines, out.reason, out.place.whole))
-    return SectionTable("left_out", "Left out on purpose", ("lines", "reason", "place"), tuple(rows))
+def _reasons(counted: Accounts, made: Plan) -> SectionTable:
+    """What is left out, how often it is there, and why."""
+    times = Counter(id(one.out) for one in counted.candidates if one.out is not None)
+    rows: list[tuple[Cell, ...]] = []
+    for out in (*made.left_out, made.headings):
+        heads = out is made.headings
+        lines = "" if heads else ", ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in out.lines)
+        rows.append((times[id(out)], lines, out.like, out.reason, out.place.whole))
+    columns = ("number", "lines", "like", "reason", "place")
+    return SectionTable("left_out", "Left out on purpose", columns, tuple(rows))
 
 
 def _rows(counted: Accounts, manual: Aligned) -> SectionTable:
     """Every place that is not simply covered."""
-    held = [one for one in counted.candidates if one.status in (CORRECTED, OPEN)]
-    rows = tuple(
-        (one.section, one.line, _KINDS[one.kind], one.status, manual.index.lines[one.line - 1][one.start : one.end])
-        for one in held
-    )
-    kinds = tuple("bad" if one.status == OPEN else "warning" for one in held)
-    columns = ("section", "line", "what", "how", "print")
-    return SectionTable("places", "Corrected, and not accounted for", columns, rows, kinds, detail=True)
+    held = [one for one in counted.candidates if one.status != COVERED]
+    rows = []
+    for one in held:
+        printed = manual.index.lines[one.line - 1][one.start : one.end]
+        reason = one.out.reason if one.out is not None else ""
+        rows.append((one.section, one.line, _KINDS[one.kind], one.status, reason, printed))
+    kinds = tuple(_SHOWN[one.status] for one in held)
+    columns = ("section", "line", "what", "how", "reason", "print")
+    title = "Corrected, left out, and not accounted for"
+    return SectionTable("places", title, columns, tuple(rows), kinds, detail=True)
 
 
 def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:

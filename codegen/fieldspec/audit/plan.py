@@ -16,6 +16,8 @@ from fieldspec.reading.building.context import Entry
 from fieldspec.reading.nodes import Mapping
 from fieldspec.reading.project import DeviceSpec
 
+HEADINGS = "Headings of the sections."
+
 Lines = tuple[tuple[int, int], ...]
 
 
@@ -44,11 +46,15 @@ class Pattern:
 
 @dataclass(frozen=True, slots=True)
 class LeftOut:
-    """Lines that are left out, all of them or those that are wholly `like` something, and why."""
+    """Lines that are left out, all of them or those that are wholly like something, and why.
+
+    `like` is what they are like as the spec writes it, `template` the same ready for use.
+    """
 
     place: Place
     lines: Lines
-    like: Template | None
+    like: str
+    template: Template | None
     reason: str
 
 
@@ -63,12 +69,16 @@ class Unprinted:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The sections of the manual, the patterns, and what is left out."""
+    """The sections of the manual, the patterns, and what is left out.
+
+    `headings` leaves out the lines in which sections begin.
+    """
 
     place: Place
     sections: tuple[ManualSection, ...]
     patterns: tuple[Pattern, ...]
     left_out: tuple[LeftOut, ...]
+    headings: LeftOut
     unprinted: tuple[Unprinted, ...]
 
     def section(self, line: int) -> str:
@@ -91,6 +101,7 @@ def plan(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
             sections,
             tuple(_patterns(entry, sections, lines)),
             tuple(_left_out(entry, sections, lines)),
+            LeftOut(entry.place(), tuple((one.first, one.first) for one in sections), "", None, HEADINGS),
             tuple(
                 Unprinted(held.place(), held.texts("facts"), held.text("reason")) for held in entry.entries("unprinted")
             ),
@@ -135,7 +146,7 @@ def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
         except PatternError as error:
             inner.refuse("audit_sound", "like", f"the pattern is not understood: {error}", "see docs/audit.md")
             continue
-        yield LeftOut(inner.place(), _lines(inner, sections, lines), made, inner.text("reason"))
+        yield LeftOut(inner.place(), _lines(inner, sections, lines), like, made, inner.text("reason"))
 
 
 def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lines:
