@@ -135,3 +135,13 @@ def test_the_verb_lists_what_is_found_and_says_nothing_against_the_spec(run: Com
     (row,) = [row for row in rows if row["erratum"] == "pressure-address"]
     assert row["found_by"] == "addresses_ascending, addresses_disjoint, gaps_declared"
     assert row["together"] == "yes"
+
+
+def test_the_page_about_audits_has_the_numbers() -> None:
+    page = (SPECS.parent / "docs" / "audit.md").read_text("utf-8")
+    for name in DEVICES:
+        every = device(name).detections
+        wire = [one for one in every if one.erratum.effect in WIRE]
+        alone, together = sum(bool(one.alone) for one in wire), sum(one.together for one in wire)
+        found = sum(bool(one.alone) for one in every)
+        assert f"| `{name}` | {len(wire)} | {alone} | {together} | {len(every)} | {found} |\n" in page
