@@ -6,7 +6,7 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact, identity, mappings
-from fieldspec.reading.paths import keys, node_at, put
+from fieldspec.reading.paths import keys, node_at, put, schema_path
 from fieldspec.reading.scalars import part_at, typed_at
 from fieldspec.schema import schema
 
@@ -147,7 +147,7 @@ class _Application:
         """Whether a key had the value that an entry says; if not, both places are shown."""
         if _absent(was) and old is None:
             return True
-        part = _part(at)
+        part = schema_path(at)
         known = key in part_at(part).get("properties", {})
         if not known:
             return True  # the schema says that there is no such key
@@ -163,7 +163,7 @@ class _Application:
 
     def _typed(self, at: list[str | int], new: Mapping) -> None:
         """Puts a mapping in its place, typed as the schema wants it there."""
-        node, found = typed_at(new, _part(at))
+        node, found = typed_at(new, schema_path(at))
         self.found += found
         if not found:
             self._put(at, node)
@@ -233,7 +233,7 @@ class _Application:
             help = "change it under `changes`, or give another name"
             self._refuse("overlay_name_taken", f"there is a {quoted(name or '')} already", item, help, label)
             return
-        new, found = typed_at(item, (*_part(at), "items"))
+        new, found = typed_at(item, (*schema_path(at), "items"))
         self.found += found
         place = self._behind(entry, node, new)
         if not found and place is not None:
@@ -301,14 +301,6 @@ def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -
     elif text == renaming.old and renaming.referred and key in _REFERENCES.get(renaming.section, ()):
         text = renaming.new
     return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
-
-
-def _part(at: list[str | int]) -> tuple[str, ...]:
-    """The keys of the schema that say what stands at some keys of a tree."""
-    part: list[str] = []
-    for key in at:
-        part += ["items"] if isinstance(key, int) else ["properties", key]
-    return tuple(part)
 
 
 def _number(node: Node, key: str) -> int | None:
