@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import cast
 
 from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.spreadsheet import Workbook
 
@@ -32,6 +33,15 @@ class Output:
         """The files that belong to no device, by path."""
         return cast("Callable[[], Files]", self._backend("shared"))()
 
+    def refusals(self, versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+        """What forbids the files for these versions of a device; asked before they are made.
+
+        A back end that cannot express every device has a function `refusals` beside `files`.
+        """
+        module = import_module(f"fieldspec.backends.{self.name}.backend")
+        refusals: Callable[[Sequence[DeviceLayout]], list[Diagnostic]] | None = getattr(module, "refusals", None)
+        return refusals(versions) if refusals is not None else []
+
     def _backend(self, function: str) -> object:
         return getattr(import_module(f"fieldspec.backends.{self.name}.backend"), function)
 
@@ -44,6 +54,10 @@ OUTPUTS = {
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
         Output("hmi", "Texts of alarms, faults and warnings for operator panels as CSV and XLSX"),
+        Output("scl", "Types, data blocks, functions and constants for TIA Portal"),
         Output("kv", "Word maps and device comments for word-based PLCs as CSV"),
+        Output("st", "Structured Text for CODESYS and TwinCAT 3"),
+        Output("twincat", "Structured Text as source files of TwinCAT 3"),
+        Output("plcopen", "Structured Text as PLCopen TC6 XML"),
     )
 }

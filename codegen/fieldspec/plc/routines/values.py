@@ -122,8 +122,8 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
         ]
     statements = _closed(draft, world, wire, source)
     if value.const is not None:
-        wrong = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
-        statements.append(draft.refusal(wrong, "wrong_constant"))
+        differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
+        statements.append(draft.refusal(differs, "wrong_constant"))
     if value.ranges is not None:
         sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
         wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)

@@ -36,7 +36,7 @@ from fieldspec.plc.routines.types import ArrayType, Elementary, EnumType, Type
 _WIDTH = 112
 _STEP = "    "
 _ASSOCIATIVE = ("+", "AND", "OR", "XOR")
-_SMALL = range(-(1 << 15), 1 << 15)
+_PLAIN = range(-(1 << 31), 1 << 31)
 
 
 def comment(text: str, indent: str = "") -> list[str]:
@@ -213,7 +213,7 @@ def _text(of: Expression, spelling: Spelling) -> str:
         case Whole(value, kind, hexadecimal):
             return _whole(value, kind, hexadecimal)
         case Fraction(digits, kind):
-            return f"{kind.name}#{digits}"
+            return _fraction(digits, kind)
         case Truth(value):
             return "TRUE" if value else "FALSE"
         case Variable(name):
@@ -239,7 +239,19 @@ def _text(of: Expression, spelling: Spelling) -> str:
 
 
 def _whole(value: int, kind: Elementary, hexadecimal: bool) -> str:
-    """A number; with its type where that of the language's own literals may be another one."""
+    """A number; with its type where a compiler may take it for another one.
+
+    Not every compiler knows a sign behind the mark of the type, so it stands before it.
+    """
     if kind.family == "bits" or hexadecimal:
         return f"{kind.name}#16#{value:0{2 * kind.size}X}"
-    return str(value) if value in _SMALL else f"{kind.name}#{value}"
+    if value in _PLAIN:
+        return str(value)
+    if value == kind.low:
+        return f"(-{kind.name}#{-value - 1} - 1)"
+    return f"{'-' if value < 0 else ''}{kind.name}#{abs(value)}"
+
+
+def _fraction(digits: str, kind: Elementary) -> str:
+    sign = "-" if digits.startswith("-") else ""
+    return f"{sign}{kind.name}#{digits.removeprefix('-')}"

@@ -1,0 +1,1 @@
+"""The output as PLCopen TC6 XML."""

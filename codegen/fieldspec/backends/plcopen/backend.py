@@ -1,0 +1,59 @@
+"""The files of the PLCopen output: one TC6 XML 2.01 for a device."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.backends.plcopen.elements import Element, element, written
+from fieldspec.backends.plcopen.types import enum_type, struct_type, text_type
+from fieldspec.backends.plcopen.variables import constants_list, documentation, function, sizes_function, texts_list
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.dialects import DIALECTS
+from fieldspec.plc.structured.layout_table import layout_table
+from fieldspec.plc.structured.program import Program, newest, program, stem
+
+NAMESPACE = "http://www.plcopen.org/xml/tc6_0201"
+GLOBALS = "http://www.3s-software.com/plcopenxml/globalvars"
+# The schema demands a date. This one says nothing, and is the same in every build.
+CREATED = "2000-01-01T00:00:00"
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """A project with everything of a device's newest version, and a table of where members of structs lie."""
+    layout = newest(versions)
+    made = program(layout, DIALECTS["plcopen"])
+    return {f"{stem(layout)}.xml": written(project(made)), f"{stem(layout)}_layout.csv": layout_table(made)}
+
+
+def shared() -> dict[str, str]:
+    """Nothing belongs to no device."""
+    return {}
+
+
+def project(made: Program) -> Element:
+    """The project: types, functions, and the lists of constants as data that CODESYS reads and writes itself."""
+    layout = made.declared.layout
+    types = [enum_type(one) for one in made.declared.enums]
+    types += [struct_type(one.struct, one.size) for one in made.placed]
+    lists = [constants_list(one) for one in made.declared.constants]
+    if made.texts is not None:
+        types.append(text_type(made.texts))
+        lists.append(texts_list(made.texts_list, made.declared.texts, made.texts))
+    spelling = made.declared.dialect.spelling
+    functions = [sizes_function(made), *(function(one, spelling) for one in made.routines)]
+    scaling = element("scaling", x="1", y="1")
+    return element(
+        "project",
+        element("fileHeader", companyName="", productName="fieldspec", productVersion="", creationDateTime=CREATED),
+        element(
+            "contentHeader",
+            element("Comment", text="\n".join(made.about())),
+            element("coordinateInfo", element("fbd", scaling), element("ld", scaling), element("sfc", scaling)),
+            name=stem(layout),
+        ),
+        element("types", element("dataTypes", *types), element("pous", *functions)),
+        element("instances", element("configurations")),
+        element("addData", *(element("data", one, name=GLOBALS, handleUnknown="implementation") for one in lists)),
+        documentation(made.about()),
+        xmlns=NAMESPACE,
+    )

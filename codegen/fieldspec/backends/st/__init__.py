@@ -1,0 +1,1 @@
+"""The Structured Text output."""

@@ -1,0 +1,43 @@
+"""The files of the Structured Text output."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.dialects import DIALECTS
+from fieldspec.plc.structured.layout_table import layout_table
+from fieldspec.plc.structured.program import Program, newest, program, stem
+
+_PARTS = {
+    "type": "Types: enums and structs",
+    "list": "Constants: each list is an object of its own, by the name above it",
+    "function": "Functions",
+}
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """One text with everything of a device's newest version, and a table of where members of structs lie."""
+    layout = newest(versions)
+    made = program(layout, DIALECTS["st"])
+    return {f"{stem(layout)}.st": text(made), f"{stem(layout)}_layout.csv": layout_table(made)}
+
+
+def shared() -> dict[str, str]:
+    """Nothing belongs to no device."""
+    return {}
+
+
+def text(made: Program) -> str:
+    """All objects of a program in one text."""
+    lines = [f"// {line}" for line in made.about()]
+    part = ""
+    for item in made.items():
+        if item.kind != part:
+            part = item.kind
+            lines += ["", f"// ==== {_PARTS[part]} ===="]
+        lines.append("")
+        if item.kind == "list":
+            lines.append(f"// {item.name}")
+        lines += item.lines
+    return "\n".join(lines) + "\n"

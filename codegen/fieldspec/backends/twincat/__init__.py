@@ -1,0 +1,1 @@
+"""The output as source files of TwinCAT 3."""

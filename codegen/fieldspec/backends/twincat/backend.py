@@ -1,0 +1,99 @@
+"""The files of a TwinCAT 3 project: one for each type, list of constants and function."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Sequence
+
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.dialects import DIALECTS
+from fieldspec.plc.structured.item import Item
+from fieldspec.plc.structured.layout_table import layout_table
+from fieldspec.plc.structured.program import newest, program, stem
+
+# An identifier that is made of a name is the same in every build, and differs where names differ.
+_SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "twincat.fieldspec")
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """How TwinCAT keeps a kind of object: its element, the ending of its file, and its folder."""
+
+    element: str
+    ending: str
+    folder: str
+    attributes: str = ""
+
+
+FORMS = {
+    "type": Form("DUT", "TcDUT", "DUTs"),
+    "list": Form("GVL", "TcGVL", "GVLs"),
+    "function": Form("POU", "TcPOU", "POUs", ' SpecialFunc="None"'),
+}
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """The objects of a device's newest version, what includes them in a project, and where members of structs lie."""
+    layout = newest(versions)
+    made = program(layout, DIALECTS["twincat"])
+    folder = stem(layout)
+    items = made.items()
+    texts = {f"{folder}/{path(item)}": source(item, made.about()) for item in items}
+    texts[f"{folder}/project_items.xml"] = inclusion(items)
+    texts[f"{folder}/layout.csv"] = layout_table(made)
+    return texts
+
+
+def shared() -> dict[str, str]:
+    """Nothing belongs to no device."""
+    return {}
+
+
+def path(item: Item) -> str:
+    """Where an object is, from the folder of the project on."""
+    form = FORMS[item.kind]
+    return f"{form.folder}/{item.name}.{form.ending}"
+
+
+def identifier(name: str) -> str:
+    """The GUID of an object: names are unique in a project, whatever the case of their letters."""
+    return f"{{{uuid.uuid5(_SPACE, name.lower())}}}"
+
+
+def source(item: Item, about: list[str]) -> str:
+    """The file of an object."""
+    form = FORMS[item.kind]
+    head = [f"// {line}" for line in about]
+    lines = [
+        '<?xml version="1.0" encoding="utf-8"?>',
+        '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">',
+        f'  <{form.element} Name="{item.name}" Id="{identifier(item.name)}"{form.attributes}>',
+        f"    <Declaration>{_characters([*head, *item.declaration])}</Declaration>",
+    ]
+    if item.kind == "function":
+        lines += [
+            "    <Implementation>",
+            f"      <ST>{_characters(item.implementation)}</ST>",
+            "    </Implementation>",
+        ]
+    return "\n".join([*lines, f"  </{form.element}>", "</TcPlcObject>"]) + "\n"
+
+
+def _characters(lines: Sequence[str]) -> str:
+    """Lines that XML takes as they are; what would end them is divided."""
+    text = "\n".join(lines).replace("]]>", "]]]]><![CDATA[>")
+    return f"<![CDATA[{text}]]>"
+
+
+def inclusion(items: Sequence[Item]) -> str:
+    """The part of a `.plcproj` that includes the objects."""
+    lines = ["<!-- Copy these elements into an ItemGroup of the .plcproj. -->", "<ItemGroup>"]
+    lines += [f'  <Folder Include="{form.folder}" />' for form in FORMS.values()]
+    for item in items:
+        lines += [
+            f'  <Compile Include="{path(item).replace("/", chr(92))}">',
+            "    <SubType>Code</SubType>",
+            "  </Compile>",
+        ]
+    return "\n".join([*lines, "</ItemGroup>"]) + "\n"

@@ -1,0 +1,39 @@
+"""Where the members of structs lie in memory, as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.plc.structured.literals import type_name
+from fieldspec.plc.structured.program import Program
+
+HEAD = ("struct", "size", "member", "type", "at", "bytes", "on_wire", "order")
+
+
+def rows(made: Program) -> Iterator[tuple[str, ...]]:
+    """A row for each member: its struct and the bytes of that, its place in memory, and its place on the wire.
+
+    The last two are empty where the struct is no image of one record on the wire.
+    """
+    for one in made.placed:
+        for member in one.members:
+            held = member.member
+            there = "" if held.at is None else str(held.at)
+            order = "" if not held.order or held.value is None or held.value.size < 2 else held.order
+            words = " words swapped" if order and held.swapped else ""
+            total = member.stride * (member.count - 1) + member.size
+            yield (
+                one.struct.name,
+                str(one.size),
+                held.name,
+                type_name(held.type),
+                str(member.at),
+                str(total),
+                there,
+                f"{order}{words}",
+            )
+
+
+def layout_table(made: Program) -> str:
+    """The table as CSV. Its cells are names and numbers, so that none needs quotes."""
+    return "".join(",".join(row) + "\n" for row in (HEAD, *rows(made)))

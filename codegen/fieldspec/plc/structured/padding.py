@@ -1,0 +1,61 @@
+"""Structs whose members lie, packed, where their fields lie on the wire: what users do not get is padding by name."""
+
+from __future__ import annotations
+
+from fieldspec.classes import replace
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.plc.declarations import Declarations
+from fieldspec.plc.layout.memory import MEMORIES
+from fieldspec.plc.layout.placing import placed
+from fieldspec.plc.routines.records import given
+from fieldspec.plc.routines.types import BYTE, sequence
+from fieldspec.plc.structs import Member, Struct
+
+PACKED = MEMORIES["tc3:1"]
+"""Where nothing is aligned: what pack_mode 1 says."""
+
+
+def padded(declared: Declarations) -> tuple[Struct, ...]:
+    """The structs of a device, those of records and telegrams with their padding."""
+    made: dict[str, Struct] = {}
+    for struct in declared.structs:
+        record = _record(declared.layout, struct)
+        made[struct.name] = struct if record is None else _filled(struct, record, made)
+    return tuple(made.values())
+
+
+def _record(layout: DeviceLayout, struct: Struct) -> RecordLayout | None:
+    if struct.kind == "record":
+        return layout.records[struct.key]
+    data = (one for message in layout.messages.values() for one in (message.request, message.response))
+    return next((one for one in data if struct.kind == "telegram" and one.name == struct.key), None)
+
+
+def _filled(struct: Struct, record: RecordLayout, others: dict[str, Struct]) -> Struct:
+    """The struct with padding where a field is not given, or takes more bytes on the wire than its variable."""
+    members = {id(member.fact): member for member in struct.members}
+    taken = {member.name.lower() for member in struct.members}
+    made: list[Member] = []
+    at = 0
+    for field in record.fields:
+        size = field.size * (field.count or 1)
+        if given(field):
+            member = members[id(field.field)]
+            made.append(replace(member, at=field.offset, order=field.order, swapped=field.swapped))
+            at += placed(replace(struct, members=(member,)), PACKED, others).size
+        missing = field.offset + size - at
+        if missing > 0:
+            made.append(_padding(missing, field, taken, at))
+            at += missing
+    return replace(struct, members=tuple(made), size=record.size)
+
+
+def _padding(size: int, field: FieldLayout, taken: set[str], at: int) -> Member:
+    prefix, number = "by" if size == 1 else "aby", 1
+    while f"{prefix}padding{number}" in taken:
+        number += 1
+    taken.add(f"{prefix}padding{number}")
+    remark = f"fills up {field.name}" if given(field) else f"{field.name} on the wire; the functions set it"
+    kind = BYTE if size == 1 else sequence(size, BYTE)
+    return Member(f"{prefix}Padding{number}", kind, remark, None, None, at)
