@@ -1,0 +1,288 @@
+"""The generated functions for registers, enums and quantities are run, and agree with the reference codec."""
+
+from __future__ import annotations
+
+import random
+import struct
+import sys
+from collections.abc import Iterator
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from drawing import drawn_bytes, drawn_value, drawn_values
+from loaded import DEVICES, NAMES, ROUNDINGS, held_in, judged, proof
+from proving import Proof, without
+
+from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.register import RegisterGroup
+from fieldspec.plc.routines.enums import enum_routines
+from fieldspec.plc.routines.scaling import quantities
+from fieldspec.reference import CodecError
+from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
+from laid_out import MADE_UP, SPECS
+
+TRIES = 25
+READ, WRITTEN = ("ro", "rw"), ("wo", "rw")
+
+
+@pytest.fixture(params=DEVICES, ids=NAMES, scope="module")
+def prover(request: pytest.FixtureRequest) -> Proof:
+    """What is generated for each device."""
+    return proof(*request.param)
+
+
+def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(prover: Proof) -> None:
+    layout = prover.world.layout
+    dice, order = random.Random(layout.device.id), layout.device.byte_order
+    for record in {table.record.name: table.record for table in layout.tables.values()}.values():
+        name = ordered(prover, "unpack", record.name)
+        for _ in range(TRIES):
+            data, first = drawn_bytes(record, dice), dice.randrange(len(prover.fresh(prover.world.words)))
+            words, array = held_in(data, "words", order), prover.fresh(prover.world.words)
+            first = min(first, len(array) - len(words))
+            array[first : first + len(words)] = words
+            held = prover.machine.fresh(prover.world.names.structs[record.name].lower())
+            given = {"aWords": array, "iFirst": first, "stData": held}
+            assert prover.run(name, **given, iCount=first + len(words) - 1)[0] == "incomplete"
+            status, _ = prover.run(name, **given, iCount=first + len(words))
+            try:
+                expected = without(record, decoded(record, data, layout.device))
+            except CodecError as error:
+                judged(status, error, record.name)
+                continue
+            assert (status, prover.struct_out(record, held)) == ("ok", expected)
+        for _ in range(2 * TRIES):
+            values = drawn_values(layout, record, dice)
+            array = prover.fresh(prover.world.words)
+            given = {"aWords": array, "iFirst": 1, "stData": prover.struct_in(record, values)}
+            status, _ = prover.run(ordered(prover, "pack", record.name), **given)
+            try:
+                words = held_in(encoded(record, values, layout.device), "words", order)
+            except CodecError as error:
+                judged(status, error, values)
+                continue
+            assert (status, array[: len(words) + 2]) == ("ok", [0, *words, 0])
+
+
+def ordered(prover: Proof, deed: str, name: str) -> str:
+    """The function of a record or a group, whose name states the order of words."""
+    start = prover.world.routine(deed, name).lower()
+    (found,) = (
+        name
+        for name in prover.machine.unit.functions
+        if name.startswith(start) and name.removeprefix(start) in ("", "highwordfirst", "lowwordfirst")
+    )
+    return found
+
+
+def test_an_element_of_a_table_has_its_address(prover: Proof) -> None:
+    for laid in prover.world.layout.tables.values():
+        name = prover.world.routine(laid.name, "address")
+        indexes = laid.table.indexes
+        for index in (indexes[0] - 1, *indexes, indexes[-1] + 1):
+            status, (address,) = prover.positional(name, index)
+            expected = ("ok", laid.table.address(index)) if index in indexes else ("out_of_range", 0)
+            assert (status, address) == expected
+
+
+def registers(prover: Proof, group: RegisterGroup, access: tuple[str, ...]) -> list[RegisterLayout]:
+    """The registers of a group that have one of some accesses."""
+    return [
+        one
+        for one in prover.world.layout.registers
+        if one.register in group.registers and one.register.access in access
+    ]
+
+
+def spans(laid: list[RegisterLayout], most: int) -> Iterator[tuple[int, int]]:
+    """Addresses and numbers of words to read: each register alone, too little of it, and all from each one on."""
+    last = max(one.register.end for one in laid)
+    for one in laid:
+        yield one.address, one.words
+    for one in random.Random(5).sample(laid, min(8, len(laid))):
+        yield one.address, min(most, last - one.address)
+        yield max(0, one.address - 1), min(most, one.words + 2)
+        yield one.address, one.words - 1
+
+
+def read_of(prover: Proof, laid: RegisterLayout, words: dict[int, int]) -> list[Any]:
+    """What the reference makes of each element of a register; None for one that does not lie in the words."""
+    found: list[Any] = []
+    register, order = laid.register, prover.world.layout.device.byte_order
+    for number in range(laid.count):
+        at = laid.address + number * laid.stride
+        if any(word not in words for word in range(at, at + laid.words)):
+            found.append(None)
+            continue
+        data = b"".join(words[word].to_bytes(2, order) for word in range(at, at + laid.words))  # type: ignore[arg-type]
+        raw = value_construct(register.value, laid.order, laid.swapped).parse(data[: register.value.size])
+        found.append(decoded_value(laid.name, register.value, raw, prover.world.layout.device, None))
+    return found
+
+
+def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof) -> None:
+    dice, most = random.Random(1), prover.world.words.high + 1
+    for group in prover.world.layout.device.groups:
+        laid = registers(prover, group, READ)
+        for address, count in spans(laid, most) if laid else ():
+            words = {address + at: dice.choice([0, 0, 1, dice.randrange(1 << 16)]) for at in range(max(0, count))}
+            array = [*words.values(), *([0xFFFF] * (most - len(words)))]
+            held = prover.machine.fresh(prover.world.names.structs[group.name].lower())
+            before = {one.name: prover.register_out(one, held[member(prover, group, one)]) for one in laid}
+            name = ordered(prover, "unpack", group.name)
+            status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=held)
+            try:
+                expected = {one.name: read_of(prover, one, words) for one in laid}
+            except CodecError as error:
+                judged(status, error, (group.name, address, count))
+                continue
+            there = any(value is not None for values in expected.values() for value in values)
+            assert status == ("ok" if there else "not_covered"), (group.name, address, count)
+            for one in laid:
+                pairs = zip(expected[one.name], before[one.name], strict=True)
+                wanted = [old if new is None else new for new, old in pairs]
+                assert prover.register_out(one, held[member(prover, group, one)]) == wanted, (one.name, address)
+
+
+def member(prover: Proof, group: RegisterGroup, laid: RegisterLayout) -> str:
+    """The member of a register."""
+    return prover.world.member(group.name, laid.name).lower()
+
+
+def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Proof) -> None:
+    dice, most, device = random.Random(2), prover.world.words.high + 1, prover.world.layout.device
+    for group in device.groups:
+        laid = registers(prover, group, WRITTEN)
+        for address, count in spans(laid, most) if laid else ():
+            held = prover.machine.fresh(prover.world.names.structs[group.name].lower())
+            values = {
+                one.name: [drawn_value(prover.world.layout, one.register.value, dice) for _ in range(one.count)]
+                for one in laid
+            }
+            for one in laid:
+                held[member(prover, group, one)] = prover.register_in(one, values[one.name])
+            array = [0] * most
+            name = ordered(prover, "pack", group.name)
+            status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=held)
+            try:
+                words = written_of(prover, laid, values, address, count)
+            except CodecError as error:
+                judged(status, error, (group.name, address, count))
+                continue
+            if count > 0 and len(words) == count:
+                assert (status, array) == ("ok", [*(words[address + at] for at in range(count)), *[0] * (most - count)])
+            else:
+                assert status == "not_covered", (group.name, address, count)
+
+
+def written_of(
+    prover: Proof, laid: list[RegisterLayout], values: dict[str, list[Any]], address: int, count: int
+) -> dict[int, int]:
+    """The words that the reference writes, by their addresses, of the registers that lie wholly in a range."""
+    device, words = prover.world.layout.device, {}
+    for one in laid:
+        for number in range(one.count):
+            at, value = one.address + number * one.stride, one.register.value
+            if address <= at and at + one.words <= address + count:
+                raw = encoded_value(one.name, value, values[one.name][number], device)
+                data = value_construct(value, one.order, one.swapped).build(raw).ljust(2 * one.words, b"\0")
+                held = held_in(data, "words", device.byte_order)
+                words |= {at + word: number_of for word, number_of in enumerate(held)}
+    return words
+
+
+def test_a_number_on_the_wire_is_a_member_of_its_enum_or_is_refused(prover: Proof) -> None:
+    for enum in prover.world.layout.device.enums.values():
+        names = [one.name for one in enum_routines(prover.world, enum)]
+        known = {one.value: one for one in reversed(enum.members) if not one.unavailable}
+        for raw in {*known, *(value + by for value in known for by in (-1, 1)), 0} if names else ():
+            kind = prover.world.raw_type(enum.name)
+            if not kind.low <= raw <= kind.high:
+                continue
+            valid, value = prover.machine.call(names[0], **{f"{prefix(prover, names[0])}": raw})
+            assert valid == (raw in known), (enum.name, raw)
+            if valid:
+                kind_name = prover.world.names.enums[enum.name].name
+                spelled = prover.world.names.enum_members[enum.name][known[raw].name]
+                assert value == raw == prover.machine.number(kind_name, spelled)
+                if names[1].lower() in prover.machine.unit.functions:
+                    assert prover.machine.call(names[1], eValue=value) == (True, raw)
+
+
+def prefix(prover: Proof, name: str) -> str:
+    """The only input of a function."""
+    return next(one for role, one, _, _ in prover.machine.unit.functions[name.lower()].variables if role == "VAR_INPUT")
+
+
+@pytest.mark.parametrize("rounding", ROUNDINGS)
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_counts_become_quantities_and_quantities_the_nearest_counts(root: Path, device: str, rounding: str) -> None:
+    prover = proof(root, device, rounding)
+    dice = random.Random(3)
+    for name, same in quantities(prover.world.layout).items():
+        value = same[0].value
+        low, high = (value.ranges.low, value.ranges.high) if value.ranges else (value.type.low, value.type.high)
+        sentinels = {one.value for one in value.sentinels}
+        for raw in {low, high, low - 1, high + 1, 0, 1, *(dice.randint(low, high) for _ in range(8)), *sentinels}:
+            if not value.type.low <= raw <= value.type.high:
+                continue
+            right = raw not in sentinels and (value.ranges is None or raw in value.ranges)
+            status, (quantity,) = prover.positional(prover.world.routine(name, "from_counts"), raw)
+            assert status == ("ok" if right else "out_of_range"), (name, raw)
+            if right:
+                assert quantity == pytest.approx(float(value.in_unit(raw)), rel=1e-15, abs=1e-300)
+                for beside in (Fraction(0), Fraction(49, 100), Fraction(-49, 100)) if abs(raw) < 1 << 40 else ():
+                    exact = (raw + beside) * Fraction(value.scale) + Fraction(value.offset)
+                    assert counts(prover, name, float(exact)) == ("ok", raw), (name, raw, beside)
+        assert counts(prover, name, float("nan"))[0] == "out_of_range"
+        for bound, by in ((low, Decimal(-2)), (high, Decimal(2))):
+            assert counts(prover, name, float(value.in_unit(bound) + by * value.scale))[0] == "out_of_range" or abs(
+                bound
+            ) > (1 << 50)
+
+
+def counts(prover: Proof, name: str, quantity: float) -> tuple[str, int]:
+    """The status and the count of a quantity."""
+    status, (found,) = prover.positional(prover.world.routine(name, "to_counts"), quantity)
+    return status, found
+
+
+@pytest.mark.parametrize("rounding", ROUNDINGS)
+def test_of_two_equally_near_counts_the_even_one_is_taken(rounding: str) -> None:
+    prover = proof(MADE_UP, "widget", rounding)
+    found = [counts(prover, "temperature", -40 + half / 4) for half in (1, 3, 5, -1, -3, -5)]
+    assert found == [("ok", number) for number in (0, 2, 2, 0, -2, -2)]
+
+
+@pytest.mark.parametrize("rounding", ROUNDINGS)
+def test_conversions_by_a_reference_agree_with_their_formula(rounding: str) -> None:
+    prover = proof(SPECS, "hiwin-e", rounding)
+    for share in prover.world.layout.device.conversions.values():
+        for raw in (0, 1, 77, share.full_scale // 3, share.full_scale // 2):
+            exact = share.quantity(raw, Fraction(3000))
+            status, (quantity,) = prover.positional(prover.world.routine(share.name, "from_counts"), raw, 3000.0)
+            assert (status, quantity) == ("ok", pytest.approx(float(exact), rel=1e-12, abs=1e-12)), share.name
+            status, (back,) = prover.positional(prover.world.routine(share.name, "to_counts"), float(exact), 3000.0)
+            assert (status, back) == ("ok", raw), share.name
+        assert prover.positional(prover.world.routine(share.name, "to_counts"), 1.0, 0.0)[0] == "out_of_range"
+
+
+def test_floats_are_made_of_their_bits_and_back_exactly() -> None:
+    prover, dice = proof(MADE_UP, "widget"), random.Random(4)
+    numbers = [0, 1, 0x7FFFFF, 0x800000, 0x3F800000, 0x7F7FFFFF, 0x80000001, 0xFF7FFFFF, 0xC0490FDB]
+    for bits in [*numbers, *(dice.randrange(1 << 32) for _ in range(300)), 0x7F800000, 0xFF800000, 0x7FC00000]:
+        (exact,) = struct.unpack(">f", bits.to_bytes(4, "big"))
+        status, (value,) = prover.positional(prover.world.routine("real_from_bits"), bits)
+        finite = bits >> 23 & 0xFF != 0xFF
+        assert status == ("ok" if finite else "no_number"), hex(bits)
+        if finite:
+            assert value == exact
+            assert prover.positional(prover.world.routine("bits_from_real"), exact) == ("ok", [bits]), hex(bits)
+        else:
+            assert prover.positional(prover.world.routine("bits_from_real"), exact)[0] == "no_number", hex(bits)
