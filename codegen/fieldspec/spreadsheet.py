@@ -25,8 +25,10 @@ _NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
 
 def clean(text: str) -> str:
     """A cell's text in one line: no control characters, single blanks, no apostrophe before a sign of a formula."""
-    shown = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
-    shown = _BLANK.sub(" ", shown).strip()
+    shown = text
+    if not text.isprintable():
+        shown = "".join(" " if unicodedata.category(sign) in ("Cc", "Cf", "Cs", "Zl", "Zp") else sign for sign in text)
+    shown = " ".join(shown.split())
     return shown[1:] if shown[:1] == "'" and shown[1:2] in FORMULA_SIGNS else shown
 
 

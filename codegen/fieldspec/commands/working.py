@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from fieldspec import pipeline
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
-from fieldspec.reading.project import Project
+from fieldspec.reading.project import DeviceSpec, Project
 
 WORTH_IT = 40_000
 """Bytes of specs that take longer than starting processes."""
@@ -44,7 +44,8 @@ class Done:
 
 
 def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done]:
-    """The results of tasks, in their order. `size` is that of the specs, in bytes."""
+    """The results of tasks in any order. `size` is that of the specs, in bytes."""
+    tasks = sorted(tasks, key=lambda task: -_work(project.devices[task.device]))  # who is left alone has a small one
     processes = min(_processors(), sum(len(task.outputs) or 1 for task in tasks))
     if processes < 2 or size < WORTH_IT or sys.platform != "linux":
         return [carry_out(project, task) for task in tasks]
@@ -64,6 +65,11 @@ def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done
         single = [Task(task.device, task.versions, False, (name,)) for task in tasks for name in task.outputs]
         parts = list(pool.map(_carry_out, single))
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
+
+
+def _work(spec: DeviceSpec) -> int:
+    """About how much there is to do for a device."""
+    return len(spec.files) * len(spec.versions())
 
 
 def _joined(done: Done, parts: list[Done]) -> Done:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
+from fieldspec import classes
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import LinkLayout, link_layout
 from fieldspec.layout.identity import identity
@@ -14,6 +16,9 @@ from fieldspec.model.device import Device
 from fieldspec.model.record import Record
 from fieldspec.model.register import Register
 from fieldspec.model.table import Table
+
+if TYPE_CHECKING:
+    from fieldspec.layout.explanation import Explanation
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +36,7 @@ class DeviceLayout:
     """All numbers of a device at one version. `identity` is equal if and only if what is on the wire is.
 
     `twins` are the versions of other lines that have no outputs of their own, and share those of this one.
+    `explanations` holds those of examples by id, which several outputs ask for.
     """
 
     device: Device
@@ -41,6 +47,7 @@ class DeviceLayout:
     registers: tuple[RegisterLayout, ...]
     tables: Mapping[str, TableLayout]
     twins: tuple[str, ...] = ()
+    explanations: dict[str, Explanation] = classes.field(default_factory=dict, repr=False, compare=False)
 
 
 def device_layout(device: Device) -> DeviceLayout:

@@ -21,6 +21,7 @@ from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.example import Example
 
 __all__ = ["Explanation", "Meaning", "Row", "closest", "explained", "lengths", "recognised"]
 
@@ -74,6 +75,17 @@ def explained(
     """
     asked = explained(layout, link, "request", request, message) if request and direction == "response" else None
     return _Frame(layout, link, direction, frame, message, asked).explanation()
+
+
+def explained_example(layout: DeviceLayout, example: Example) -> Explanation:
+    """The explanation of an example's frame, worked out once."""
+    found = layout.explanations.get(example.id)
+    if found is None:
+        asked = layout.device.examples.get(example.reply_to)
+        request = asked.frame if asked else b""
+        found = explained(layout, example.link, example.direction, example.frame, example.message, request)
+        layout.explanations[example.id] = found
+    return found
 
 
 def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:

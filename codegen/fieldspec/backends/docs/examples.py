@@ -25,7 +25,7 @@ from fieldspec.backends.docs.document import (
     table,
 )
 from fieldspec.layout.explaining.row import Row as ByteRow
-from fieldspec.layout.explanation import Explanation, Meaning, explained
+from fieldspec.layout.explanation import Explanation, Meaning, explained_example
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.printed import Printed, printed
 from fieldspec.model.erratum import Erratum
@@ -73,10 +73,7 @@ def _line(example: Example) -> tuple[bool, int]:
 
 
 def _example(context: Context, example: Example) -> Section:
-    asked = context.device.examples.get(example.reply_to)
-    found = explained(
-        context.layout, example.link, example.direction, example.frame, example.message, asked.frame if asked else b""
-    )
+    found = explained_example(context.layout, example)
     print_of = printed(context.device, example)
     blocks: list[Paragraph | Facts | Strips | Table] = []
     blocks += [Paragraph(_erratum_line(erratum), "erratum") for erratum in print_of.errata]

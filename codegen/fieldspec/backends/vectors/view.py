@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explanation import explained
+from fieldspec.layout.explanation import explained_example
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.printed import printed
 from fieldspec.model.example import Example
@@ -39,9 +39,7 @@ def vector(layout: DeviceLayout, example: Example) -> Vector:
     """One example at one version, without the versions that have it."""
     print_of = printed(layout.device, example)
     source = example.sources[0] if example.sources else None
-    asked = layout.device.examples.get(example.reply_to)
-    request = asked.frame if asked else b""
-    found = explained(layout, example.link, example.direction, example.frame, example.message, request)
+    found = explained_example(layout, example)
     by_characters = layout.links[example.link].link.encoding != "binary"
     return {
         "id": example.id,

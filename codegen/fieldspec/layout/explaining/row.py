@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.explaining.worded import Meaning, Worded
 from fieldspec.layout.meaning import Raw
 from fieldspec.model.device import Device
+from fieldspec.model.erratum import Erratum
 from fieldspec.model.fact import Citation, Fact
 from fieldspec.model.message import Message
 
@@ -69,9 +71,33 @@ def citations(sources: Iterable[Citation]) -> str:
     return "; ".join(citation.text() for citation in sources)
 
 
+class _Errata:
+    """The errata of one device by the paths that they touch. They are asked for at every row."""
+
+    def __init__(self, errata: tuple[Erratum, ...]) -> None:
+        self.errata = errata
+        self.within: dict[str, list[str]] = {}
+        self.of: dict[str, list[tuple[int, str]]] = {}
+        for number, one in enumerate(errata):
+            for path in (one.fact, *(one.fact[: found.start()] for found in re.finditer("/", one.fact))):
+                self.within.setdefault(path, []).append(one.id)
+            for path in {one.fact, one.fact.partition("/restated/")[0]}:
+                self.of.setdefault(path, []).append((number, one.id))
+
+
+_last = [_Errata(())]
+
+
+def _errata(device: Device) -> _Errata:
+    """Those of a device; the last ones are kept, as one device is explained at a time."""
+    if _last[0].errata is not device.errata:
+        _last[0] = _Errata(device.errata)
+    return _last[0]
+
+
 def errata_at(device: Device, path: str) -> tuple[str, ...]:
     """The errata of a fact and of what lies in it."""
-    return tuple(e.id for e in device.errata if e.fact == path or e.fact.startswith(f"{path}/"))
+    return tuple(_errata(device).within.get(path, ()))
 
 
 def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
@@ -84,8 +110,8 @@ def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
 
 def errata_of_words(device: Device, facts: Iterable[str]) -> tuple[str, ...]:
     """The errata of enums, members and flags that took part; those of other members do not touch a value."""
-    known = set(facts)
-    return tuple(e.id for e in device.errata if e.fact in known or e.fact.partition("/restated/")[0] in known)
+    of = _errata(device).of
+    return tuple(name for _, name in sorted({one for fact in facts for one in of.get(fact, ())}))
 
 
 def fact_row(
