@@ -46,6 +46,7 @@ _FOOTNOTE = re.compile(r"(?<![A-Za-z0-9])\^?\{? ?\*[0-9]{1,2}(?![0-9.,%])\}?")
 _COMMAND = re.compile(r"\\[a-zA-Z]+")
 _RULE = re.compile(r"[\s|:+=-]*")
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_HEX = re.compile(r"[0-9][0-9A-Fa-f]{0,15} ?$|[A-Fa-f][0-9A-Fa-f]{0,14}[0-9][A-Fa-f]{0,4} ?$")
 _FOREIGN = re.compile(r"[^\x20-\x7e]+")
 _MARKS = re.compile(rf"{LEFT}(?:[\s,.;\"]*{LEFT})*")
 _BLANKS = re.compile(r" {2,}")
@@ -85,6 +86,6 @@ def _word(found: re.Match[str], cell: str) -> str:
     word = found[0]
     if not word.islower() or any(char.isdigit() or char == "_" for char in word):
         return word
-    before = cell[: found.start()].rstrip(" ")[-1:]
-    hangs = cell[found.start() - 1 : found.start()].isdigit() or (len(word) == 1 and before.isalnum())
+    before = cell[: found.start()]
+    hangs = before[-1:].isdigit() or (word == "h" and _HEX.search(before) is not None)
     return word if hangs else LEFT
