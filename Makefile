@@ -1,5 +1,6 @@
 # make         set up what is needed and build every output
 # make test    set up and test everything
+# make fuzz    fuzz the C headers of all devices at the same time, for a minute each
 # make accept  rewrite the tests' expectations; read the difference before you commit it
 # make pins    choose new versions of the dependencies
 # make clean   remove what make has set up
@@ -14,7 +15,7 @@ TOOLS := tests/tools/node_modules/.package-lock.json
 NPM := $(shell command -v npm 2>/dev/null)
 UV := uv==0.13.8
 
-.PHONY: build test accept pins clean
+.PHONY: build test fuzz accept pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -24,6 +25,9 @@ test: $(INSTALLED) $(if $(NPM),$(TOOLS))
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/pytest
+
+fuzz: $(INSTALLED)
+	$(BIN)/python tests/c_output/fuzz.py
 
 accept: $(INSTALLED)
 	$(BIN)/pytest --accept

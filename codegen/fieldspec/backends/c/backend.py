@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.backends.c.comments import told
 from fieldspec.backends.c.enums import coded, enum_lines, text_lines
 from fieldspec.backends.c.frames import link_lines
+from fieldspec.backends.c.fuzzing import target
 from fieldspec.backends.c.machine import OWN_MACROS, machine_lines
 from fieldspec.backends.c.naming import Naming, stem
 from fieldspec.backends.c.parameters import parameter_lines
@@ -26,13 +27,14 @@ _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double"
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """A header and a self-test for each version of a device, and a header that takes the one that is asked for."""
+    """For each version of a device a header, a self-test and a fuzz target; and the header that takes one of these."""
     texts = selection(versions)
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
         naming = Naming(layout.device.id)
         texts[f"{name}.h"] = header(layout, naming)
         texts[f"{name}_selftest.c"] = program(layout, naming, f"{name}.h")
+        texts[f"{name}_fuzz.c"] = target(layout, naming, f"{name}.h")
     return texts
 
 

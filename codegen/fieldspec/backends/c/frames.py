@@ -25,6 +25,11 @@ def head_members(shape: FrameLayout) -> list[PartLayout]:
     ]
 
 
+def wrapped(link: LinkLayout) -> bool:
+    """Whether a frame is more than its bytes: it has marks, or is written in characters."""
+    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end)
+
+
 def part_wire(part: PartLayout) -> Wire:
     """The value of a part that holds one."""
     assert part.value is not None
@@ -34,7 +39,7 @@ def part_wire(part: PartLayout) -> Wire:
 def link_lines(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[str]:
     """All of a link's functions."""
     lines = told(link.link, f"A frame is {_form(link)}.")
-    if link.link.encoding == "hex_ascii" or link.link.start or link.link.end:
+    if wrapped(link):
         lines += [*_parts(naming, link), ""]
     for direction in DIRECTIONS:
         lines += [*_frame_struct(naming, link, direction), "", *_open(naming, link, direction), ""]
@@ -108,11 +113,10 @@ def _frame_struct(naming: Naming, link: LinkLayout, direction: str) -> list[str]
 def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
     """The function that checks a frame and finds its body."""
     shape = link.frame(direction)
-    unwrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
-    buffer = ", uint8_t *buffer, size_t capacity" if unwrapped else ""
+    buffer = ", uint8_t *buffer, size_t capacity" if wrapped(link) else ""
     kind = naming.type("link", link.name, direction, "frame")
     told_of = ["Checks a frame and finds its body."]
-    if unwrapped:
+    if wrapped(link):
         told_of.append("The buffer receives the frame's bytes, and the body lies in it.")
     lines = [
         *comment(*told_of),
@@ -121,7 +125,7 @@ def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
         "{",
     ]
     body = []
-    if unwrapped:
+    if wrapped(link):
         body += ["const uint8_t *in = buffer;", "size_t length = 0;", f"{naming.own('codec_status')} status;"]
         body += [f"status = {naming.function('link', link.name, 'parts')}(frame, size, buffer, capacity, &length);"]
         body += [f"if (status != {naming.own_macro('ok')}) {{", "    return status;", "}"]

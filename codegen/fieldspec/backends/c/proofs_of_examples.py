@@ -8,7 +8,7 @@ from fieldspec.backends.c.assertions import assigned, compared, same
 from fieldspec.backends.c.decided import of_values
 from fieldspec.backends.c.expected import record_value
 from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.frames import head_members
+from fieldspec.backends.c.frames import head_members, wrapped
 from fieldspec.backends.c.naming import Naming, frame_member
 from fieldspec.backends.c.text import array, integer, string
 from fieldspec.layout.device import DeviceLayout
@@ -30,14 +30,13 @@ def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> lis
     """Opens a frame, decodes its body, compares every member, and writes the frame again."""
     link = layout.links[example.link]
     shape = link.frame(example.direction)
-    wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end
-    buffer = "buffer, sizeof buffer, " if wrapped else ""
+    buffer = "buffer, sizeof buffer, " if wrapped(link) else ""
     open_ = naming.function("link", link.name, example.direction, "open")
     opened = f"{open_}(received, sizeof received, {buffer}&opened)"
     what = f"example {example.id}"
     lines = [f"static const uint8_t frame[] = {{{array(example.frame)}}};"]
     lines.append("uint8_t received[sizeof frame];")
-    if wrapped:
+    if wrapped(link):
         lines.append("uint8_t buffer[sizeof frame];")
     lines.append(f"{naming.type('link', link.name, example.direction, 'frame')} opened;")
     started = ["copy(received, frame, sizeof frame);", "clear(&opened, sizeof opened);"]

@@ -1,0 +1,71 @@
+"""The fuzz targets: they find nothing in the headers, and find what is put there."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from compiling import STRICT, require_tool
+from fuzz import built, command
+
+from fieldspec.backends.c.backend import files
+from fieldspec.backends.c.naming import stem
+from laid_out import MADE_UP, SPECS, newest
+from tools_available import without
+
+DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]
+DEVICES += [(MADE_UP, name) for name in ("gadget", "glider-x", "widget")]
+SECONDS = 2
+
+
+def clang() -> str:
+    """The compiler, if it has its fuzzer."""
+    tool = require_tool("clang")
+    folder = subprocess.run([tool, "-print-resource-dir"], capture_output=True, text=True, check=True).stdout.strip()
+    return (
+        tool if list(Path(folder).glob("lib/*/libclang_rt.fuzzer*")) else without("libclang-rt, which has libFuzzer,")
+    )
+
+
+def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "", wrong: str = "") -> str:
+    """What a fuzzer says at its end, in whose header something may have been replaced first."""
+    tool, layout = clang(), newest(root, device)
+    name = stem(device, layout.device.version)
+    for path, text in files([layout]).items():
+        changed = re.sub(re.escape(right), wrong, text, count=1) if path == f"{name}.h" and right else text
+        assert changed != text or not right or path != f"{name}.h"
+        (folder / path).write_text(changed, encoding="utf-8", newline="\n")
+    program = built(tool, folder, folder / f"{name}_fuzz.c", *([] if right else STRICT))
+    call = command(program, seconds, folder / "corpus")
+    result = subprocess.run(call, capture_output=True, text=True, check=False, errors="replace")
+    assert (result.returncode == 0) == ("SUMMARY" not in result.stderr)
+    return result.stderr
+
+
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=[device for _, device in DEVICES])
+def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None:
+    said = fuzzed(tmp_path, root, device, SECONDS)
+    assert "SUMMARY" not in said, said[-3000:]
+    assert re.search(r"^Done \d{4,} runs", said, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("root", "device", "right", "wrong", "found"),
+    [
+        (SPECS, "tc100", "if (length != 28u)", "if (length > 28u)", "heap-buffer-overflow"),
+        (SPECS, "tc100", "if (size < 3u)", "if (size < 1u)", "SUMMARY"),
+        (SPECS, "tc100", "tc100_store_u16_be(out + 6, ", "tc100_store_u16_be(out + 8, ", "deadly signal"),
+        (SPECS, "esc11", "if (capacity < ", "if (capacity + 1u < ", "SUMMARY"),
+        (MADE_UP, "glider-x", "if (!(count > ", "if ((count != count) && !(count > ", "outside the range"),
+    ],
+)
+def test_a_fuzzer_finds_what_is_wrong(
+    root: Path, device: str, right: str, wrong: str, found: str, tmp_path: Path
+) -> None:
+    assert found in fuzzed(tmp_path, root, device, 60, right, wrong)
