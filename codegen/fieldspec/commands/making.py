@@ -10,8 +10,11 @@ from fieldspec.classes import dataclass
 from fieldspec.commands import sources
 from fieldspec.commands.caching import digest
 from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
+from fieldspec.commands.sources import INDEX
+from fieldspec.commands.usage import UsageError
 
 if TYPE_CHECKING:
+    from fieldspec.audit.manual_index import ManualIndex
     from fieldspec.diagnostics import Diagnostic
 
 
@@ -100,7 +103,8 @@ def _anew(
         plan = plans.get(spec.id, _Plan(True, (), {}))
         versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
-            tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else ()))
+            manual = _manual(sources.shown(path), spec.id, files)
+            tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
     done = {one.device: one for one in carried_out(project, tasks, sum(map(len, files.values())))}
     found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
     if has_errors(found):
@@ -116,7 +120,7 @@ def _anew(
         if device not in done:
             devices[device] = earlier.devices[device]
             continue
-        files_read = project.devices[device].files
+        files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
         one = done[device]
         devices[device] = Built(
             {file: earlier.now[file] for file in sorted(files_read)},
@@ -127,6 +131,21 @@ def _anew(
     return Made(
         found, devices, {**shared, **{name: _hashes(held) for name, held in common.items()}}, contents, not found
     )
+
+
+def _manual(folder: str, device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
+    """The index of a device's manual, where there is one among its files."""
+    from fieldspec.audit.manual_index import ManualError, parsed
+
+    path = f"{device}/{INDEX}"
+    if path not in files:
+        return None
+    try:
+        return parsed(f"{folder}/{path}" if folder else path, files[path].decode("utf-8").replace("\r\n", "\n"))
+    except UnicodeDecodeError:
+        raise UsageError(f"cannot read {path}: it is not UTF-8") from None
+    except ManualError as error:
+        raise UsageError(f"{path} {error}") from None
 
 
 def _hashes(contents: Mapping[str, bytes]) -> Hashes:

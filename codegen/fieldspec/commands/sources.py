@@ -10,6 +10,8 @@ from fieldspec.reading.folders import MAIN, PROTOCOLS, VERSIONS
 
 FOLDER = "specs"
 VARIABLE = "FIELDSPEC_SPECS"
+INDEX = "manual.index"
+"""The file of a device with the index of its manual, which audits are made from."""
 
 
 def folder(given: str | None) -> Path:
@@ -32,10 +34,11 @@ def folder(given: str | None) -> Path:
 
 
 def files(path: Path, only: frozenset[str] = frozenset()) -> dict[str, bytes]:
-    """The spec files below a folder by relative path; of all devices' folders, or of `only` some."""
+    """The files of specs below a folder by relative path; of all devices' folders, or of `only` some."""
     found: dict[str, bytes] = {}
     try:
-        for file in sorted([*path.glob("*/*.yaml"), *path.glob(f"*/{VERSIONS}/*.yaml")]):
+        patterns = ("*/*.yaml", f"*/{VERSIONS}/*.yaml", f"*/{INDEX}")
+        for file in sorted(file for pattern in patterns for file in path.glob(pattern)):
             inner = file.relative_to(path)
             hidden = file.name.startswith(".")  # what editors leave beside a file
             if not hidden and (not only or inner.parts[0] in only or inner.parts[0] == PROTOCOLS):

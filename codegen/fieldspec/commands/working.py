@@ -10,9 +10,13 @@ import sys
 from collections.abc import Sequence
 
 from fieldspec import pipeline
-from fieldspec.classes import dataclass
+from fieldspec.audit.manual_index import ManualIndex
+from fieldspec.classes import dataclass, replace
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.reading.project import DeviceSpec, Project
+
+DOCUMENTATION = "docs"
+"""The output that audits are a part of, where all versions of a device are built."""
 
 WORTH_IT = 40_000
 """Bytes of specs that take longer than starting processes."""
@@ -20,12 +24,16 @@ WORTH_IT = 40_000
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """A device of which some versions get outputs, all where none is named, and whether it is checked first."""
+    """A device of which some versions get outputs, all where none is named, and whether it is checked first.
+
+    `manual` is the index of its manual, for its audit, which is a part of its documentation.
+    """
 
     device: str
     versions: frozenset[str]
     check: bool
     outputs: tuple[str, ...]
+    manual: ManualIndex | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,10 +67,10 @@ def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done
     with pool:
         if len(tasks) >= processes:
             return list(pool.map(_carry_out, tasks))
-        checked = list(pool.map(_carry_out, [Task(task.device, task.versions, task.check, ()) for task in tasks]))
+        checked = list(pool.map(_carry_out, [replace(task, outputs=()) for task in tasks]))
         if any(has_errors(done.found) for done in checked):
             return checked
-        single = [Task(task.device, task.versions, False, (name,)) for task in tasks for name in task.outputs]
+        single = [replace(task, check=False, outputs=(name,)) for task in tasks for name in task.outputs]
         parts = list(pool.map(_carry_out, single))
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
 
@@ -94,7 +102,12 @@ def carry_out(project: Project, task: Task) -> Done:
     identities = {
         f"{spec.id}@{version}": laid.identity for laid in layouts for version in (laid.device.version, *laid.twins)
     }
-    return Done(task.device, found, identities, {name: pipeline.output(name, layouts) for name in task.outputs})
+    outputs = {name: pipeline.output(name, layouts) for name in task.outputs}
+    if DOCUMENTATION in outputs and not task.versions:
+        from fieldspec.render.audit_pages import pages
+
+        outputs[DOCUMENTATION] |= pages(spec, layouts, task.manual, outputs[DOCUMENTATION])
+    return Done(task.device, found, identities, outputs)
 
 
 _project: Project

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.backends.docs import html, markdown
 from fieldspec.backends.docs.anchors import every, headings
-from fieldspec.backends.docs.changes import NAME, changed, link, page_name, steps
+from fieldspec.backends.docs.changes import NAME, Step, changed, link, page_name, steps
 from fieldspec.backends.docs.document import Document, plain
 from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.page import page
@@ -25,10 +25,7 @@ def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:
     held = steps(layouts)
     holding = Holding(layouts)
     pages = {layout.device.version: page(layout, holding) for layout in layouts}
-    texts = {
-        f"{folder}/index.html": _html(versions(layouts, held, ".html")),
-        f"{folder}/README.md": _markdown(versions(layouts, held, ".md")),
-    }
+    texts = _index(layouts, held, ())
     if held:
         rows = {version: frozenset(every(made.sections)) for version, made in pages.items()}
         sections = {version: frozenset(headings(made.sections)) for version, made in pages.items()}
@@ -41,6 +38,19 @@ def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:
         texts[f"{folder}/{name}.html"] = _html(_leading(made, version, ".html") if fresh else made)
         texts[f"{folder}/{name}.md"] = _markdown(_leading(made, version, ".md") if fresh else made)
     return texts
+
+
+def index(layouts: Sequence[DeviceLayout], beside: Sequence[tuple[str, str]]) -> dict[str, str]:
+    """The lists of versions alone, which also lead to other pages: what each is, and its file."""
+    return _index(layouts, steps(layouts), beside)
+
+
+def _index(layouts: Sequence[DeviceLayout], held: Sequence[Step], beside: Sequence[tuple[str, str]]) -> dict[str, str]:
+    folder = layouts[-1].device.id
+    return {
+        f"{folder}/index.html": _html(versions(layouts, held, ".html", beside)),
+        f"{folder}/README.md": _markdown(versions(layouts, held, ".md", beside)),
+    }
 
 
 def _leading(made: Document, version: str, ending: str) -> Document:

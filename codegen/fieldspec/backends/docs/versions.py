@@ -38,8 +38,13 @@ COLUMNS = (
 )
 
 
-def versions(layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str) -> Document:
-    """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead."""
+def versions(
+    layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str, beside: Sequence[tuple[str, str]] = ()
+) -> Document:
+    """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead.
+
+    `beside` are other pages of the device: what each is, and its file.
+    """
     newest = layouts[-1]
     device = newest.device
     known = {version.id: version for line in device.lines for version in line.versions}
@@ -50,7 +55,10 @@ def versions(layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str)
         rows.append(_row(layout, known.get(version), came_by.get(version), ending))
     blocks = [Paragraph((plain(device.doc),))] if device.doc else []
     section = Section("versions", (plain("Versions"),), (*blocks, table("Versions, the newest first", COLUMNS, rows)))
-    return Document(clean(device.name), clean(device.title), newest.identity, device.manual.language, (), (section,))
+    summary = tuple((plain(text, file),) for text, file in beside)
+    return Document(
+        clean(device.name), clean(device.title), newest.identity, device.manual.language, summary, (section,)
+    )
 
 
 def _row(layout: DeviceLayout, version: Version | None, step: Step | None, ending: str) -> Row:
