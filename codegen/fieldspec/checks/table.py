@@ -37,6 +37,7 @@ from fieldspec.checks.finding import Check
 from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
+from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
@@ -111,6 +112,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("flags_forms_agree", flags_forms_agree),
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
+    ("identifiers_spelled_alike", identifiers_spelled_alike),
     ("inferred_keys_given", inferred_keys_given),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
