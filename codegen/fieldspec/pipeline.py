@@ -41,6 +41,11 @@ def findings(spec: DeviceSpec) -> list[Diagnostic]:
     return proven(spec)
 
 
+def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnostic]:
+    """What forbids some outputs of one device, asked before any of them is made."""
+    return [found for name in names for found in OUTPUTS[name].refusals(versions)]
+
+
 def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(OUTPUTS)) -> dict[str, bytes]:
     """The files of some outputs of some devices, by path relative to the folder of generated files."""
     devices = list(devices)

@@ -81,11 +81,12 @@ def _work(spec: DeviceSpec) -> int:
 
 
 def _joined(done: Done, parts: list[Done]) -> Done:
-    identities, outputs = dict(done.identities), dict(done.outputs)
+    found, identities, outputs = list(done.found), dict(done.identities), dict(done.outputs)
     for part in parts:
+        found += part.found
         identities |= part.identities
         outputs |= part.outputs
-    return Done(done.device, done.found, identities, outputs)
+    return Done(done.device, found, identities, outputs)
 
 
 def _processors() -> int:
@@ -99,6 +100,9 @@ def carry_out(project: Project, task: Task) -> Done:
     if has_errors(found) or not task.outputs:
         return Done(task.device, found, {}, {})
     layouts = [laid for laid in pipeline.layouts(spec) if not task.versions or laid.device.version in task.versions]
+    found += pipeline.refusals(layouts, task.outputs)
+    if has_errors(found):
+        return Done(task.device, found, {}, {})
     identities = {
         f"{spec.id}@{version}": laid.identity for laid in layouts for version in (laid.device.version, *laid.twins)
     }

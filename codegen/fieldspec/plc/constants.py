@@ -24,7 +24,7 @@ class Constant:
     type: Elementary
     value: int | Decimal
     remark: str
-    fact: Fact
+    fact: Fact | None
     hexadecimal: bool = False
 
 
@@ -40,13 +40,14 @@ class ConstantList:
 
 @dataclass(frozen=True, slots=True)
 class Draft:
-    """A constant before it has a name in a dialect. A `derived` name gives way where it is taken."""
+    """A constant before it has a name in a dialect. A `derived` name gives way where it is taken; `fact` is None for
+    a number of our own."""
 
     name: str
     type: Elementary
     value: int | Decimal
     remark: str
-    fact: Fact
+    fact: Fact | None
     hexadecimal: bool = False
     derived: bool = False
 

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
+from fieldspec.model.flags import Flags
+from fieldspec.model.value import Value
 from fieldspec.names import Name
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, available
+from fieldspec.plc.layout import fitting
+from fieldspec.plc.layout.images import Images, PlainNaming, titled
+from fieldspec.plc.layout.memory import MEMORIES
+from fieldspec.plc.layout.placing import Placed, placed
 from fieldspec.plc.naming import Scope
 from fieldspec.plc.narrowing import narrowed
 from fieldspec.plc.routines.choices import choice_type
@@ -33,8 +39,9 @@ _STATUS = "codec_status"
 class Declarations:
     """What is declared for a device, in the order in which it can be.
 
-    `structs` hold values, for programs; each stands behind those that lie in it. `world` has the same names for the
-    routines. `status` is also the first one of `enums`. `found` are the errors that forbid an output.
+    `structs` hold values, for programs; `images` are what lies on the wire, the process data of telegrams and whatever
+    else is in the dialect's memory as it is there. Each stands behind those that lie in it. `world` has the same names
+    for the routines. `status` is also the first one of `enums`. `found` are the errors that forbid an output.
     """
 
     dialect: Dialect
@@ -42,6 +49,7 @@ class Declarations:
     world: World
     enums: tuple[EnumDeclaration, ...]
     structs: tuple[Struct, ...]
+    images: tuple[Struct, ...]
     constants: tuple[ConstantList, ...]
     texts: tuple[TextTable, ...]
     found: tuple[Diagnostic, ...]
@@ -51,6 +59,15 @@ class Declarations:
         """The enum that routines return."""
         return self.enums[0]
 
+    def placed(self, struct: Struct) -> Placed:
+        """A struct or an image in the memory of the dialect."""
+        held = {one.name: one for one in (*self.structs, *self.images)}
+        return placed(struct, MEMORIES[self.dialect.target], held)
+
+    def image(self, key: str) -> Struct | None:
+        """The image of the data of a message or of a record."""
+        return next((one for one in self.images if one.key == key and one.kind != "bits"), None)
+
 
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
@@ -58,9 +75,12 @@ def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     declaring = _Declaring(laid, dialect, [*found])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
+    images = tuple(declaring.images())
     constants = tuple(declaring.constants())
     texts = tuple(declaring.texts())
-    return Declarations(dialect, laid, declaring.world, enums, structs, constants, texts, tuple(declaring.found))
+    return Declarations(
+        dialect, laid, declaring.world, enums, structs, images, constants, texts, tuple(declaring.found)
+    )
 
 
 class _Declaring:
@@ -117,7 +137,7 @@ class _Declaring:
         """The structs of records, of groups of registers, and of the data of telegrams."""
         for record in self.layout.records.values():
             if fixed(record):
-                yield self._of_record(record, "record", record.record, record.record.label)
+                yield self._of_record(record, "record", record.record, titled(record.record))
         for message in telegrams(self.layout):
             for data in (message.request, message.response):
                 if data.size and fixed(data):
@@ -130,8 +150,8 @@ class _Declaring:
                 members = []
                 for one in laid:
                     kind = register_type(self.world, one)
-                    name = scope.take(self._member(one.name, kind), one.register)
-                    remark = self._remark(one.register, one.register.value)
+                    name = scope.take(self.member(one.name, kind), one.register)
+                    remark = self.remark(one.register, one.register.value)
                     members.append(Member(name, kind, remark, one.register, one.register.value))
                     self._members.setdefault(group.name, {})[one.name] = name
                 title = group.title or Name.of(group.name).title()
@@ -144,8 +164,8 @@ class _Declaring:
         for field in record.fields:
             if given(field):
                 type_of = self._type(field)
-                name = scope.take(self._member(field.name, type_of), field.field)
-                members.append(Member(name, type_of, self._remark(field.field, field.value), field.field, field.value))
+                name = scope.take(self.member(field.name, type_of), field.field)
+                members.append(Member(name, type_of, self.remark(field.field, field.value), field.field, field.value))
                 self._members[record.name][field.name] = name
         return self._struct(record.name, kind, fact, title, members)
 
@@ -154,26 +174,53 @@ class _Declaring:
         self._structs[key] = name
         return Struct(name, key, kind, _told(fact, title), tuple(members), None, fact)
 
+    def images(self) -> Iterator[Struct]:
+        """The images of telegrams, which must be exact, and of those records that can be read as they lie."""
+        memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
+        plain, named = (Images(self.layout, naming, packed) for naming in (PlainNaming(), _Naming(self)))
+        for message in telegrams(self.layout):
+            for data in (message.request, message.response):
+                if data.size and fixed(data):
+                    title = message.message.title or Name.of(message.name).title()
+                    image = named.of(data, "telegram", message.message, _told(message.message, title))
+                    self.found += fitting.found(placed(image, memory, named.structs))
+                    if data.size > self.dialect.longest_image:
+                        self.found.append(_too_long(self.dialect, message.message, data.size))
+        for record in self.layout.records.values():
+            if fixed(record):
+                image = plain.of(record, "record", record.record, record.record.label)
+                if fitting.readable(placed(image, memory, plain.structs)):
+                    named.of(record, "record", record.record, _told(record.record, titled(record.record)))
+        yield from named.structs.values()
+
     def _type(self, field: FieldLayout) -> Type:
         if field.record is not None and field.record.name not in self._structs:
             return StructType(self._form(self.dialect.struct, field.record.name))
         return choice_type(field) if field.cases else field_type(self.world, field)
 
-    def _member(self, name: str, kind: Type) -> str:
+    def member(self, name: str, kind: Type) -> str:
+        """The name of a member of a struct."""
         return self.world.variable(name, kind) if self.dialect.prefixed else Name.of(name).camel()
 
-    def _remark(self, fact: Fact, value: object) -> str:
-        told = self.world.told(fact, value)  # type: ignore[arg-type]
+    def remark(self, fact: Fact, value: Value | None) -> str:
+        """What a comment says of a member."""
+        told = self.world.told(fact, value)
         return " ".join(part for part in (_printed(fact), told) if part)
 
     def constants(self) -> Iterator[ConstantList]:
         """The lists that have constants."""
         types = frozenset(self._enums) if self.dialect.enums else frozenset[str]()
         for key, (word, title, make) in LISTS.items():
-            drafts = list(make(self.layout, types))
+            drafts = [*(self._statuses() if key == "codes" else ()), *make(self.layout, types)]
             if drafts:
                 name = self._form(self.dialect.constants, key)
                 yield ConstantList(name, key, title, tuple(self._named(drafts, name, word)))
+
+    def _statuses(self) -> Iterator[Draft]:
+        """What the functions return, where that is no type."""
+        if not self.dialect.enums:
+            for number, (name, text) in enumerate(STATUSES):
+                yield Draft(f"{_STATUS}_{name}", BASE, number, text, None, derived=True)
 
     def _named(self, drafts: list[Draft], listed: str, word: str) -> Iterator[Constant]:
         qualified = self.dialect.qualified
@@ -197,6 +244,41 @@ class _Declaring:
         for enum, texts in coded(self.layout.device):
             name = scope.take(Name.of(f"{enum.name}_texts").upper(), enum)
             yield TextTable(name, _told(enum, enum.title or _printed(enum)), enum, texts)
+
+
+class _Naming:
+    """The names of images in a dialect."""
+
+    def __init__(self, declaring: _Declaring) -> None:
+        self._of = declaring
+
+    def struct(self, key: str, fact: Fact) -> str:
+        """See `Naming`."""
+        form = self._of.dialect.bit_struct if isinstance(fact, Flags) else self._of.dialect.image
+        return self._of.scope.take(form.format(self._of.device.pascal(), Name.of(key).pascal()), fact)
+
+    def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
+        """See `Naming`."""
+        scope = Scope(self._of.dialect, f"member of {key}", self._of.found)
+        spelled = [self._of.member(name, kind) for name, _, kind in named]
+        given_names = [
+            scope.take(text, fact) if fact is not None else ""
+            for text, (_, fact, _) in zip(spelled, named, strict=True)
+        ]
+        return [name or scope.free(text) for name, text in zip(given_names, spelled, strict=True)]
+
+    def remark(self, fact: Fact, value: Value | None) -> str:
+        """See `Naming`."""
+        return self._of.remark(fact, value)
+
+
+def _too_long(dialect: Dialect, fact: Fact, size: int) -> Diagnostic:
+    return Diagnostic(
+        "plc_telegrams_fit",
+        f"{fact.name} has {size} bytes of process data; {dialect.title} takes {dialect.longest_image}",
+        fact.place["name"],
+        help="leave this output out for the device: name the others after --to",
+    )
 
 
 def _printed(fact: Fact) -> str:

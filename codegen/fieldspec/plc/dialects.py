@@ -11,11 +11,10 @@ from fieldspec.reserved import TARGETS
 class Dialect:
     """What differs between dialects where something is declared.
 
-    `reserved` is the table of words that it keeps for itself.
-    `struct`, `image`, `enum`, `constants` and `texts` are forms of names: of a device and what is declared.
-    `prefixed` says that names of members begin with letters for their type. `qualified` says that constants are used
-    with the name of their list before them; else their own names have the device and the list in them.
-    `name_length` are the most characters of a name.
+    `reserved` is the table of words that it keeps for itself. `struct`, `image`, `bit_struct`, `enum`, `constants` and
+    `texts` are forms of names: of a device and what is declared. `prefixed` says that names of members begin with
+    letters for their type. `qualified` says that constants are used with the name of their list before them; else their
+    own names have the device and the list in them. `name_length` are the most characters of a name.
 
     `enums` says whether enums are types, of at least `enum_members` members. `widest` are the bytes of its widest
     whole number; wider ones are `split` in two. `bits` says whether words of flags lie in an image as a struct of
@@ -30,10 +29,10 @@ class Dialect:
     reserved: str
     struct: str
     image: str
+    bit_struct: str
     enum: str
     constants: str
     texts: str
-
     prefixed: bool
     qualified: bool
     name_length: int
@@ -59,6 +58,7 @@ STRUCTURED = Dialect(
     reserved="iec",
     struct="ST_{}_{}",
     image="ST_{}_{}Image",
+    bit_struct="ST_{}_{}Bits",
     enum="E_{}_{}",
     constants="GVL_{}_{}",
     texts="ST_{}_{}Text",
@@ -84,8 +84,9 @@ SIEMENS = Dialect(
     reserved="siemens",
     struct="type{}{}",
     image="type{}{}Image",
+    bit_struct="type{}{}Bits",
     enum="E_{}_{}",
-    constants="{}_{}",
+    constants="{}{}",
     texts="type{}{}Text",
     prefixed=False,
     qualified=False,

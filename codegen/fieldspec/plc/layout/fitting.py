@@ -41,6 +41,11 @@ def direct(placed: Placed, one: PlacedMember) -> bool:
     return one.size < 2 or one.inner is not None or (one.member.order == placed.memory.order and not one.member.swapped)
 
 
+def readable(placed: Placed) -> bool:
+    """Whether an image is exact, and each number in it is one that the controller reads as it lies."""
+    return not any(True for _ in misfits(placed)) and all(direct(placed, one) for _, _, one in placed.rows())
+
+
 def found(placed: Placed) -> list[Diagnostic]:
     """The findings that forbid to take an image for what is on the wire."""
     made = []

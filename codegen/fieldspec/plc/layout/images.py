@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
+from fieldspec.names import Name
 from fieldspec.plc.routines.types import BOOL, ArrayType, StructType, Type, sequence
 from fieldspec.plc.structs import Member, Struct, bit_names, bit_places, elements, wire_type
 
@@ -20,7 +21,7 @@ class Naming(Protocol):
         """The name of an image, or of the bits of a word."""
         ...
 
-    def members(self, key: str, named: list[tuple[str, Fact | None]]) -> list[str]:
+    def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
         """The names of the members of a struct. Those without a fact give way to the others."""
         ...
 
@@ -36,9 +37,9 @@ class PlainNaming:
         """See `Naming`."""
         return key
 
-    def members(self, key: str, named: list[tuple[str, Fact | None]]) -> list[str]:
+    def members(self, key: str, named: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
         """See `Naming`."""
-        return [name for name, _ in named]
+        return [name for name, _, _ in named]
 
     def remark(self, fact: Fact, value: Value | None) -> str:
         """See `Naming`."""
@@ -61,7 +62,8 @@ class Images:
         """The image of a record; of a list without an end, as many elements as there can be."""
         if record.name not in self._records:
             kinds = [self._type(field) for field in record.fields]
-            names = self.naming.members(record.name, [(field.name, field.field) for field in record.fields])
+            named = zip(record.fields, kinds, strict=True)
+            names = self.naming.members(record.name, [(field.name, field.field, kind_of) for field, kind_of in named])
             members = tuple(
                 Member(
                     name,
@@ -83,7 +85,7 @@ class Images:
     def _type(self, field: FieldLayout) -> Type:
         if field.record is not None:
             fact = field.record.record
-            one: Type = StructType(self.of(field.record, "record", fact, fact.label).name)
+            one: Type = StructType(self.of(field.record, "record", fact, titled(fact)).name)
         else:
             assert field.value is not None
             one = self._of_value(field.value, field.order, field.swapped)
@@ -101,7 +103,8 @@ class Images:
             flags = self.layout.device.flags[value.flags]
             known: Mapping[int, tuple[str, Fact]] = bit_names(flags)
             places = list(bit_places(value.size, order, swapped))
-            named: list[tuple[str, Fact | None]] = [known.get(bit, (f"reserved_{bit}", None)) for _, _, bit in places]
+            facts: list[tuple[str, Fact | None]] = [known.get(bit, (f"reserved_{bit}", None)) for _, _, bit in places]
+            named = [(name, fact, BOOL) for name, fact in facts]
             names = self.naming.members(flags.name, named)
             members = tuple(
                 Member(
@@ -113,10 +116,10 @@ class Images:
                     byte,
                     at,
                 )
-                for name, (_, fact), (byte, at, bit) in zip(names, named, places, strict=True)
+                for name, (_, fact), (byte, at, bit) in zip(names, facts, places, strict=True)
             )
             made = Struct(
-                self.naming.struct(flags.name, flags), flags.name, "bits", flags.label, members, value.size, flags
+                self.naming.struct(flags.name, flags), flags.name, "bits", titled(flags), members, value.size, flags
             )
             self._bits[key] = self.structs[made.name] = made
         return self._bits[key]
@@ -138,3 +141,9 @@ def innermost(kind: Type) -> Type:
     while isinstance(kind, ArrayType):
         kind = kind.of
     return kind
+
+
+def titled(fact: Fact) -> str:
+    """The name of a fact as words, and what the manual calls it."""
+    title = Name.of(fact.name).title()
+    return title if fact.label in ("", title) else f"{title} {fact.label}"

@@ -43,14 +43,17 @@ class Placed:
     size: int
     alignment: int
 
-    def rows(self, before: str = "", at: int = 0) -> Iterator[tuple[str, int, PlacedMember]]:
-        """All members by their paths, with their places behind the begin; inner ones behind what holds them."""
+    def rows(self, before: str = "", at: int = 0, bits: bool = True) -> Iterator[tuple[str, int, PlacedMember]]:
+        """All members by their paths, with their places behind the begin; inner ones behind what holds them.
+
+        Those of words of bits are left out unless `bits` is true.
+        """
         for one in self.members:
             path = f"{before}{one.member.name}"
             yield path, at + one.at, one
-            if one.inner is not None:
+            if one.inner is not None and (bits or one.inner.struct.kind != "bits"):
                 path += "[]" if one.listed else ""
-                yield from one.inner.rows(f"{path}.", at + one.at)
+                yield from one.inner.rows(f"{path}.", at + one.at, bits)
 
     def gaps(self) -> Iterator[tuple[int, int]]:
         """The bytes that are filled up: the first one and how many."""

@@ -14,18 +14,18 @@ COLUMNS = ("struct", "member", "type", "byte", "bit", "size", "elements", "strid
 
 
 def table(structs: Iterable[Placed]) -> list[Sequence[Cell]]:
-    """The heading, then for each struct a row with its size and one for each member."""
+    """The heading, then for each struct a row with its size and one for each member; no bits within other structs."""
     rows: list[Sequence[Cell]] = [COLUMNS]
     for one in structs:
         rows.append((type_name(StructType(one.struct.name)), None, "STRUCT", 0, None, one.size, None, None, None, None))
-        rows += [(type_name(StructType(one.struct.name)), *row) for row in member_rows(one)]
+        rows += [(type_name(StructType(one.struct.name)), *row) for row in member_rows(one, bits=False)]
     return rows
 
 
-def member_rows(placed: Placed) -> Iterator[tuple[Cell, ...]]:
+def member_rows(placed: Placed, bits: bool = True) -> Iterator[tuple[Cell, ...]]:
     """For each member its path, type, byte, bit, size, elements, bytes from one to the next, and how it lies there."""
     wires = wire_bytes(placed)
-    for path, at, one in placed.rows():
+    for path, at, one in placed.rows(bits=bits):
         listed = (one.count, one.stride) if one.listed else (None, None)
         size = one.size or None
         yield path, type_name(one.member.type), at, one.bit, size, *listed, wires.get(path), read(placed, one)

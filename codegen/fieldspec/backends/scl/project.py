@@ -1,0 +1,106 @@
+"""A device as TIA Portal gets it: declarations, data blocks with their names, and all that is wrong with them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.names import Name, stem
+from fieldspec.plc.declarations import Declarations, declarations
+from fieldspec.plc.dialects import SIEMENS
+from fieldspec.plc.naming import Scope
+from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.types import Elementary
+from fieldspec.plc.routines.world import narrowest
+from fieldspec.plc.structs import Struct
+from fieldspec.plc.texts import TextTable
+
+
+@dataclass(frozen=True, slots=True)
+class TelegramBlock:
+    """The data blocks of a telegram: one of images, and one of values with the bytes they are made of.
+
+    `directions` are the names of their members, and the keys of the structs: of what is sent to the device, then of
+    what it sends.
+    """
+
+    image: str
+    values: str
+    title: str
+    directions: tuple[tuple[str, Struct, Struct], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TextBlock:
+    """The data block of a table of texts."""
+
+    name: str
+    table: TextTable
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """What TIA Portal gets for one version of a device. `found` are the errors that forbid it."""
+
+    layout: DeviceLayout
+    declared: Declarations
+    telegrams: tuple[TelegramBlock, ...]
+    texts: tuple[TextBlock, ...]
+    text_type: str
+    found: tuple[Diagnostic, ...]
+
+    @property
+    def stem(self) -> str:
+        """The name of the files."""
+        return stem(self.layout.device.id, self.layout.device.version)
+
+    @property
+    def blocks(self) -> bool:
+        """Whether there is any data block."""
+        return bool(self.telegrams or self.texts)
+
+    @property
+    def code_type(self) -> Elementary:
+        """The type of codes in tables of texts."""
+        codes = [one.code for table in self.declared.texts for one in table.texts]
+        return narrowest(min(0, *codes), max(codes))
+
+    @property
+    def text_length(self) -> int:
+        """The characters of the longest text, as far as a STRING can hold it."""
+        return min(LONGEST_STRING, max(table.longest for table in self.declared.texts))
+
+
+LONGEST_STRING = 254
+"""The most characters of a STRING."""
+
+
+def project(layout: DeviceLayout) -> Project:
+    """The project of a device that has passed the checks."""
+    declared = declarations(layout, SIEMENS)
+    found = [*declared.found]
+    scope = Scope(SIEMENS, "block", found)
+    device = Name.of(layout.device.id).pascal()
+    made_telegrams = tuple(_telegrams(declared, scope, device))
+    texts = tuple(
+        TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
+        for table in declared.texts
+    )
+    return Project(layout, declared, made_telegrams, texts, SIEMENS.texts.format(device, "Code"), tuple(found))
+
+
+def _telegrams(declared: Declarations, scope: Scope, device: str) -> Iterator[TelegramBlock]:
+    structs = {one.key: one for one in declared.structs if one.kind == "telegram"}
+    for message in telegrams(declared.layout):
+        directions = []
+        for member, data in (("toDevice", message.request), ("fromDevice", message.response)):
+            image = declared.image(data.name)
+            if image is not None and data.name in structs:
+                directions.append((member, image, structs[data.name]))
+        if directions:
+            name = f"{device}{Name.of(message.name).pascal()}"
+            image_block, values_block = scope.take(name, message.message), scope.take(f"{name}Values", message.message)
+            title = message.message.title or Name.of(message.name).title()
+            yield TelegramBlock(image_block, values_block, title, tuple(directions))
