@@ -27,7 +27,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def printed(spec: DeviceSpec) -> Printed:
-    return as_printed(spec, errata_proofs(spec))
+    return as_printed(spec, errata_proofs(spec), thorough=True)
 
 
 @cache
@@ -86,7 +86,7 @@ def test_without_its_check_a_misprint_is_not_found(monkeypatch: pytest.MonkeyPat
         kept = dict(getattr(table, held))
         kept["decimal_equals_hex"] = lambda device: iter(())
         monkeypatch.setattr(table, held, tuple(kept.items()) if held == "CHECKS" else kept)
-    missed = [one.erratum.id for one in as_printed(spec, proofs).detections if not one.alone]
+    missed = [one.erratum.id for one in as_printed(spec, proofs, thorough=True).detections if not one.alone]
     assert missed == ["mode-decimal"]
 
 
@@ -124,6 +124,15 @@ def test_what_the_print_lacks_as_a_whole_is_taken_out() -> None:
     ]
     assert "enum_contiguous" in one.checks
     assert misprint(one.erratum) == "left out"
+
+
+@pytest.mark.parametrize("name", DEVICES)
+def test_the_report_counts_what_a_thorough_look_counts(name: str) -> None:
+    spec = DEVICES[name]
+    brief = as_printed(spec, errata_proofs(spec), thorough=False)
+    found = {one.erratum.id: (bool(one.alone), one.together) for one in device(name).detections}
+    assert {one.erratum.id: (bool(one.alone), one.together) for one in brief.detections} == found
+    assert brief.findings == device(name).findings
 
 
 def test_the_verb_lists_what_is_found_and_says_nothing_against_the_spec(run: CommandLine) -> None:

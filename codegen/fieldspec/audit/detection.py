@@ -89,22 +89,28 @@ def misprint(erratum: Erratum) -> str:
     return next(kinds, OTHER if erratum.printed else WORDING)
 
 
-def as_printed(spec: DeviceSpec, proofs: Iterable[Proof]) -> Printed:
-    """The findings in the print of a device that the right spec does not have."""
-    of_version: dict[str, list[Erratum]] = {}
+def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool) -> Printed:
+    """The findings in the print of a device that the right spec does not have.
+
+    Where an erratum is proven, its proof has run one check on its print already; `thorough` runs all the others too.
+    """
+    of_version: dict[str, list[Proof]] = {}
     for proof in proofs:
-        of_version.setdefault(proof.version, []).append(proof.erratum)
+        of_version.setdefault(proof.version, []).append(proof)
     detections: list[Detection] = []
     findings: list[Diagnostic] = []
-    for version, errata in of_version.items():
+    for version, proven in of_version.items():
         device, _ = spec.at(version)
         tree = spec.tree_at(version)
         clean = {finding_key(found) for found in everything(device, ())}
         whole = _new(_whole(spec, tree, version, device), clean)
         findings += whole
-        for erratum in errata:
-            alone = in_order(_new(_alone(spec, tree, version, device, erratum), clean))
-            detections.append(Detection(erratum, tuple(alone), _shows(erratum, alone, whole)))
+        for proof in proven:
+            erratum = proof.erratum
+            alone = proof.evidence
+            if thorough or not alone:
+                alone = tuple(in_order(_new(_alone(spec, tree, version, device, erratum), clean)))
+            detections.append(Detection(erratum, alone, _shows(erratum, alone, whole)))
     order = [proof.erratum.id for proof in by_effect(proofs)]
     detections.sort(key=lambda one: order.index(one.erratum.id))
     return Printed(tuple(detections), tuple(in_order(findings)))
@@ -149,8 +155,7 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 def detection(subject: Subject) -> Section:
     """The section of the report: how many errata a check finds by itself, by class, and which ones none does."""
-    made = as_printed(subject.spec, subject.proofs)
-    return section(made)
+    return section(as_printed(subject.spec, subject.proofs, thorough=False))
 
 
 def section(made: Printed) -> Section:
