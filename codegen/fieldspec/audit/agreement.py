@@ -81,7 +81,7 @@ def _named(row: Row, text: str) -> bool:
         return True
     if row["label"] and " | " in str(row["label"]) and _holds(_words(str(row["label"])), printed):
         return True  # one of the cells of a look-up table
-    names = [_words(str(row[key])) for key in ("printed_name", "label", "name") if row[key]]
+    names = [_words(str(row[key])) for key in ("printed_name", "label") if row[key]]
     return printed in names or (len(names) > 1 and printed in (names[0] + names[1], names[1] + names[0]))
 
 

@@ -1,0 +1,111 @@
+"""Another edition of a manual is found again line by line, and what is left of it is said."""
+
+from __future__ import annotations
+
+import random
+import time
+
+import pytest
+
+import gauge
+from fieldspec.audit.alignment import aligned
+from fieldspec.audit.manual_index import ManualError, index_of, parsed, written
+
+LINES = gauge.MANUAL.splitlines(keepends=True)
+
+
+def edition(*, insert: dict[int, str] | None = None, remove: set[int] | None = None) -> str:
+    """The manual with lines before some lines, and without others."""
+    made = []
+    for number, line in enumerate(LINES, 1):
+        made += [(insert or {}).get(number, "")]
+        made += [line] if number not in (remove or set()) else []
+    return "".join(made)
+
+
+SHIFTED = [
+    ("lines before everything", {1: "NEW COVER\nof another year\n\n"}),
+    ("a line between two rows", {8: "a remark between the rows\n"}),
+    ("a page", {11: "\n" * 5 + "Page four\n\n"}),
+]
+
+
+@pytest.mark.parametrize("insert", [one[1] for one in SHIFTED], ids=[one[0] for one in SHIFTED])
+def test_lines_are_found_again_after_a_shift(insert: dict[int, str]) -> None:
+    section = gauge.covered(manual=edition(insert=insert))
+    assert gauge.said(section) == []
+    assert any("another edition" in text for text in section.says)
+    assert any("13 of 13 lines with text are there unchanged (100 %)" in text for text in section.says)
+
+
+def test_a_row_that_an_edition_adds_is_not_accounted_for() -> None:
+    (found,) = gauge.said(gauge.covered(manual=edition(insert={10: "0105 H | 1 | Outputs | - |\n"})))
+    assert found.startswith("manual_accounted: line 10 of the manual, section 1, prints `address` 0105")
+
+
+def test_a_row_that_an_edition_drops_lets_its_citations_fail() -> None:
+    found = gauge.said(gauge.covered(manual=edition(remove={8})))
+    assert found == [
+        "citations_hold: registers/total cites line 8, on which nothing is printed",
+        "citations_hold: registers/total cites 1 L8, where the manual does not print `at` 0x0102",
+        "citations_hold: registers/total cites line 8, on which nothing is printed",
+        "citations_hold: registers/total cites 1 L8, where the manual does not print `printed_name` Total",
+    ]
+
+
+def test_a_row_that_an_edition_changes_is_found_at_its_place() -> None:
+    found = gauge.said(gauge.covered(manual=gauge.MANUAL.replace("0~1000", "0~2000")))
+    assert [text.partition(", and")[0] for text in found] == [
+        "manual_accounted: line 6 of the manual, section 1, prints `range` 0~2000"
+    ]
+
+
+def test_the_same_text_saved_in_another_way_fits() -> None:
+    for data in (b"\xef\xbb\xbf" + gauge.MANUAL.encode(), gauge.MANUAL.replace("\n", "\r\n").encode()):
+        other = index_of("gauge.txt", data)
+        made = aligned(gauge.index(), other)
+        assert other.sha256 != gauge.index().sha256
+        assert (made.same, made.whole, made.new, made.gone) == (13, 13, frozenset(), frozenset())
+
+
+def test_an_index_is_read_as_it_is_written() -> None:
+    index = gauge.index()
+    assert parsed("specs/gauge/manual.index", written(index, "gauge")) == index
+
+
+def test_findings_lead_to_the_line_in_the_index() -> None:
+    index = parsed("manual.index", written(gauge.index(), "gauge"))
+    line, _ = index.span(8).position()
+    assert index.file.line(line).endswith("0102 H | 2 | Total | - | …")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "sha256 0\n",
+        written(gauge.index(), "gauge").replace("lines 19", "lines 18"),
+        written(gauge.index(), "gauge").replace("0102 H", "\n0102 H"),
+        written(gauge.index(), "gauge").replace("Total", "Total\n| - | x"),
+    ],
+)
+def test_an_index_that_is_damaged_is_refused(text: str) -> None:
+    with pytest.raises(ManualError, match="is not an index of a manual"):
+        parsed("manual.index", text)
+
+
+def test_an_old_index_is_a_finding() -> None:
+    other = gauge.MANUAL.replace("5000", "6000")
+    section = gauge.covered(cited=gauge.MANUAL, recorded=False, manual=other)
+    assert [text for text in gauge.said(section) if text.startswith("manual_recorded")]
+
+
+def test_long_manuals_are_aligned_soon() -> None:
+    chosen = random.Random(5)
+    rows = [f"{chosen.randrange(400):04X} H | row" for _ in range(6000)]
+    moved = [row for row in rows if chosen.random() > 0.02]
+    old, new = (index_of("m", "\n".join(text).encode()) for text in (rows, ["cover", *moved]))
+    before = time.perf_counter()
+    made = aligned(old, new)
+    assert time.perf_counter() - before < 10
+    assert made.same > 0.9 * len(moved)
