@@ -110,6 +110,18 @@ def test_a_row_says_print_use_reason_proof_and_evidence(run: CommandLine) -> Non
     assert row["spec"]["line"] == 3
 
 
+def test_the_ledger_as_text_says_it_line_by_line(run: CommandLine) -> None:
+    lines = run("audit", "pump", "--table", "ledger").lines
+    start = lines.index("wrong bytes, pressure-address")
+    assert lines[start + 1 : start + 4] == [
+        "    fact: registers/pressure",
+        "    printed: at 0x1001",
+        "    used: at 0x1004",
+    ]
+    assert lines[start + 7] == "    proof: addresses_disjoint"
+    assert sum(not line.startswith(" ") for line in lines) == 14
+
+
 def test_the_ledger_as_csv_and_xlsx_says_the_same(run: CommandLine, tmp_path: Path) -> None:
     text = run("audit", "pump", "--table", "ledger", "--format", "csv").out
     rows = list(csv.reader(io.StringIO(text)))

@@ -218,7 +218,7 @@ def _why(erratum: Erratum) -> str:
 
 def _details(every: Sequence[Detection]) -> SectionTable:
     rows = tuple(_row(one) for one in every)
-    columns = ("effect", "misprint", "erratum", "fact", "found_by", "finding", "together")
+    columns = ("effect", "erratum", "misprint", "fact", "found_by", "finding", "together")
     kinds = tuple("good" if one.alone else "" for one in every)
     return SectionTable("detections", "Every erratum and what finds it", columns, rows, kinds, detail=True)
 
@@ -228,7 +228,7 @@ def _row(one: Detection) -> tuple[Cell, ...]:
     message = next(_first(one), None)
     found_by = ", ".join(one.checks) or None
     together = "yes" if one.together else "no"
-    return EFFECTS[erratum.effect], one.kind, erratum.id, erratum.fact, found_by, message, together
+    return EFFECTS[erratum.effect], erratum.id, one.kind, erratum.fact, found_by, message, together
 
 
 def _first(one: Detection) -> Iterator[str]:

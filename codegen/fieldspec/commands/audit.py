@@ -117,7 +117,7 @@ def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argpar
 def _print_table(made: Report, arguments: argparse.Namespace) -> None:
     """Prints one table, or writes it to a file."""
     from fieldspec.render.audit_table import as_csv, as_json, as_xlsx
-    from fieldspec.render.audit_text import table_block
+    from fieldspec.render.audit_text import table_blocks
 
     tables = {table.name: table for section in made.sections for table in section.tables}
     if arguments.table not in tables:
@@ -126,7 +126,7 @@ def _print_table(made: Report, arguments: argparse.Namespace) -> None:
     if arguments.format == "text":
         if arguments.out:
             raise UsageError("a table in a file has a format; give --format csv, xlsx or json")
-        print_blocks([table_block(table)])
+        print_blocks(table_blocks(table))
         return
     data = {"csv": as_csv, "xlsx": as_xlsx, "json": as_json}[arguments.format](table)
     if arguments.out:
