@@ -1,0 +1,208 @@
+"""Every address stands in one way, and requests read as much as they can without touching what cannot be read."""
+
+from __future__ import annotations
+
+import pytest
+
+from fieldspec.audit.address_map import STATES, Space, spaces
+from fieldspec.audit.addresses import poll_rows
+from fieldspec.audit.poll_blocks import CLEARED, TOO_LONG, UNSAID, WRITE_ONLY, Polling, polling
+from laid_out import SPECS, all_layouts, laid_at, newest
+from reading import gadget
+
+MESSAGES = """
+messages:
+  - name: read
+    code: 3
+    source: L1
+    request: [{name: address, type: u16}, {name: word_count, type: u16, range: 1..%s}]
+    response: [{name: values, type: u16, repeat: 1..%s}]
+    accesses: {operation: read, start: address, count: word_count, values: values}
+"""
+LINK = """
+links:
+  - name: wire
+    byte_order: big
+    word_order: big
+    source: L1
+    request: [{name: code, role: code, type: u8}, {name: body, role: body}]
+    response: [{name: code, role: code, type: u8}, {name: body, role: body}]
+"""
+
+
+def registers(rows: str, more: str = "") -> str:
+    head = "registers:\n  - group: all\n    section: '1'\n    defaults: {type: u16, access: rw}\n"
+    return f"{head}{more}    rows:\n{rows}"
+
+
+def row(at: int, name: str, more: str = "") -> str:
+    return f"      - {{at: {at}, name: {name}, source: L{at + 1}{', ' + more if more else ''}}}\n"
+
+
+def space(text: str, name: str = "registers") -> Space:
+    found = {one.name: one for one in spaces(laid_at(gadget(text), "1"))}
+    return found[name]
+
+
+def polled(rows: str, most: int = 10, more: str = "") -> Polling:
+    text = registers(rows, more) + LINK + MESSAGES % (most, most)
+    return polling(laid_at(gadget(text), "1"))
+
+
+def blocks(made: Polling) -> list[tuple[int, int]]:
+    return [(block.start, block.words) for block in made.blocks]
+
+
+def states(held: Space) -> list[tuple[int, int, str]]:
+    return [(run.first, run.last, run.state) for block in held.blocks for run in block.runs]
+
+
+def test_used_reserved_and_both_kinds_of_gaps_are_told_apart() -> None:
+    rows = row(0, "a") + row(1, "b", "type: u32") + row(3, "spare", "reserved: true") + row(6, "c") + row(9, "d")
+    held = space(registers(rows, "    gaps: [{at: 4..5, reason: The table skips them.}]\n"))
+    assert states(held) == [
+        (0, 0, "used"),
+        (1, 2, "used"),
+        (3, 3, "reserved"),
+        (4, 5, "declared_gap"),
+        (6, 6, "used"),
+        (7, 8, "undeclared_gap"),
+        (9, 9, "used"),
+    ]
+    assert held.blocks[0].runs[3].reason == "The table skips them."
+    assert held.count("used") == 5
+
+
+def test_an_address_that_two_registers_hold_is_an_overlap_with_the_reason() -> None:
+    allowed = "allow: {addresses_disjoint: One is the low word of the other.}"
+    held = space(registers(row(0, "wide", f"type: u32, {allowed}") + row(1, "low")))
+    (overlap,) = [run for run in held.blocks[0].runs if run.state == "overlap"]
+    assert (overlap.first, overlap.last, overlap.reason) == (1, 1, "One is the low word of the other.")
+    assert [holder.name for holder in overlap.holders] == ["wide", "low"]
+
+
+def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
+    text = (
+        registers(row(0, "a") + row(2, "c"))
+        + "  - group: other\n    section: '1'\n    rows:\n"
+        + row(1, "b", "type: u16")
+    )
+    held = space(text)
+    assert [run.own for run in held.blocks[0].runs] == [True, False, True]
+    assert held.count("used") == 3
+
+
+def test_values_at_two_addresses_are_aliases() -> None:
+    held = space(registers(row(0, "a") + row(1, "b", "same_as: a")))
+    assert [(alias.address, alias.of_address, alias.copied) for alias in held.aliases] == [(1, 0, False)]
+
+
+def test_what_lies_between_the_elements_of_a_table_is_left_out_but_not_behind_the_last() -> None:
+    fields = "[{name: x, type: u32}, {name: s, type: u16, reserved: true}]"
+    record = f"records: [{{name: point, section: '1', source: L1, fields: {fields}}}]\n"
+    tables = "tables: [{name: points, section: '1', source: L2, base: 16, stride: 8, count: 3, record: point}]\n"
+    held = space(record + tables)
+    (block,) = held.blocks
+    assert (block.first, block.last, block.count("used"), block.count("reserved")) == (16, 34, 6, 3)
+    assert block.count("declared_gap") == 10
+
+
+def test_bytes_that_share_a_word_are_one_holder() -> None:
+    record = (
+        "records: [{name: pair, section: '1', source: L1, fields: [{name: low, type: u8}, {name: high, type: u8}]}]\n"
+    )
+    tables = "tables: [{name: pairs, section: '1', source: L2, base: 0, stride: 1, count: 2, record: pair}]\n"
+    assert [holder.name for run in space(record + tables).blocks[0].runs for holder in run.holders] == ["low, high"]
+
+
+def test_a_set_that_names_all_of_its_numbers_has_numbers_that_are_described_elsewhere() -> None:
+    text = """
+parameters:
+  - {name: servo, space: pnu, base: 0x2000, numbers: 0..3, source: L1, type: u16, rows: [{number: 1, name: a}]}
+"""
+    assert states(space(text, "pnu")) == [
+        (0x2000, 0x2000, "undescribed"),
+        (0x2001, 0x2001, "used"),
+        (0x2002, 0x2003, "undescribed"),
+    ]
+
+
+@pytest.mark.parametrize("laid", all_layouts(), ids=lambda laid: f"{laid.device.id}@{laid.device.version}")
+def test_the_runs_of_a_block_follow_one_another_without_a_hole(laid) -> None:  # type: ignore[no-untyped-def]
+    for held in spaces(laid):
+        for block in held.blocks:
+            for before, behind in zip(block.runs, block.runs[1:], strict=False):
+                assert behind.first == before.last + 1
+            assert {run.state for run in block.runs} <= STATES.keys()
+
+
+def test_a_request_reads_up_to_the_limit_and_divides_no_value() -> None:
+    made = polled(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
+    assert blocks(made) == [(0, 9), (9, 3)]
+    assert made.limit is not None
+    assert made.limit.words == 10
+
+
+def test_a_request_ends_at_a_hole() -> None:
+    assert blocks(polled(row(0, "a") + row(1, "b") + row(3, "c"))) == [(0, 2), (3, 1)]
+
+
+@pytest.mark.parametrize(
+    ("more", "reason"),
+    [
+        ("access: wo", WRITE_ONLY),
+        ("clears_on_read: true", CLEARED),
+        ("type: bytes, length: 40", TOO_LONG),
+    ],
+)
+def test_a_request_does_not_touch_what_must_not_be_read(more: str, reason: str) -> None:
+    words = 20 if "bytes" in more else 1
+    made = polled(row(0, "a") + row(1, "b", more) + row(1 + words, "c"))
+    assert blocks(made) == [(0, 1), (1 + words, 1)]
+    assert [(unit.name, unit.refused) for unit in made.left_out] == [("b", reason)]
+
+
+def test_a_register_of_which_nothing_says_that_it_can_be_read_is_left_out() -> None:
+    text = "registers: [{group: all, section: '1', rows: [{at: 0, name: a, type: u16, source: L1}]}]\n" + LINK
+    made = polling(laid_at(gadget(text + MESSAGES % (10, 10)), "1"))
+    assert [unit.refused for unit in made.left_out] == [UNSAID]
+
+
+def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
+    spare = "reserved: true"
+    rows = row(0, "s0", spare) + row(1, "a") + row(2, "s1", spare) + row(3, "b") + row(4, "s2", spare)
+    (block,) = polled(rows).blocks
+    assert (block.start, block.words, block.reserved, block.names) == (1, 3, 1, ("a", "b"))
+
+
+def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
+    text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
+    made = polling(laid_at(gadget(text), "1"))
+    assert [(limit.words, limit.own) for limit in made.limits] == [(4, True)]
+
+
+def test_a_limit_of_the_protocol_is_told_from_one_of_the_manual() -> None:
+    assert [(one.words, one.own) for one in polling(newest(SPECS, "ck10")).limits] == [(125, False)]
+    (own,) = polling(newest(SPECS, "tc100")).limits
+    assert (own.words, own.own, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
+
+
+@pytest.mark.parametrize("device", ["tc100", "ck10"])
+def test_the_poll_blocks_of_a_device_hold_every_readable_value_once(device: str) -> None:
+    laid = newest(SPECS, device)
+    made = polling(laid)
+    names = [name for block in made.blocks for name in block.names]
+    assert len(names) == len(set(names))
+    left_out = {unit.name for unit in made.left_out}
+    assert {register.name for register in laid.device.registers() if register.count == 1 and not register.reserved} <= {
+        *names,
+        *left_out,
+    }
+    assert made.limit is not None
+    assert all(block.words <= (made.limit.words or 0) for block in made.blocks)
+
+
+def test_equal_requests_at_equal_distances_are_one_row() -> None:
+    rows = poll_rows(polling(newest(SPECS, "tc100")).blocks)
+    (points,) = [one for one in rows if one.times > 1]
+    assert (points.first.start, points.first.words, points.times, points.apart) == (0x9010, 14, 127, 16)
