@@ -135,11 +135,12 @@ def _standings(
             key = pattern.name, held
             seen[key] += 1
             paths = _owners({str(row["path"]) for row in told.facts if says(row, held, cited.elided)})
-            if len(paths) == times[key]:
+            put_right = any(corrects(erratum, held) for erratum in told.errata)
+            if len(paths) == times[key] and not put_right:
                 needed.update(path.partition("/restated/")[0] for path in paths)
             if len(paths) < seen[key]:
-                corrected = any(corrects(erratum, held) for erratum in told.errata)
-                missing += [] if corrected else [held]
+                corrected = corrected or put_right
+                missing += [] if put_right else [held]
         if found.values:
             yield (OPEN if missing else CORRECTED if corrected else COVERED), tuple(missing)
         else:

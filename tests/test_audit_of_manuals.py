@@ -1,0 +1,184 @@
+"""The four specs account for everything in their manuals, from the recorded indexes and from the texts themselves.
+
+The texts are not in the repository; where the folder with them is not beside it, those tests are skipped.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import random
+import re
+from fnmatch import fnmatchcase
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from fieldspec.audit.accounting import OPEN, Accounts, accounts
+from fieldspec.audit.alignment import Aligned, aligned, unmoved
+from fieldspec.audit.citations import Judged, judged
+from fieldspec.audit.cited import Cited, OnLine, cited
+from fieldspec.audit.coverage import coverage
+from fieldspec.audit.manual_index import NAME, ManualIndex, index_of, parsed, written
+from fieldspec.audit.plan import Plan, plan
+from fieldspec.audit.section import Section
+from fieldspec.audit.subject import Subject
+from fieldspec.facts import rows
+from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.reading.project import DeviceSpec, read
+
+ROOT = Path(__file__).resolve().parent.parent
+SPECS = ROOT / "specs"
+MANUALS = ROOT.parent / "shared" / "manuals"
+DEVICES = sorted(path.parent.name for path in SPECS.glob(f"*/{NAME}"))
+
+LEAST_NEEDED = {"ck10": 0.9, "esc11": 0.95, "hiwin-e": 0.8, "tc100": 0.9}
+"""The share of the facts with a number that the patterns would miss if they were gone, at least."""
+
+
+@cache
+def spec(device: str) -> DeviceSpec:
+    """The spec of a device."""
+    files = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in sorted(SPECS.glob("*/*.yaml"))}
+    return read(files, frozenset({device})).devices[device]
+
+
+@cache
+def layouts(device: str) -> tuple[DeviceLayout, ...]:
+    """The layouts of all its versions."""
+    return tuple(device_layout(spec(device).at(version)[0]) for version in spec(device).versions())
+
+
+@cache
+def recorded(device: str) -> ManualIndex:
+    """The index beside its spec."""
+    path = SPECS / device / NAME
+    return parsed(str(path), path.read_text("utf-8"))
+
+
+def text(device: str) -> bytes:
+    """Its manual; the test is skipped where it is not there."""
+    path = MANUALS / layouts(device)[-1].device.manual.file
+    if not path.exists():
+        pytest.skip(f"there is no {path}")
+    return path.read_bytes()
+
+
+def covered(device: str, manual: ManualIndex | None = None) -> Section:
+    """The coverage of its manual, from the index or from another text."""
+    newest = layouts(device)[-1]
+    return coverage(Subject(spec(device), newest, rows(newest), (), layouts(device), recorded(device), manual))
+
+
+@cache
+def planned(device: str) -> tuple[Plan, Cited]:
+    """How its manual is read, and what cites each line."""
+    made, found = plan(spec(device), len(recorded(device).lines))
+    assert made is not None
+    assert found == []
+    return made, cited(spec(device), layouts(device))
+
+
+def counted(device: str, manual: Aligned, told: Cited | None = None) -> Accounts:
+    """What is accounted for in a text of its manual."""
+    made, known = planned(device)
+    return accounts(manual, made, told or known)
+
+
+def judgement(device: str, manual: Aligned) -> Judged:
+    """Which citations hold."""
+    return judged([layout.device for layout in layouts(device)], manual, planned(device)[0])
+
+
+def test_every_device_has_an_index() -> None:
+    assert sorted(path.parent.name for path in SPECS.glob("*/device.yaml")) == DEVICES
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_nothing_is_unaccounted_and_no_citation_fails(device: str) -> None:
+    assert [finding.message for finding in covered(device).findings] == []
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_most_facts_would_be_missed(device: str) -> None:
+    needed = counted(device, unmoved(recorded(device))).needed
+    numbered = judgement(device, unmoved(recorded(device))).numbered
+    assert len(needed & numbered) >= LEAST_NEEDED[device] * len(numbered)
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_a_fact_that_is_gone_is_noticed(device: str) -> None:
+    known = planned(device)[1]
+    manual = unmoved(recorded(device))
+    needed = sorted(counted(device, manual).needed)
+    for gone in random.Random(1).sample(needed, 12):
+        told = {
+            line: OnLine([row for row in held.facts if not f"{row['path']}/".startswith(f"{gone}/")], held.errata)
+            for line, held in known.by_line.items()
+        }
+        left = counted(device, manual, Cited(told, known.lines, known.elided))
+        assert OPEN in {one.status for one in left.candidates}, gone
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_the_index_is_that_of_the_manual(device: str) -> None:
+    index = index_of("manual", text(device))
+    assert written(index, device) == (SPECS / device / NAME).read_text("utf-8")
+    assert index.sha256 == layouts(device)[-1].device.manual.sha256
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_the_text_itself_says_the_same(device: str) -> None:
+    section = covered(device, index_of("manual", text(device)))
+    assert [finding.message for finding in section.findings] == []
+    assert section.figures == covered(device).figures
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_lines_that_are_inserted_and_removed_move_the_citations_along(device: str) -> None:
+    chosen = random.Random(device)
+    lines = recorded(device).lines
+    kept = [number for number, digest in enumerate(recorded(device).digests) if digest or chosen.random() > 0.5]
+    shifted = []
+    for number in kept:
+        shifted += ["inserted in another edition"] if chosen.random() < 0.02 else []
+        shifted.append(number)
+    other = ManualIndex(
+        hashlib.sha256(b"another").hexdigest(),
+        [recorded(device).digests[one] if isinstance(one, int) else "0000abcd" for one in shifted],
+        [lines[one] if isinstance(one, int) else "…" for one in shifted],
+        recorded(device).file,
+        recorded(device).offset,
+    )
+    section = covered(device, other)
+    assert [finding.message for finding in section.findings] == []
+    assert any("(100 %)" in said for said in section.says)
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_a_line_that_is_changed_fails_what_it_alone_is_cited_for(device: str) -> None:
+    made, known = planned(device)
+    index = recorded(device)
+    alone = sorted(
+        (line, str(row["path"]))
+        for line, held in known.by_line.items()
+        for row in held.facts
+        if row["kind"] in ("register", "bit", "enum_value", "parameter")
+        and re.fullmatch(rf"\S+ L{line}", str(row["sources"]))
+        and not any(fnmatchcase(str(row["path"]), like) for one in made.unprinted for like in one.facts)
+    )
+    for number, path in random.Random(device).sample(alone, 8):
+        texts = [line if at != number else "…" for at, line in enumerate(index.lines, 1)]
+        digests = [digest if at != number else "0000abcd" for at, digest in enumerate(index.digests, 1)]
+        other = ManualIndex("0" * 64, digests, texts, index.file, index.offset)
+        failing = judgement(device, aligned(index, other)).missing
+        assert any(f"{path}/".startswith(f"{one.path}/") for one in failing), path
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_indexes_hold_no_long_run_of_words(device: str) -> None:
+    longest = max(len(run.split()) for line in recorded(device).lines for run in line.replace("|", "…").split("…"))
+    assert longest < 45
+    assert all(
+        line.isascii() or set(line) - {"…"} <= {chr(code) for code in range(128)} for line in recorded(device).lines
+    )
