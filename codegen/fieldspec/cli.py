@@ -14,11 +14,14 @@ import sys
 from collections.abc import Sequence
 from importlib import import_module
 from io import TextIOWrapper
-from typing import Any
 
 from fieldspec import __version__
 from fieldspec.commands.usage import UsageError
-from fieldspec.plc.layout.memory import MEMORIES
+
+TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
 
 FINE, FINDINGS, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
@@ -58,13 +61,37 @@ class _Suggested(tuple[str, ...]):
         return True
 
 
+class _Targets:
+    """The models of memory by name. The verb itself says which ones there are."""
+
+    def __contains__(self, text: object) -> bool:
+        return True
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(import_module("fieldspec.plc.layout.memory").MEMORIES)
+
+
 class _Verb(_Parser):
-    """The arguments of one verb; options may stand between the others.
+    """The arguments of one verb; options may stand between the others. They wait until the verb is the one called.
 
     Where the verb has a default for `words`, options that it does not know are kept there.
     """
 
     _mixing = False
+
+    def __init__(self, **given: Any) -> None:
+        self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] = []
+        super().__init__(**given)
+
+    def add_argument(self, *names: str, **given: Any) -> None:  # type: ignore[override]
+        """Notes an argument."""
+        self._waiting.append((names, given))
+
+    def settle(self) -> None:
+        """Adds the arguments that wait."""
+        for names, given in self._waiting:
+            super().add_argument(*names, **given)
+        self._waiting.clear()
 
     def _learn(self, arguments: Sequence[str]) -> None:
         for argument in arguments:
@@ -73,11 +100,12 @@ class _Verb(_Parser):
             option = argument.partition("=")[0]
             known = any(text.startswith(option) for text in self._option_string_actions)
             if re.fullmatch("--[A-Za-z][A-Za-z0-9_-]*", option) and not known:
-                self.add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
+                super().add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         if self._mixing:
             return super().parse_known_args(args, namespace)
+        self.settle()
         self._mixing = True
         if self.get_default("words") is not None:
             self._learn(args)
@@ -92,6 +120,15 @@ class _Verb(_Parser):
 
 def parser() -> argparse.ArgumentParser:
     """All verbs with their arguments."""
+    top = _parser()
+    for action in top._actions:
+        for verb in action.choices.values() if isinstance(action.choices, dict) else ():
+            verb.settle()
+    return top
+
+
+def _parser() -> argparse.ArgumentParser:
+    """All verbs, with arguments that wait."""
     top = _Parser(prog="fieldspec", description="Protocol specs to code: check, build, explain.")
     top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
     verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Verb)
@@ -120,9 +157,7 @@ def parser() -> argparse.ArgumentParser:
     placed = verb("layout", "tell where a controller has the members of a record in its memory")
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message by name or number")
-    placed.add_argument(
-        "--target", required=True, choices=_Suggested(MEMORIES), metavar="NAME", help=f"one of {', '.join(MEMORIES)}"
-    )
+    placed.add_argument("--target", required=True, choices=_Targets(), metavar="NAME", help="one of %(choices)s")
 
     facts = verb("facts", "list every fact of a device")
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
@@ -250,7 +285,7 @@ def parser() -> argparse.ArgumentParser:
 
     completion = verbs.add_parser("completion", help="print the completion script of a shell")
     completion.add_argument("shell", choices=("bash", "zsh", "tcsh"))
-    completion.set_defaults(parser=top)
+    completion.set_defaults(parser=parser)
     return top
 
 
@@ -262,7 +297,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="replace", newline="\n")
     try:
-        parsed = parser().parse_args(arguments)
+        parsed = _parser().parse_args(arguments)
         code: int = import_module(f"fieldspec.commands.{parsed.verb}").run(parsed)
         sys.stdout.flush()
         return code

@@ -11,6 +11,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Prints the script; source it, or save it where the shell looks for completions."""
     import shtab
 
-    suggest(arguments.parser)
-    print(shtab.complete(arguments.parser, shell=arguments.shell))
+    parser = arguments.parser()
+    suggest(parser)
+    print(shtab.complete(parser, shell=arguments.shell))
     return 0

@@ -1,0 +1,62 @@
+"""A made-up device with any number of registers, as a spec of ours and in the languages of the peers.
+
+Every register has a type, a label, a range, a unit, a default and its source; every fifth one has eight named bits, and
+every tenth one, in place of a range, eight named values.
+"""
+
+from __future__ import annotations
+
+MOST = 50_000
+"""Registers of one device, as their addresses have 16 bits."""
+NAMES = ("ready", "active", "warning", "error", "homed", "moving", "limit", "busy")
+HEAD = """\
+device:
+  id: {id}
+  name: {name}
+  vendor: Nobody
+  manual: {{title: M, file: m.txt, sha256: "{zeros}", lines: 999999}}
+links:
+  - {{name: line, title: A line, encoding: binary, byte_order: big, word_order: big, source: 1 L1,
+     request: [{{name: body, role: body}}], response: [{{name: body, role: body}}]}}
+"""
+
+
+def devices(count: int) -> list[tuple[str, int]]:
+    """The ids of devices with their numbers of registers."""
+    number = -(-count // MOST)
+    share = -(-count // number)
+    return [(f"device{chr(ord('a') + at)}", min(share, count - at * share)) for at in range(number)]
+
+
+def spec(count: int) -> dict[str, str]:
+    """The files of our specs by path."""
+    return {f"{name}/device.yaml": "".join(_device(name, held)) for name, held in devices(count)}
+
+
+def _device(name: str, count: int) -> list[str]:
+    lines = [HEAD.format(id=name, name=name.title(), zeros="0" * 64)]
+    enums = [at for at in range(count) if at % 10 == 9]
+    flags = [at for at in range(count) if at % 5 == 0]
+    if enums:
+        lines.append("enums:\n")
+    for at in enums:
+        members = ", ".join(f"{{value: {number}, name: {word}}}" for number, word in enumerate(NAMES))
+        lines.append(f"  - {{name: choice_{at}, source: 2.{at % 90} L{at + 1}, members: [{members}]}}\n")
+    if flags:
+        lines.append("flags:\n")
+    for at in flags:
+        bits = ", ".join(f"{{bit: {number}, name: {word}}}" for number, word in enumerate(NAMES))
+        lines.append(f"  - {{name: word_{at}, type: u16, source: 3.{at % 90} L{at + 1}, bits: [{bits}]}}\n")
+    lines.append("registers:\n  - group: all\n    rows:\n")
+    lines += [_row(at) for at in range(count)]
+    return lines
+
+
+def _row(at: int) -> str:
+    start = f"      - {{at: 0x{at:04X}, name: value_{at}, type: u16, access: rw, label: Value number {at} of all, "
+    end = f"source: 4.{at % 90} L{at + 1}}}\n"
+    if at % 10 == 9:
+        return f"{start}enum: choice_{at}, range: 0..7, default: 0, {end}"
+    if at % 5 == 0:
+        return f"{start}flags: word_{at}, {end}"
+    return f"{start}range: 0..{at % 60000 + 5}, default: {at % 5}, scale: 0.01, unit: mm, doc: What it is for., {end}"
