@@ -56,7 +56,12 @@ def main(seconds: int = SECONDS) -> int:
         for name, text in files([layout]).items():
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
         source = folder / f"{stem(layout.device.id, layout.device.version)}_fuzz.c"
-        call = command(built(clang, folder, source), seconds, folder / "corpus")
+        try:
+            program = built(clang, folder, source)
+        except subprocess.CalledProcessError:
+            print("clang makes no fuzzer; on Debian: apt-get install libclang-rt-dev", file=sys.stderr)
+            return 2
+        call = command(program, seconds, folder / "corpus")
         log = folder / "log.txt"
         with log.open("w", encoding="utf-8") as said:
             running.append((layout.device.id, log, subprocess.Popen(call, stdout=said, stderr=subprocess.STDOUT)))
