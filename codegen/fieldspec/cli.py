@@ -80,18 +80,21 @@ class _Verb(_Parser):
     _mixing = False
 
     def __init__(self, **given: Any) -> None:
-        self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] = []
+        self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] | None = []
         super().__init__(**given)
 
     def add_argument(self, *names: str, **given: Any) -> None:  # type: ignore[override]
-        """Notes an argument."""
-        self._waiting.append((names, given))
+        """Adds an argument, or notes it while they wait."""
+        if self._waiting is None:
+            super().add_argument(*names, **given)
+        else:
+            self._waiting.append((names, given))
 
     def settle(self) -> None:
         """Adds the arguments that wait."""
-        for names, given in self._waiting:
-            super().add_argument(*names, **given)
-        self._waiting.clear()
+        waiting, self._waiting = self._waiting or [], None
+        for names, given in waiting:
+            self.add_argument(*names, **given)
 
     def _learn(self, arguments: Sequence[str]) -> None:
         for argument in arguments:
@@ -100,7 +103,7 @@ class _Verb(_Parser):
             option = argument.partition("=")[0]
             known = any(text.startswith(option) for text in self._option_string_actions)
             if re.fullmatch("--[A-Za-z][A-Za-z0-9_-]*", option) and not known:
-                super().add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
+                self.add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         if self._mixing:
