@@ -8,13 +8,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from fieldspec.backends.st.backend import text
-from fieldspec.plc.dialects import DIALECTS
-from fieldspec.plc.structured.program import Program, program
 from proving import REASONS, Proof
 from st_machine import Machine
 from st_syntax import parsed
 
+from fieldspec.backends.st.backend import text
+from fieldspec.plc.dialects import DIALECTS
+from fieldspec.plc.structured.program import Program, program
 from fieldspec.reference import CodecError
 from laid_out import MADE_UP, SPECS, newest
 

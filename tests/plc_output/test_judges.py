@@ -1,0 +1,216 @@
+"""Independent parsers and schemas judge what is generated for controllers."""
+
+from __future__ import annotations
+
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+import pytest
+import tree_sitter
+import tree_sitter_iec61131_3_st
+from blark.input import load_file_by_name
+from blark.parse import parse_item, parse_source_code
+from lxml import etree
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from loaded import DEVICES, NAMES, REAL, made_of
+from shapes import KEYWORDS, Shapes
+from st_machine import Machine
+from st_syntax import StError, parsed, tokens
+
+from fieldspec.backends.plcopen.backend import files as plcopen_files
+from fieldspec.backends.st.backend import files as st_files
+from fieldspec.backends.twincat.backend import files as twincat_files
+from fieldspec.backends.twincat.backend import identifier, path
+from fieldspec.diagnostics import has_errors
+from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.reading.project import read
+from laid_out import MADE_UP, SPECS, newest
+
+HERE = Path(__file__).parent
+PARTS = 4
+ALL = [*DEVICES, (MADE_UP, "hostile")]
+NASTY = "a *) b (* c ]]> d $' e $N f {attribute 'x'} g // h\\ni \\u4f3a \\\" j &amp; <k> ${l} {{m}}"
+
+
+def hostile() -> DeviceLayout:
+    """A device whose texts try to end comments, strings, pragmas and CDATA."""
+    text = (MADE_UP / "hostile" / "device.yaml").read_text(encoding="utf-8")
+    for key in ("label", "doc", "title", "edition"):
+        text = text.replace(f'{key}: "', f'{key}: "{NASTY} ')
+    assert text.count("]]>") > 10
+    files = {
+        "hostile/device.yaml": text.encode(),
+        "protocols/wire.yaml": (MADE_UP / "protocols/wire.yaml").read_bytes(),
+    }
+    device, found = read(files).devices["hostile"].at("1")
+    assert not has_errors(found), found[0].message
+    return device_layout(device)
+
+
+def blark_takes(lines: Sequence[str]) -> None:
+    """Asserts that blark parses some lines."""
+    result = parse_source_code("\n".join(lines) + "\n")
+    assert result.exception is None, (result.exception, "\n".join(lines))
+
+
+@cache
+def statement_forms() -> list[list[str]]:
+    """Every form of statement in the functions of the four devices."""
+    seen = Shapes()
+    made = (made_of(SPECS, device) for device in REAL)
+    functions = (item for one in made for item in one.items() if item.kind == "function")
+    return [some for item in functions for some in seen.statements(item.implementation)]
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_blark_parses_every_form_of_statement(part: int) -> None:
+    held = statement_forms()[part::PARTS]
+    for at in range(0, len(held), 4):
+        body = [line for some in held[at : at + 4] for line in some]
+        blark_takes(["FUNCTION F_Form : BOOL", *body, "END_FUNCTION"])
+
+
+def test_blark_parses_every_form_of_declaration() -> None:
+    seen = Shapes()
+    for device in REAL:
+        for item in made_of(SPECS, device).items():
+            head = item.kind == "function"
+            lines = seen.head(item.declaration) if head else seen.listed(item.declaration)
+            if lines:
+                blark_takes([*lines, "RETURN;", "END_FUNCTION"] if head else lines)
+
+
+def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
+    program = made_of(SPECS, "esc11")
+    for item in [one for one in program.items() if "PointMode" in one.name or "Grip" in one.name][:8]:
+        blark_takes(item.lines)
+    (text,) = (text for name, text in st_files([hostile()]).items() if name.endswith(".st"))
+    assert "]] >" in text or "]]>" in text
+    for piece in re.split(r"\n\n(?=// ==|// GVL)", text)[1:3]:
+        for kind in re.findall(r"(?ms)^\{attribute.*?^END_TYPE$", piece)[:6]:
+            blark_takes(kind.splitlines())
+
+
+@pytest.mark.parametrize(("root", "device"), ALL, ids=[*NAMES, "hostile"])
+def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -> None:
+    parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_iec61131_3_st.language()))
+    for item in made_of(root, device).items():
+        # Its grammar has neither pragmas, nor enums with a base type behind them, nor global constants by themselves.
+        lines = [line for line in item.lines if not line.startswith("{")]
+        if item.kind == "function" or "STRUCT" in lines:
+            tree = parser.parse("\n".join(lines).encode())
+            assert not tree.root_node.has_error, item.name
+
+
+@pytest.mark.parametrize(("root", "device"), ALL, ids=[*NAMES, "hostile"])
+def test_everything_that_is_named_is_declared_once_and_every_value_fits_its_type(root: Path, device: str) -> None:
+    (text,) = (text for name, text in st_files([newest(root, device)]).items() if name.endswith(".st"))
+    Machine(parsed(text))
+    names = {token.text.lower() for token in tokens(text) if token.kind == "name"}
+    assert not {name for name in names if "__" in name or name.endswith("_")}
+
+
+def test_hostile_labels_stay_within_comments_and_texts() -> None:
+    laid = hostile()
+    (text,) = (text for name, text in st_files([laid]).items() if name.endswith(".st"))
+    plain = newest(MADE_UP, "hostile")
+    (other,) = (text for name, text in st_files([plain]).items() if name.endswith(".st"))
+    assert list(parsed(text).functions) == list(parsed(other).functions)
+    Machine(parsed(text))
+    for line in text.splitlines():
+        assert line.isprintable(), line
+
+
+@pytest.mark.parametrize("name", ["plain", "hostile", *REAL])
+def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) -> None:
+    laid = hostile() if name == "hostile" else newest(MADE_UP, "widget") if name == "plain" else newest(SPECS, name)
+    schema = etree.XMLSchema(etree.parse(str(HERE / "tc6_xml_v201.xsd")))
+    (text,) = (text for path, text in plcopen_files([laid]).items() if path.endswith(".xml"))
+    document = etree.fromstring(text.encode())
+    assert schema.validate(document), schema.error_log.last_error
+    spaces = {"p": "http://www.plcopen.org/xml/tc6_0201", "x": "http://www.w3.org/1999/xhtml"}
+    (plain,) = (text for path, text in st_files([laid]).items() if path.endswith(".st"))
+    unit = parsed(plain)
+    names = [one.lower() for one in document.xpath("//p:pou/@name", namespaces=spaces)]
+    assert names == list(unit.functions)
+    types = [one.lower() for one in document.xpath("//p:dataType/@name", namespaces=spaces)]
+    assert sorted(types) == sorted([*unit.enums, *unit.structs])
+    for pou in document.xpath("//p:pou", namespaces=spaces):
+        (body,) = pou.xpath("p:body/p:ST/x:xhtml", namespaces=spaces)
+        assert body.text in plain
+    modes = document.xpath("//p:Attribute[@Name='pack_mode']/@Value", namespaces=spaces)
+    assert set(modes) == {"1"}
+    assert {"creationDateTime": "2000-01-01T00:00:00"}.items() <= dict(document[0].attrib).items()
+
+
+@pytest.mark.parametrize("name", ["hostile", *REAL])
+def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
+    laid = hostile() if name == "hostile" else newest(SPECS, name)
+    (plain,) = (text for path, text in st_files([laid]).items() if path.endswith(".st"))
+    seen: dict[str, str] = {}
+    for place, text in twincat_files([laid]).items():
+        if not place.endswith((".TcDUT", ".TcGVL", ".TcPOU")):
+            continue
+        root = ElementTree.fromstring(text.encode())
+        (held,) = root
+        assert place.endswith(f"/{held.attrib['Name']}.Tc{held.tag}")
+        assert held.attrib["Id"] not in seen, (place, seen[held.attrib["Id"]])
+        seen[held.attrib["Id"]] = place
+        declaration = (held.findtext("Declaration") or "").split("\n", 4)[4]
+        implementation = held.findtext("Implementation/ST")
+        whole = declaration if implementation is None else f"{declaration}\n{implementation}\nEND_FUNCTION"
+        assert f"\n{whole}\n" in plain, place
+    assert len(seen) > 10
+
+
+def test_blark_reads_files_of_each_kind(tmp_path: Path) -> None:
+    found = twincat_files([newest(SPECS, "esc11")])
+    for ending in ("TcDUT", "TcGVL", "TcPOU"):
+        places = sorted((place for place in found if place.endswith(ending)), key=lambda one: len(found[one]))
+        for place in places[:3]:
+            file = tmp_path / Path(place).name
+            file.write_text(found[place], encoding="utf-8")
+            items = load_file_by_name(file)
+            assert items
+            for result in (result for item in items for result in parse_item(item)):
+                assert result.exception is None, (place, result.exception)
+
+
+def test_the_identifier_of_an_object_depends_on_its_name_alone() -> None:
+    assert identifier("ST_Gadget_Point") == identifier("st_gadget_point") == "{3f8c914a-e06e-534e-a08d-01253d54ac9f}"
+    assert identifier("ST_Gadget_Point") != identifier("ST_Gadget_Points")
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ("FUNCTION f : INT f := g; END_FUNCTION", "declared nowhere"),
+        ("FUNCTION f : st f := 1; END_FUNCTION", "declared nowhere"),
+        ("FUNCTION f : INT VAR a : INT; A : INT; END_VAR END_FUNCTION", "declared twice"),
+        ("FUNCTION f : USINT f := 256; END_FUNCTION", "not in usint"),
+        ("FUNCTION f : WORD f := WORD#16#1 + WORD#16#1; END_FUNCTION", "word + word"),
+        ("FUNCTION f : INT VAR a : UINT; END_VAR f := a; END_FUNCTION", "uint where int"),
+        ("FUNCTION f : REAL VAR a : DWORD; END_VAR f := DWORD_TO_REAL(a); END_FUNCTION", "different things"),
+        ("TYPE e : (a := 0, b := 300) USINT; END_TYPE", "does not hold"),
+        ("TYPE e : (a := 0, A := 1) USINT; END_TYPE", "there twice"),
+        ("VAR_GLOBAL CONSTANT a : SINT := 128; END_VAR", "does not hold"),
+        ("VAR_GLOBAL CONSTANT a : STRING(2) := 'abc'; END_VAR", "no string of 2"),
+        ("TYPE s : STRUCT a : t; END_STRUCT; END_TYPE", "declared nowhere"),
+    ],
+)
+def test_what_a_parser_takes_and_means_nothing_is_refused_by_the_machine(wrong: str, said: str) -> None:
+    with pytest.raises(StError, match=re.escape(said)):
+        Machine(parsed(wrong))
+
+
+def test_words_that_forms_keep_are_no_names_of_what_is_generated() -> None:
+    for root, device in DEVICES:
+        for item in made_of(root, device).items():
+            assert item.name.lower() not in KEYWORDS
+            assert path(item).endswith((f"{item.name}.TcDUT", f"{item.name}.TcGVL", f"{item.name}.TcPOU"))

@@ -1,0 +1,101 @@
+"""Members of structs lie in memory where their fields lie on the wire, and a function asks the compiler whether so."""
+
+from __future__ import annotations
+
+import csv
+import io
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from loaded import DEVICES, NAMES, REAL, held_in, made_of, proof
+from st_declared import NATURAL, size_of
+
+from fieldspec.backends.st.backend import files, text
+from fieldspec.layout.record import RecordLayout
+from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.structured.program import Program
+from laid_out import SPECS, newest
+
+
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_the_function_that_asks_for_sizes_is_content(root: Path, device: str) -> None:
+    machine = proof(root, device).machine
+    (name,) = (name for name in machine.unit.functions if name.endswith("sizesareright"))
+    assert machine.call(name) == (True,)
+
+
+def test_the_function_that_asks_for_sizes_finds_gaps_that_the_compiler_fills_up() -> None:
+    from st_machine import Machine
+    from st_syntax import parsed
+
+    made = made_of(SPECS, "hiwin-e")
+    loose = text(made).replace("{attribute 'pack_mode' := '1'}", "{attribute 'pack_mode' := '4'}")
+    machine = Machine(parsed(loose), only=made.sizes.name.lower())
+    assert machine.call(made.sizes.name) == (False,)
+    assert size_of(machine.unit, "st_hiwine_telegram111request")[0] == 28
+    assert size_of(machine.unit, "st_hiwine_telegram111request", NATURAL)[0] == 28
+
+
+def test_telegram_111_has_24_bytes_and_each_member_lies_where_its_field_does() -> None:
+    made = made_of(SPECS, "hiwin-e")
+    (placed,) = (one for one in made.placed if one.struct.key == "telegram_111_request")
+    assert placed.size == 24
+    assert [(one.member.name, one.at) for one in placed.members] == [
+        ("wControlWord1", 0),
+        ("wPositioningControlWord1", 2),
+        ("wPositioningControlWord2", 4),
+        ("wControlWord2", 6),
+        ("uiVelocityOverride", 8),
+        ("diMdiTargetPosition", 10),
+        ("diMdiVelocity", 14),
+        ("uiMdiAcceleration", 18),
+        ("uiMdiDeceleration", 20),
+        ("abyPadding1", 22),
+    ]
+
+
+def wire_places(made: Program, record: RecordLayout) -> dict[str, tuple[int, int]]:
+    """The place and the size of each member of a telegram's struct, by the name of its field."""
+    (placed,) = (one for one in made.placed if one.struct.key == record.name)
+    names = {
+        made.declared.world.names.members[record.name][one]: one
+        for one in made.declared.world.names.members[record.name]
+    }
+    return {names[one.member.name]: (one.at, one.size) for one in placed.members if one.member.name in names}
+
+
+@pytest.mark.parametrize("device", REAL)
+def test_the_bytes_at_the_places_in_memory_hold_the_values_of_every_example(device: str) -> None:
+    made, prover = made_of(SPECS, device), proof(SPECS, device)
+    layout = made.declared.layout
+    messages = {message.name: message for message in telegrams(layout)}
+    for example in layout.device.examples.values():
+        if example.message not in messages:
+            continue
+        data = messages[example.message].data(example.direction)
+        array = held_in(example.frame, "bytes", "big")
+        held = prover.machine.fresh(prover.world.names.structs[data.name].lower())
+        status, _ = prover.run(prover.world.routine("unpack", data.name, "bytes"), aBytes=array, stData=held)
+        assert status == "ok"
+        for name, (at, size) in wire_places(made, data).items():
+            field = data.named(name)
+            assert field is not None
+            assert (at, size) == (field.offset, field.size), name
+            value = held[prover.world.member(data.name, name).lower()]
+            order = "big" if field.order == "big" else "little"
+            assert int.from_bytes(example.frame[at : at + size], order) == value % (1 << (8 * size)), (example.id, name)
+
+
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_the_table_of_places_is_whole_and_has_no_gaps(root: Path, device: str) -> None:
+    (table,) = (text for name, text in files([newest(root, device)]).items() if name.endswith("_layout.csv"))
+    rows = list(csv.DictReader(io.StringIO(table)))
+    at: dict[str, int] = {}
+    for row in rows:
+        assert int(row["at"]) == at.get(row["struct"], 0), row
+        at[row["struct"]] = int(row["at"]) + int(row["bytes"])
+    assert at == {row["struct"]: int(row["size"]) for row in rows}
