@@ -100,6 +100,15 @@ def test_nothing_is_unaccounted_and_no_citation_fails(device: str) -> None:
 
 
 @pytest.mark.parametrize("device", DEVICES)
+def test_the_documentation_gives_the_numbers_of_the_manuals(device: str) -> None:
+    places, corrected, left_out, unaccounted, needed, held = covered(device).figures
+    cells = [places.whole, places.number, corrected.number, left_out.number, unaccounted.number]
+    shares = [f"{one.number} of {one.whole}" for one in (needed, held)]
+    row = f"| `{device}` | {' | '.join(map(str, [*cells, *shares]))} |"
+    assert row in (ROOT / "docs" / "audit.md").read_text("utf-8").splitlines()
+
+
+@pytest.mark.parametrize("device", DEVICES)
 def test_most_facts_would_be_missed(device: str) -> None:
     needed = counted(device, unmoved(recorded(device))).needed
     numbered = judgement(device, unmoved(recorded(device))).numbered
