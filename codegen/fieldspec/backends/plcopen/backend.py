@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from fieldspec.backends.plcopen.elements import Element, element, written
 from fieldspec.backends.plcopen.types import enum_type, struct_type, text_type
 from fieldspec.backends.plcopen.variables import constants_list, documentation, function, sizes_function, texts_list
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import Program, newest, program, stem
@@ -23,6 +25,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     layout = newest(versions)
     made = program(layout, DIALECTS["plcopen"])
     return {f"{stem(layout)}.xml": written(project(made)), f"{stem(layout)}_layout.csv": layout_table(made)}
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Names that controllers do not take, or take for one."""
+    return list(declarations(newest(versions), DIALECTS["plcopen"]).found)
 
 
 def shared() -> dict[str, str]:
@@ -47,7 +54,7 @@ def project(made: Program) -> Element:
         element("fileHeader", companyName="", productName="fieldspec", productVersion="", creationDateTime=CREATED),
         element(
             "contentHeader",
-            element("Comment", text="\n".join(made.about())),
+            element("Comment", text="\n".join([*made.about(), "", *made.guide()])),
             element("coordinateInfo", element("fbd", scaling), element("ld", scaling), element("sfc", scaling)),
             name=stem(layout),
         ),

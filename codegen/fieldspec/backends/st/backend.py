@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import Program, newest, program, stem
@@ -23,6 +25,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     return {f"{stem(layout)}.st": text(made), f"{stem(layout)}_layout.csv": layout_table(made)}
 
 
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Names that controllers do not take, or take for one."""
+    return list(declarations(newest(versions), DIALECTS["st"]).found)
+
+
 def shared() -> dict[str, str]:
     """Nothing belongs to no device."""
     return {}
@@ -30,7 +37,7 @@ def shared() -> dict[str, str]:
 
 def text(made: Program) -> str:
     """All objects of a program in one text."""
-    lines = [f"// {line}" for line in made.about()]
+    lines = [f"// {line}".rstrip() for line in (*made.about(), "", *made.guide())]
     part = ""
     for item in made.items():
         if item.kind != part:

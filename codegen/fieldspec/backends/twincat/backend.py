@@ -6,7 +6,9 @@ import uuid
 from collections.abc import Sequence
 
 from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.item import Item
 from fieldspec.plc.structured.layout_table import layout_table
@@ -43,6 +45,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     texts[f"{folder}/project_items.xml"] = inclusion(items)
     texts[f"{folder}/layout.csv"] = layout_table(made)
     return texts
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Names that controllers do not take, or take for one."""
+    return list(declarations(newest(versions), DIALECTS["twincat"]).found)
 
 
 def shared() -> dict[str, str]:

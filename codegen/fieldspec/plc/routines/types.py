@@ -72,3 +72,10 @@ SIGNED = {1: SINT, 2: INT, 4: DINT, 8: LINT}
 def sequence(count: int, of: Type) -> ArrayType:
     """An array of some elements, the first one numbered 0."""
     return ArrayType(0, count - 1, of)
+
+
+def innermost(kind: Type) -> Type:
+    """The type of the elements of an array, or of arrays of arrays."""
+    while isinstance(kind, ArrayType):
+        kind = kind.of
+    return kind

@@ -99,6 +99,14 @@ def written(routine: Routine, spelling: Spelling) -> list[str]:
     return [*declaration(routine, spelling), *begin, *implementation(routine, spelling), spelling.end]
 
 
+def call_lines(routine: Routine, spelling: Spelling, **others: Expression) -> list[str]:
+    """A call whose arguments are variables that are called as the parameters, or `others` by the parameters' names."""
+    names = [one.variable for one in routine.declared if one.role != "local"]
+    given: dict[str, Expression] = {one.name: others.get(one.name, one) for one in names}
+    result = Variable("eStatus", routine.returns)
+    return list(_statement(Assignment(result, routine.called(**given)), spelling, ""))
+
+
 def _body(body: Body, spelling: Spelling, indent: str) -> Iterator[str]:
     for statement in body:
         yield from _statement(statement, spelling, indent)

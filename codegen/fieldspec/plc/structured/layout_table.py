@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from fieldspec.plc.structured.literals import type_name
 from fieldspec.plc.structured.program import Program
 
-HEAD = ("struct", "size", "member", "type", "at", "bytes", "on_wire", "order")
+HEAD = ("struct", "size", "member", "type", "at", "bytes", "on_wire", "order", "identity")
 
 
 def rows(made: Program) -> Iterator[tuple[str, ...]]:
     """A row for each member: its struct and the bytes of that, its place in memory, and its place on the wire.
 
-    The last two are empty where the struct is no image of one record on the wire.
+    The place and the order on the wire are empty where the struct is not that of one record.
     """
     for one in made.placed:
         for member in one.members:
@@ -31,6 +31,7 @@ def rows(made: Program) -> Iterator[tuple[str, ...]]:
                 str(total),
                 there,
                 f"{order}{words}",
+                made.declared.layout.identity,
             )
 
 

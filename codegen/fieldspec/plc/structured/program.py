@@ -14,6 +14,7 @@ from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.written import declaration, implementation, plain
 from fieldspec.plc.structs import Struct
+from fieldspec.plc.structured.examples import examples
 from fieldspec.plc.structured.item import Item
 from fieldspec.plc.structured.lists import TextForm, constants_item, form_item, text_form, texts_item
 from fieldspec.plc.structured.padding import PACKED, padded
@@ -63,6 +64,16 @@ class Program:
             plain(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
             f"Identity of the layout: {layout.identity}",
             "Written by fieldspec. Do not edit: change the spec and build again.",
+        ]
+
+    def guide(self) -> list[str]:
+        """How the functions are used, for the head of a file that has everything."""
+        spelling = self.declared.dialect.spelling
+        return [
+            "Each function returns a status. Unless that is Ok, its outputs and what it was to fill must not be used.",
+            "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the wire,",
+            "but the order of bytes may be another one: use the functions, and do not copy memory.",
+            *examples(self.declared.world, self.routines, spelling),
         ]
 
 

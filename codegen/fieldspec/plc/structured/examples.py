@@ -1,0 +1,110 @@
+"""How to use the functions of a device: calls in the order in which a program makes them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.message import MessageLayout
+from fieldspec.plc.routines.expressions import Expression, number
+from fieldspec.plc.routines.frames import framed, link_words
+from fieldspec.plc.routines.records import given
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.spelling import Spelling
+from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.written import call_lines
+
+_STEP = "    "
+
+
+def examples(world: World, routines: Sequence[Routine], spelling: Spelling) -> list[str]:
+    """The lines of a comment: one use of each kind that the device has."""
+    uses = _Uses(world, {routine.name: routine for routine in routines}, spelling)
+    lines: list[str] = []
+    for title, steps in uses.all():
+        lines += ["", title, *(f"{_STEP}{line}" for line in steps)]
+    return lines
+
+
+class _Uses:
+    """The uses of a device, each with its title and its lines."""
+
+    def __init__(self, world: World, by_name: dict[str, Routine], spelling: Spelling) -> None:
+        self.world, self.by_name, self.spelling = world, by_name, spelling
+
+    def all(self) -> Iterator[tuple[str, list[str]]]:
+        """All of them."""
+        link = next((link for link in self.world.layout.links.values() if framed(link)), None)
+        if link is not None:
+            yield from self._registers(link)
+            other = _telling(link)
+            if other is not None:
+                yield f"To send {other.name} on {link.name}:", self._exchange(link, other)
+        yield from self._cyclic()
+
+    def _registers(self, link: LinkLayout) -> Iterator[tuple[str, list[str]]]:
+        """How registers are read, and how values are taken out of them."""
+        message = _reading(link)
+        unpack = self._unpacking()
+        if message is None or unpack is None:
+            return
+        parse = self._function("parse", link, message)
+        words = next(one.variable for one in parse.of_role("in_out") if one.variable.type == self.world.words)
+        count = next(one.variable for one in parse.of_role("output") if one.variable.name.endswith("Count"))
+        known: dict[str, Expression] = {"aWords": words, "iCount": count, "iFirst": number(0)}
+        held = {one.variable.name for one in unpack.declared}
+        here = {name: value for name, value in known.items() if name in held}
+        lines = [*self._exchange(link, message), *call_lines(unpack, self.spelling, **here)]
+        yield f"To read registers on {link.name}, and take the values out of them:", lines
+
+    def _function(self, deed: str, link: LinkLayout, message: MessageLayout) -> Routine:
+        return self.by_name[self.world.routine(deed, *link_words(self.world, link), message.name)]
+
+    def _exchange(self, link: LinkLayout, message: MessageLayout) -> list[str]:
+        return [
+            *call_lines(self._function("build", link, message), self.spelling),
+            "// send the first iLength bytes of aFrame, receive the answer into it, and set iLength to its bytes",
+            *call_lines(self._function("parse", link, message), self.spelling),
+        ]
+
+    def _unpacking(self) -> Routine | None:
+        """The first function that takes values out of registers: of a record in a table, or of a group."""
+        start = self.world.routine("unpack")
+        found = [routine for name, routine in self.by_name.items() if name.startswith(start)]
+        ordered = [one for kind in ("record ", "registers ") for one in found if one.group.startswith(kind)]
+        return next(iter(ordered), None)
+
+    def _cyclic(self) -> Iterator[tuple[str, list[str]]]:
+        """The exchange of the longest telegram."""
+        found = [one for one in telegrams(self.world.layout) if one.request.size and one.response.size]
+        if not found:
+            return
+        longest = max(found, key=lambda one: (one.request.size or 0) + (one.response.size or 0))
+        unpack = self.by_name.get(self.world.routine("unpack", longest.response.name, "words"))
+        pack = self.by_name.get(self.world.routine("pack", longest.request.name, "words"))
+        if unpack is not None and pack is not None:
+            remark = "// decide what to do, and set the members of the struct that is sent"
+            lines = [*call_lines(unpack, self.spelling), remark, *call_lines(pack, self.spelling)]
+            yield f"In each cycle, with {longest.name}; aWords is what the fieldbus gives and takes:", lines
+
+
+def _reading(link: LinkLayout) -> MessageLayout | None:
+    """The message that reads registers."""
+    for message in link.messages.values():
+        access = message.message.accesses
+        if access is not None and access.operation == "read":
+            return message
+    return None
+
+
+def _telling(link: LinkLayout) -> MessageLayout | None:
+    """The message with most values in its request, if these are all single ones."""
+    best: MessageLayout | None = None
+    most = 0
+    for message in link.messages.values():
+        fields = [field for field in message.request.fields if given(field)]
+        single = all(field.value is not None and not field.listed for field in fields)
+        if single and message.message.accesses is None and len(fields) > most:
+            best, most = message, len(fields)
+    return best
