@@ -50,9 +50,11 @@ class _Uses:
         if message is None or unpack is None:
             return
         parse = self._function("parse", link, message)
-        words = next(one.variable for one in parse.of_role("in_out") if one.variable.type == self.world.words)
-        count = next(one.variable for one in parse.of_role("output") if one.variable.name.endswith("Count"))
-        known: dict[str, Expression] = {"aWords": words, "iCount": count, "iFirst": number(0)}
+        lists = [one.variable for one in parse.of_role("in_out") if one.variable.type == self.world.words]
+        counts = [one.variable for one in parse.of_role("output") if one.variable.name.endswith("Count")]
+        if not lists or not counts:
+            return
+        known: dict[str, Expression] = {"aWords": lists[0], "iCount": counts[0], "iFirst": number(0)}
         held = {one.variable.name for one in unpack.declared}
         here = {name: value for name, value in known.items() if name in held}
         lines = [*self._exchange(link, message), *call_lines(unpack, self.spelling, **here)]

@@ -71,8 +71,8 @@ class Program:
         spelling = self.declared.dialect.spelling
         return [
             "Each function returns a status. Unless that is Ok, its outputs and what it was to fill must not be used.",
-            "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the wire,",
-            "but the order of bytes may be another one: use the functions, and do not copy memory.",
+            "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the",
+            "wire, but the order of bytes may be another one: use the functions, and do not copy memory.",
             *examples(self.declared.world, self.routines, spelling),
         ]
 
