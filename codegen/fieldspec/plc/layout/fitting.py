@@ -8,6 +8,7 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import Fact
 from fieldspec.plc.layout.placing import Placed, PlacedMember
+from fieldspec.plc.routines.types import Elementary, innermost
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,10 @@ def misfits(placed: Placed, before: str = "") -> Iterator[Misfit]:
 
 def direct(placed: Placed, one: PlacedMember) -> bool:
     """Whether the controller reads a number as it lies there, with its own order of bytes."""
-    return one.size < 2 or one.inner is not None or (one.member.order == placed.memory.order and not one.member.swapped)
+    kind = innermost(one.member.type)
+    if not isinstance(kind, Elementary) or kind.size < 2:
+        return True
+    return one.member.order == placed.memory.order and not one.member.swapped
 
 
 def readable(placed: Placed) -> bool:

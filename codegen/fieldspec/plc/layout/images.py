@@ -10,7 +10,7 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.names import Name
-from fieldspec.plc.routines.types import BOOL, ArrayType, StructType, Type, sequence
+from fieldspec.plc.routines.types import BOOL, StructType, Type, sequence
 from fieldspec.plc.structs import Member, Struct, bit_names, bit_places, elements, wire_type
 
 
@@ -134,13 +134,6 @@ def choices(record: RecordLayout) -> Iterator[tuple[str, RecordLayout]]:
         for number in sorted(case.numbers):
             yield f"{record.selector.name} = {', '.join(case.case.when)}", record.chosen[number]
             break
-
-
-def innermost(kind: Type) -> Type:
-    """The type of the elements of an array, or of arrays of arrays."""
-    while isinstance(kind, ArrayType):
-        kind = kind.of
-    return kind
 
 
 def titled(fact: Fact) -> str:

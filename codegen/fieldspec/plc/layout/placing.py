@@ -88,11 +88,10 @@ def placed(struct: Struct, memory: Memory, structs: Mapping[str, Struct]) -> Pla
 
 
 def _placed(member: Member, memory: Memory, structs: Mapping[str, Struct]) -> PlacedMember:
-    kind, listed = member.type, isinstance(member.type, ArrayType)
-    count = 1
-    while isinstance(kind, ArrayType):
-        count *= kind.high - kind.low + 1
-        kind = kind.of
+    listed = isinstance(member.type, ArrayType)
+    count, kind = 1, member.type
+    if isinstance(kind, ArrayType):
+        count, kind = kind.high - kind.low + 1, kind.of
     inner = placed(structs[kind.name], memory, structs) if isinstance(kind, StructType) else None
     size = _size(kind, memory, structs)
     return PlacedMember(

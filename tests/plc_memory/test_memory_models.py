@@ -1,0 +1,201 @@
+"""Every example lies, in each model of memory, where the model says, or the model says that it does not."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from typing import Any
+
+import pytest
+
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.example import Example
+from fieldspec.model.primitive import Kind
+from fieldspec.plc.declarations import declarations
+from fieldspec.plc.dialects import DIALECTS
+from fieldspec.plc.layout.fitting import found, misfits
+from fieldspec.plc.layout.images import Images, PlainNaming
+from fieldspec.plc.layout.memory import MEMORIES, Memory
+from fieldspec.plc.layout.placing import Placed, placed
+from fieldspec.plc.routines.types import BOOL, BYTE, DINT, INT, LINT, ArrayType, StructType, Type
+from fieldspec.plc.structs import Member, Struct
+from fieldspec.reference import codec
+from fieldspec.reference.records import value_construct
+from laid_out import MADE_UP, SPECS, layouts, newest
+
+LAYOUTS = [versions[-1] for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+PAIRS = [
+    pytest.param(layout, memory, id=f"{layout.device.id}-{memory.name}")
+    for layout in LAYOUTS
+    for memory in MEMORIES.values()
+    if layout.device.examples
+]
+
+
+def image(layout: DeviceLayout, record: RecordLayout, memory: Memory, packed: bool = False) -> Placed:
+    images = Images(layout, PlainNaming(), packed)
+    return placed(images.of(record, "record", record.record, ""), memory, images.structs)
+
+
+def body(layout: DeviceLayout, example: Example) -> bytes:
+    """The bytes of an example between its head and its check."""
+    link = layout.links[example.link]
+    data = example.frame[len(link.link.start) : len(example.frame) - len(link.link.end)]
+    if link.link.encoding == "hex_ascii":
+        data = bytes.fromhex(data.decode("ascii"))
+    shape = link.frame(example.direction)
+    return data[shape.head_size : len(data) - shape.tail_size]
+
+
+def at_path(values: Any, path: str, element: int) -> Any:
+    """What lies in nested values at `points[].mode`, in one of the elements; None where it is not there."""
+    for step in re.findall(r"\w+|\[\]", path):
+        if step == "[]":
+            values = values[element] if element < len(values) else None
+        else:
+            values = values.get(step) if values is not None else None
+    return values
+
+
+def compared(held: Placed, data: bytes, values: Any) -> int:
+    """How many numbers of an example have been found in its bytes where the model has them; all must be right."""
+    count = 0
+    strides = {f"{path}[]": one for path, _, one in held.rows() if one.inner is not None and one.listed}
+    for path, at, one in held.rows():
+        value = one.member.value
+        if one.inner is not None or value is None:
+            continue
+        outer = next((around for before, around in strides.items() if path.startswith(f"{before}.")), None)
+        for element in range(outer.count if outer else 1):
+            meant = at_path(values, path, element)
+            for number, single in enumerate(meant if isinstance(meant, list) else [] if meant is None else [meant]):
+                first = at + (element * outer.stride if outer else 0) + number * one.stride
+                raw = value_construct(value, one.member.order, one.member.swapped).parse(
+                    data[first : first + value.size]
+                )
+                if value.type.kind is Kind.TEXT:
+                    raw = raw.rstrip(b"\0").decode("ascii")
+                assert raw == single or (raw != raw and single != single), (path, element, number)
+                count += 1
+    return count
+
+
+@pytest.mark.parametrize(("layout", "memory"), PAIRS)
+def test_the_bytes_of_every_example_hold_its_values_where_the_model_has_them(
+    layout: DeviceLayout, memory: Memory
+) -> None:
+    seen: Counter[str] = Counter()
+    reference = codec(layout)
+    for example in layout.device.examples.values():
+        if not example.message or example.error or example.refused:
+            continue
+        data = body(layout, example)
+        record = layout.messages[example.message].data(example.direction).of_data(data)
+        assert record is not None
+        held = image(layout, record, memory)
+        if any(True for _ in misfits(held)):
+            wire = [field.offset for field in record.fields]
+            assert [one.at for one in held.members] != wire or held.size != record.size or shifted(held)
+            seen["refused"] += 1
+            continue
+        values = reference.links[example.link].decode(example.frame, example.direction, example.message)
+        seen["exact"] += 1
+        seen["numbers"] += compared(held, data, values.values)
+    assert seen["refused"] == 0 or memory.name != "tc3:1"
+    assert seen["numbers"] >= seen["exact"] - empty(layout)
+
+
+def empty(layout: DeviceLayout) -> int:
+    """How many examples have no data."""
+    return sum(not body(layout, example) for example in layout.device.examples.values() if example.message)
+
+
+def shifted(held: Placed) -> bool:
+    """Whether something within a member lies elsewhere, or its elements are further apart."""
+    return any(
+        (one.inner is not None and any(True for _ in misfits(one.inner))) or one.stride != one.size
+        for one in held.members
+    )
+
+
+@pytest.mark.parametrize("memory", [MEMORIES[name] for name in ("tc3:1", "tc3:2", "s7")], ids=lambda one: one.name)
+def test_every_telegram_is_as_long_as_it_is_configured(memory: Memory) -> None:
+    layout = newest(SPECS, "hiwin-e")
+    sizes = {}
+    for message in layout.links["cyclic"].messages.values():
+        for data in (message.request, message.response):
+            held = image(layout, data, memory, packed=memory.bits)
+            assert list(misfits(held)) == [], data.name
+            sizes[data.name] = held.size
+    assert sizes["telegram_111_request"] == sizes["telegram_111_response"] == 24
+    words = {name: message.message.request_words for name, message in layout.messages.items()}
+    assert sizes == {name: size for name, size in sizes.items() if size == 2 * (words_of(layout, name) or 0)}
+    assert words["telegram_111"] == 12
+
+
+def words_of(layout: DeviceLayout, name: str) -> int | None:
+    """The words that the manual prints for one direction of a telegram."""
+    message, _, direction = name.rpartition("_")
+    held = layout.messages[message].message
+    return held.request_words if direction == "request" else held.response_words
+
+
+@pytest.mark.parametrize("name", list(DIALECTS))
+def test_telegram_111_has_24_bytes_in_the_images_of_every_dialect(name: str) -> None:
+    declared = declarations(newest(SPECS, "hiwin-e"), DIALECTS[name])
+    assert declared.found == ()
+    for direction in ("request", "response"):
+        held = declared.image(f"telegram_111_{direction}")
+        assert held is not None
+        assert declared.placed(held).size == 24
+
+
+@pytest.mark.parametrize("name", ["tc3:4", "tc3:8", "codesys", "c"])
+def test_natural_alignment_would_make_telegram_111_longer_and_is_refused(name: str) -> None:
+    layout = newest(SPECS, "hiwin-e")
+    held = image(layout, layout.messages["telegram_111"].request, MEMORIES[name])
+    assert held.size == 28
+    assert list(held.gaps()) == [(10, 2), (26, 2)]
+    refused = found(held)
+    assert {one.code for one in refused} == {"plc_images_exact"}
+    assert "mdi_target_position begins at byte 12, on the wire at byte 10" in refused[0].message
+    assert "has 28 bytes, on the wire 24" in refused[-1].message
+
+
+def struct(name: str, *kinds: Type) -> Struct:
+    return Struct(name, name, "record", "", tuple(Member(f"m{n}", kind, "", None) for n, kind in enumerate(kinds)))
+
+
+def sizes(members: tuple[Type, ...], inner: Struct | None = None) -> dict[str, int]:
+    whole = struct("whole", *members)
+    held = {one.name: one for one in (whole, *([inner] if inner else []))}
+    return {name: placed(whole, memory, held).size for name, memory in MEMORIES.items()}
+
+
+# The numbers of TwinCAT are those of Beckhoff's page on pack_mode, those of S7 what TIA Portal shows as offsets.
+PACKED = [
+    pytest.param((BOOL, DINT), {"tc3:1": 5, "tc3:2": 6, "tc3:4": 8, "tc3:8": 8, "s7": 6}, id="bool-dint"),
+    pytest.param((BOOL, INT, BYTE), {"tc3:1": 4, "tc3:2": 6, "tc3:4": 6, "tc3:8": 6, "s7": 6}, id="bool-int-byte"),
+    pytest.param((BOOL, LINT), {"tc3:1": 9, "tc3:2": 10, "tc3:4": 12, "tc3:8": 16, "s7": 10}, id="bool-lint"),
+    pytest.param((BOOL,) * 9, {"tc3:1": 9, "tc3:2": 9, "tc3:4": 9, "tc3:8": 9, "s7": 2}, id="nine-bools"),
+    pytest.param((BYTE, BOOL, BYTE), {"tc3:1": 3, "tc3:2": 3, "tc3:4": 3, "tc3:8": 3, "s7": 4}, id="byte-bool-byte"),
+    pytest.param((ArrayType(0, 2, BYTE), BYTE), {"tc3:1": 4, "tc3:8": 4, "s7": 6}, id="array-of-bytes"),
+    pytest.param((ArrayType(0, 9, BOOL), BOOL), {"tc3:1": 11, "tc3:8": 11, "s7": 4}, id="array-of-bools"),
+]
+
+
+@pytest.mark.parametrize(("members", "expected"), PACKED)
+def test_structs_have_the_sizes_that_the_makers_document(members: tuple[Type, ...], expected: dict[str, int]) -> None:
+    assert {name: size for name, size in sizes(members).items() if name in expected} == expected
+
+
+def test_structs_in_arrays_are_filled_up_to_their_alignment() -> None:
+    inner = struct("inner", DINT, BYTE)
+    found_sizes = sizes((ArrayType(0, 3, StructType("inner")), BYTE), inner)
+    assert (found_sizes["tc3:1"], found_sizes["tc3:2"], found_sizes["tc3:4"], found_sizes["s7"]) == (21, 26, 36, 26)
+
+
+def test_bits_that_follow_each_other_share_bytes_where_the_controller_packs_them() -> None:
+    held = placed(struct("bits", *(BOOL,) * 9, BYTE, INT), MEMORIES["s7"], {})
+    assert [(one.at, one.bit) for one in held.members[7:]] == [(0, 7), (1, 0), (2, None), (4, None)]
