@@ -92,11 +92,12 @@ def test_an_element_of_a_table_has_its_address(prover: Proof) -> None:
 
 
 def registers(prover: Proof, group: RegisterGroup, access: tuple[str, ...]) -> list[RegisterLayout]:
-    """The registers of a group that have one of some accesses."""
+    """The registers of a group that have one of some accesses; a trigger can be written in any case."""
     return [
         one
         for one in prover.world.layout.registers
-        if one.register in group.registers and one.register.access in access
+        if one.register in group.registers
+        and (one.register.access in access or (access == WRITTEN and one.register.trigger))
     ]
 
 

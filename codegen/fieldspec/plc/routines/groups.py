@@ -40,7 +40,8 @@ def group_routines(world: World) -> Iterator[Routine]:
     for group in world.layout.device.groups:
         registers = [laid for laid in world.layout.registers if laid.register in group.registers]
         readable = [laid for laid in registers if laid.register.access in _READ]
-        writable = [laid for laid in registers if laid.register.access in _WRITTEN]
+        # Where no access is printed, writing is what a trigger is for.
+        writable = [laid for laid in registers if laid.register.access in _WRITTEN or laid.register.trigger]
         if readable:
             yield _unpacked(world, group, readable)
         if writable:
