@@ -93,9 +93,15 @@ class Told:
 
 
 def compared(layout: DeviceLayout, dump: Dump, offset: int = 0) -> Told:
-    """A dump beside a device. Addresses are read in the way by which most of them are known."""
+    """A dump beside a device. Addresses are read in the way by which most are known, and then the fewest are wrong."""
     made = [_told(layout, base, dump.entries(base), offset) for base in dump.bases]
-    return max(made, key=lambda told: len(told.read) - len(told.unknown))
+    return max(made, key=lambda told: (-len(told.unknown), -_doubtful(told)))
+
+
+def _doubtful(told: Told) -> int:
+    """How much speaks against the way in which addresses were read."""
+    wrong = sum(1 for read in told.read if read.said.reason or read.spare)
+    return wrong + len(told.holes) + len(told.too_great) + len(told.twice)
 
 
 def _told(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> Told:

@@ -20,6 +20,9 @@ from fieldspec.render.audit_map import Map, maps, states
 from fieldspec.source import Span
 
 _SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
+OPEN = 100
+"""A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
+
 _GOOD = {True: "good", False: "bad", None: ""}
 
 
@@ -47,6 +50,7 @@ class _Table:
     marked: bool
     rows: str
     detail: bool
+    open: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,6 +176,7 @@ def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Tabl
         marked,
         rows,
         table.detail,
+        many <= OPEN,
     )
 
 

@@ -14,10 +14,11 @@ from fieldspec.classes import dataclass
 
 A_ROW = 16
 _BOX, _HIGH, _LEFT, _HEAD, _FOLDED = 60, 30, 62, 16, 20
-_LETTER = 5.8
-"""The width of a letter of a box's text, as wide as any that is common."""
+_WIDE, _THIN, _LETTER = 8.8, 3.6, 5.6
+"""The widths of wide letters, of thin ones, and of all others, in the fonts that browsers have."""
 
 _LEAST_LETTERS = 3
+_IDEOGRAPHS = 0x2E80
 _LEADING = 11
 _LINE = 0x1000
 _OVERVIEW = 960
@@ -209,16 +210,37 @@ def _said(run: Run) -> str:
 
 def _fitting(text: str, width: int, lines: int) -> tuple[str, ...]:
     """As much of a text as fits into a box: its beginning and, on a second line, its end, by which names differ."""
-    most = int((width - 6) / _LETTER)
-    if len(text) <= most:
+    room = width - 6
+    if _width(text) <= room:
         return (text,) if text else ()
-    if most <= _LEAST_LETTERS:
+    head = _beginning(text, room)
+    if len(head) < _LEAST_LETTERS:
         return ()
     if lines == 1:
-        return (f"{text[: most - 1]}…",)
-    breaks = [at for at, sign in enumerate(text) if sign == "_" and at <= most and len(text) - at <= most]
+        return (f"{_beginning(text, room - _WIDE)}…",)
+    breaks = [at for at in range(len(head), 0, -1) if text[at] == "_" and _width(text[at:]) <= room]
     if breaks:
-        return text[: breaks[-1]], text[breaks[-1] :]
-    if len(text) <= 2 * most:
-        return text[:most], text[most:]
-    return f"{text[: most - 1]}…", f"…{text[len(text) - most + 1 :]}"
+        return text[: breaks[0]], text[breaks[0] :]
+    if _width(text[len(head) :]) <= room:
+        return head, text[len(head) :]
+    tail = _beginning(text[::-1], room - _WIDE)[::-1]
+    return f"{_beginning(text, room - _WIDE)}…", f"…{tail}"
+
+
+def _beginning(text: str, room: float) -> str:
+    """As many letters as there is room for."""
+    at = 0
+    while at < len(text) and (room := room - _width(text[at])) >= 0:
+        at += 1
+    return text[:at]
+
+
+def _width(text: str) -> float:
+    """About how wide a text is."""
+    return sum(map(_letter, text))
+
+
+def _letter(sign: str) -> float:
+    if sign in "mwMW@%…" or ord(sign) >= _IDEOGRAPHS:
+        return _WIDE
+    return _THIN if sign in "iljtfr.,:[]() " else _LETTER

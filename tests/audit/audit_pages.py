@@ -1,0 +1,39 @@
+"""The audits of all devices as pages, the real and the made-up ones, beside the documentation they lead to."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from fieldspec.audit.manual_index import NAME, parsed
+from fieldspec.pipeline import output
+from fieldspec.reading.project import DeviceSpec, read
+from fieldspec.render.audit_pages import pages
+from laid_out import MADE_UP, SPECS, laid_at
+
+
+@cache
+def projects() -> dict[str, tuple[Path, DeviceSpec]]:
+    """All devices by id, with the folder of specs in which each is."""
+    found = {}
+    for root in (SPECS, MADE_UP):
+        files = {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(root.rglob("*.yaml"))}
+        found |= {name: (root, spec) for name, spec in read(files, folder="specs").devices.items()}
+    return found
+
+
+@cache
+def files(device: str) -> dict[str, str]:
+    """What an audit adds to the documentation of a device, and that documentation, by path."""
+    root, spec = projects()[device]
+    layouts = [laid_at(spec, version) for version in spec.versions()]
+    path = root / device / NAME
+    index = parsed(f"specs/{device}/{NAME}", path.read_text("utf-8")) if path.exists() else None
+    documentation = output("docs", layouts)
+    made = {**documentation, **pages(spec, layouts, index, documentation)}
+    return {name: content.decode("utf-8") for name, content in made.items()}
+
+
+def page(device: str) -> str:
+    """The page of a device's audit."""
+    return files(device)[f"docs/{device}/audit.html"]
