@@ -15,6 +15,8 @@ COMPILERS = {
     "gcc": ["gcc", "-std=c99", "-O1"],
     "clang": ["clang", "-std=c99"],
     "g++": ["g++", "-std=c++11", "-x", "c++"],
+    # It has none of the extensions of gcc.
+    "tcc": ["tcc", "-std=c99"],
     "sanitized": ["gcc", "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 }
 
