@@ -80,6 +80,7 @@ HELD = [
     ("the number of a word", "PZD7", 7),
     ("a number behind a prefix", "Pt53A", 0x53A),
     ("an alarm", "AL.EE0", 0xEE0),
+    ("a voltage", "DC24V", 24),
     ("a bit of a word", "STW1.8 = 1", 8),
     ("digits that stand one by one", "0 | 1 | 1 | 0 | 9 | 9 | 9 | B", 0x999B),
 ]
