@@ -16,12 +16,19 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
+from fieldspec.render.audit_cells import cell_text
 from fieldspec.render.audit_map import Map, maps, states
 from fieldspec.source import Span
 
 _SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
 OPEN = 100
 """A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
+
+BROAD = 8
+"""A table of so many columns shares out the width, as it would else be wider than paper."""
+
+_WORD, _MOST = 16, 28
+"""How wide a column is at least whose texts are that long, and at most, when the width is shared out; in letters."""
 
 _GOOD = {True: "good", False: "bad", None: ""}
 
@@ -51,6 +58,7 @@ class _Table:
     rows: str
     detail: bool
     open: bool
+    shares: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +185,18 @@ def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Tabl
         rows,
         table.detail,
         many <= OPEN,
+        _shares(table, full, marked) if len(full) >= BROAD else (),
     )
+
+
+def _shares(table: SectionTable, full: Sequence[int], marked: bool) -> tuple[str, ...]:
+    """How much of the width each column gets, in percent: more where there is more to read, but within bounds."""
+    weights = [4] if marked else []
+    for at in full:
+        lengths = [len(cell_text(row[at])) for row in table.rows]
+        mean = sum(lengths) // len(lengths)
+        weights.append(min(max(mean, len(table.columns[at]) + 3, min(max(lengths), _WORD)), _MOST))
+    return tuple(f"{100 * weight / sum(weights):.1f}" for weight in weights)
 
 
 def _counts(table: SectionTable, at: int) -> bool:
