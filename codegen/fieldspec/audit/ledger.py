@@ -26,6 +26,12 @@ KINDS = {"proven": "good", "judgement": "", "open": "warning", UNPROVEN: "bad"}
 """The verdicts: a named check fails with the print put back, a person has judged, the manual does not decide it, or the
 check that should fail does not. Each with how a row of it stands."""
 
+_FIGURES = {
+    "proven": "errata are proven by a check that fails with the print put back",
+    "judgement": "errata rest on the judgement of a person",
+    "open": "errata are about what the manual leaves open",
+}
+
 COLUMNS = (
     "effect",
     "erratum",
@@ -57,11 +63,9 @@ def ledger(subject: Subject) -> Section:
     proofs = by_effect(subject.proofs)
     trees = {version: subject.spec.tree_at(version) for version in subject.spec.versions()}
     verdicts = Counter(verdict(proof) for proof in proofs)
-    figures = [Figure("errata", len(proofs))]
-    figures += [
-        Figure(f"errata {kind}", verdicts[kind], len(proofs), kind == "proven" or None)
-        for kind in KINDS
-        if kind != UNPROVEN
+    figures = [
+        Figure("errata", len(proofs)),
+        *(Figure(what, verdicts[kind], len(proofs), kind == "proven" or None) for kind, what in _FIGURES.items()),
     ]
     if verdicts[UNPROVEN]:
         figures.append(Figure("errata whose proof does not fail", verdicts[UNPROVEN], len(proofs), False))
