@@ -170,10 +170,10 @@ def section(made: Printed) -> Section:
             "all of them together.",
         ),
         (
-            _figure("errata with an effect on the wire or on ranges that a check finds by itself", wire, True),
-            _figure("errata of any effect that a check finds by itself", every, None),
+            _figure("errata with an effect on the wire or on ranges are found with no erratum written", wire, True),
+            _figure("errata of any effect are found with no erratum written", every, None),
             Figure(
-                "errata with an effect on the wire or on ranges that show with all prints together",
+                "errata with an effect on the wire or on ranges are found with all prints together",
                 sum(one.together for one in wire),
                 len(wire),
             ),
