@@ -17,7 +17,7 @@ from fieldspec.backends.c.selection import claim_selection, selection
 from fieldspec.backends.c.selftest import program
 from fieldspec.backends.c.signals import conversion_lines, signal_lines
 from fieldspec.backends.c.support import STATUSES, check_lines, number_lines, status_lines
-from fieldspec.backends.c.text import plain, string
+from fieldspec.backends.c.text import folded, plain, string
 from fieldspec.backends.c.words import flags_lines
 from fieldspec.backends.templates import fill
 from fieldspec.layout.device import DeviceLayout
@@ -82,7 +82,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         version=string(device.version),
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity),
-        sections=[(name, ["\n".join(block) for block in blocks]) for name, blocks in sections if blocks],
+        sections=[(name, ["\n".join(folded(block)) for block in blocks]) for name, blocks in sections if blocks],
         switches=_switches(naming, algorithms, bool(coded(device)), bool(device.conversions)),
         texts_macro=naming.own_macro("with_texts"),
         text_type=naming.own("code_text"),

@@ -7,6 +7,11 @@ from collections.abc import Iterable
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t", "?": "\\?"}
 _WIDTH = 108
+_LONGEST = 120
+
+# What may be folded, and the pieces of it, which end behind a comma or an operator, the weaker one if there are two.
+_FOLDED = re.compile(r"\s*(static inline|if \(|\} else if \()")
+_PIECES = re.compile(r".+?(?: \|\| |$)"), re.compile(r".+?(?:, | && |$)")
 
 
 def string(text: str) -> str:
@@ -72,6 +77,23 @@ def hexadecimal(value: int, size: int) -> str:
 def array(data: bytes) -> str:
     """The bytes of an array's initializer."""
     return ", ".join(f"0x{byte:02X}" for byte in data)
+
+
+def folded(lines: Iterable[str]) -> list[str]:
+    """Lines of code, of which heads of functions and conditions that are too long go on in further lines."""
+    return [part for line in lines for part in _folded(line)]
+
+
+def _folded(line: str) -> list[str]:
+    if len(line) <= _LONGEST or not _FOLDED.match(line):
+        return [line]
+    indent = " " * (len(line) - len(line.lstrip()))
+    parts = [indent]
+    for piece in _PIECES[" || " not in line].findall(line.lstrip()):
+        if len(parts[-1]) + len(piece.rstrip()) > _LONGEST and parts[-1].strip():
+            parts.append(f"{indent}        ")
+        parts[-1] += piece
+    return [part.rstrip() for part in parts]
 
 
 def indented(lines: Iterable[str], depth: int = 1) -> list[str]:
