@@ -29,6 +29,7 @@ from fieldspec.reading.project import DeviceSpec, read
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"
+PAGE = ROOT / "docs" / "audit.md"
 MANUALS = ROOT.parent / "shared" / "manuals"
 DEVICES = sorted(path.parent.name for path in SPECS.glob(f"*/{NAME}"))
 
@@ -99,13 +100,19 @@ def test_nothing_is_unaccounted_and_no_citation_fails(device: str) -> None:
     assert [finding.message for finding in covered(device).findings] == []
 
 
-@pytest.mark.parametrize("device", DEVICES)
-def test_the_documentation_gives_the_numbers_of_the_manuals(device: str) -> None:
-    places, corrected, left_out, unaccounted, needed, held = covered(device).figures
-    cells = [places.whole, places.number, corrected.number, left_out.number, unaccounted.number]
-    shares = [f"{one.number} of {one.whole}" for one in (needed, held)]
-    row = f"| `{device}` | {' | '.join(map(str, [*cells, *shares]))} |"
-    assert row in (ROOT / "docs" / "audit.md").read_text("utf-8").splitlines()
+def test_the_documentation_gives_the_numbers_of_the_manuals(accept: bool) -> None:
+    page = PAGE.read_text("utf-8")
+    fresh = page
+    for device in DEVICES:
+        places, corrected, left_out, unaccounted, needed, _, held = covered(device).figures
+        cells = [places.whole, places.number, corrected.number, left_out.number, unaccounted.number]
+        shares = [f"{one.number} of {one.whole}" for one in (needed, held)]
+        row = f"| `{device}` | {' | '.join(map(str, [*cells, *shares]))} |"
+        fresh = re.sub(rf"^\| `{device}` \|(?: \d+ \|){{5}} \d+ of .*", row, fresh, flags=re.MULTILINE)
+    if accept:
+        PAGE.write_text(fresh, "utf-8", newline="\n")
+    assert fresh.count(" of ") > 8
+    assert PAGE.read_text("utf-8") == fresh
 
 
 @pytest.mark.parametrize("device", DEVICES)

@@ -10,7 +10,7 @@ from fieldspec.audit.alignment import Aligned
 from fieldspec.audit.cited import Cited, OnLine
 from fieldspec.audit.pattern import Found, Held
 from fieldspec.audit.plan import LeftOut, Pattern, Plan, within
-from fieldspec.audit.spelling import readings
+from fieldspec.audit.spelling import figures, readings
 from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
@@ -44,12 +44,14 @@ class Candidate:
 class Accounts:
     """All candidates, the patterns that have found none, and what is left out without being there.
 
-    `needed` are the paths of the facts without which something would not be accounted for.
+    `needed` are the paths of the facts without which something would not be accounted for. `beside` are the numbers of
+    lines that patterns know which no pattern finds, and no fact has that cites the line: line, start and end.
     """
 
     candidates: Sequence[Candidate]
     unused: Sequence[Pattern | LeftOut]
     needed: frozenset[str]
+    beside: Sequence[tuple[int, int, int]]
 
 
 def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
@@ -57,6 +59,7 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
     made: list[Candidate] = []
     used: set[int] = set()
     needed: set[str] = set()
+    beside: list[tuple[int, int, int]] = []
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
@@ -72,14 +75,16 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
                 status, missing = LEFT_OUT, ()
             place = number, at, section, found.start, found.end
             made.append(Candidate(pattern.kind, *place, status, missing, pattern, out if status == LEFT_OUT else None))
-        if not pieces and any(char.isdigit() for char in text):
+        if pieces:
+            beside += ((number, *place) for place in _beside(text, pieces, told, cited))
+        elif any(char.isdigit() for char in text):
             known = number not in manual.new and at in cited.lines
             status = COVERED if known else LEFT_OUT if out is not None else OPEN
             kept = out if status == LEFT_OUT else None
             made.append(Candidate(LINE, number, at, section, 0, len(text), status, out=kept))
         used.update(id(one.out) for one in made[before:])
     declared: list[Pattern | LeftOut] = [*plan.patterns, *plan.left_out]
-    return Accounts(made, [one for one in declared if id(one) not in used], frozenset(needed))
+    return Accounts(made, [one for one in declared if id(one) not in used], frozenset(needed), beside)
 
 
 def _left_out(plan: Plan, line: int, text: str) -> LeftOut | None:
@@ -101,6 +106,21 @@ def _pieces(plan: Plan, line: int, text: str) -> Iterator[tuple[Pattern, Found]]
             elif pattern.each is not None:
                 for one in pattern.each.each(text):
                     yield pattern, _whole(pattern, one)
+
+
+def _beside(
+    text: str, pieces: Sequence[tuple[Pattern, Found]], told: OnLine, cited: Cited
+) -> Iterator[tuple[int, int]]:
+    """The numbers of a line that are no part of what patterns find, and that nothing says which cites the line."""
+    texts = {held.text for _, found in pieces for held in found.values}
+    for start, end in figures(text):
+        held = Held("value", "", text[start:end])
+        if any(held.text in other for other in texts):
+            continue
+        if any(corrects(erratum, held) for erratum in told.errata):
+            continue
+        if not any(says(row, held, cited.elided) for row in told.facts):
+            yield start, end
 
 
 def _owners(paths: set[str]) -> set[str]:

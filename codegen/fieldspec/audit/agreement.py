@@ -17,7 +17,7 @@ from fieldspec.reading.building.context import citations
 
 _ALSO = {"code": ("code", "number"), "number": ("number", "code")}
 _SCALED = ("min", "max", "default")
-_VALUES = ("code", "number", "address", "bit", "words", "bytes", "count", "position", "min", "max", "default")
+_VALUES = ("code", "number", "address", "bit", "words", "bytes", "count", "position", "min", "max", "default", "scale")
 _INTERVAL = re.compile(r"(-?[0-9]+)(?:\.\.(-?[0-9]+))?")
 _INTEGER = re.compile("int")
 _BOUNDS = re.compile(r"(?:(?<![0-9A-Fa-f])-)?(?:0[xX][0-9A-Fa-f]+|[0-9][0-9A-Fa-f,]* ?[Hh]|[0-9][0-9,]*(?:\.[0-9]+)?)")

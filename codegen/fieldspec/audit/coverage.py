@@ -51,14 +51,15 @@ def coverage(subject: Subject) -> Section:
         *_uncited(claims),
         *_unused(counted, claims),
     ]
-    return Section(
-        NAME,
-        TITLE,
-        tuple(_says(subject, manual)),
-        tuple(_figures(counted, claims)),
-        (_by_kind(counted), _by_section(counted, made), _reasons(counted, made), _rows(counted, manual)),
-        tuple(found),
+    tables = (
+        _by_kind(counted),
+        _by_section(counted, made),
+        _reasons(counted, made),
+        _rows(counted, manual),
+        _beside(counted, made, manual),
     )
+    figures = tuple(_figures(counted, claims))
+    return Section(NAME, TITLE, tuple(_says(subject, manual)), figures, tables, tuple(found))
 
 
 def _head(subject: Subject) -> Span:
@@ -116,6 +117,8 @@ def _figures(counted: Accounts, claims: Judged) -> Iterator[Figure]:
     yield Figure("are not accounted for", states[OPEN], whole, states[OPEN] == 0)
     needed = len(counted.needed & claims.numbered)
     yield Figure("facts that have a number would be missed if they were gone", needed, len(claims.numbered))
+    beside = len(counted.beside)
+    yield Figure("numbers beside them, in remarks or of rows, are compared with nothing", beside)
     failing = len({(one.path, one.what) for one in claims.missing})
     yield Figure(
         "addresses, codes, identifiers and prints stand where the spec cites them",
@@ -179,6 +182,16 @@ def _rows(counted: Accounts, manual: Aligned) -> SectionTable:
     columns = ("section", "line", "what", "how", "reason", "print")
     title = "Corrected, left out, and not accounted for"
     return SectionTable("places", title, columns, tuple(rows), kinds, detail=True)
+
+
+def _beside(counted: Accounts, made: Plan, manual: Aligned) -> SectionTable:
+    """The numbers that nothing compares, for a person to look at."""
+    rows: list[tuple[Cell, ...]] = []
+    for line, start, end in counted.beside:
+        text = manual.index.lines[line - 1]
+        rows.append((made.section(manual.known[line - 1]), line, text[start:end], text))
+    title = "Numbers in known lines that no fact has"
+    return SectionTable("beside", title, ("section", "line", "number", "print"), tuple(rows), detail=True)
 
 
 def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:

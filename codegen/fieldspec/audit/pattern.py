@@ -47,6 +47,7 @@ COLUMNS = {
     "max": "decimal",
     "range": "range",
     "default": "decimal",
+    "scale": "decimal",
     "access": "word",
     "type": "word",
     "value": "number",

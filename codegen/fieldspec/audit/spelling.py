@@ -89,6 +89,12 @@ def numbers(line: str) -> Numbers:
     return Numbers(frozenset(values), tuple(intervals), single)
 
 
+def figures(line: str) -> Iterator[tuple[int, int]]:
+    """Where the numbers of a reduced line stand."""
+    for found in _NUMBER.finditer(line):
+        yield found.span()
+
+
 def words(text: str) -> tuple[str, ...]:
     """The words of a text as they are compared: in lower case, without what stands between them."""
     return tuple(word.lower() for word in _WORD.findall(text))
