@@ -47,7 +47,7 @@ HOMES = {
     "platform": (),
     "getpass": (),
     "datetime": (),
-    "time": ("commands/watching.py",),
+    "time": ("commands/watching.py", "commands/signing.py"),  # a review has the day on which it is recorded
     "random": (),
     "uuid": ("backends/twincat/",),  # identifiers made of names: the same in every build
     "pickle": (),

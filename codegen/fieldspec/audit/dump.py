@@ -267,6 +267,7 @@ def _wrong(read: Read, span: Span) -> Iterator[Diagnostic]:
 
 
 def finding(code: str, text: str, span: Span, fact: Fact, help: str, grave: bool = True) -> Diagnostic:
+    """A finding about a value, with the place of the spec that says otherwise; a warning where it is not grave."""
     label = Label(fact.place[range_key(fact.place) if code == _RANGE else "name"], "what the spec says")
     return Diagnostic(code, text, span, (label,), help, Severity.ERROR if grave else Severity.WARNING)
 

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import binascii
 import hashlib
+import re
 from base64 import b64decode, b64encode
+from calendar import monthrange
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from datetime import date
 
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
@@ -52,6 +53,7 @@ _STATED = (
     "restart",
 )
 _SIZE = 4
+_DAY = re.compile("([0-9]{4})-([0-9]{2})-([0-9]{2})")
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +119,15 @@ class Reviewed:
     reviews: tuple[tuple[Review, Since], ...] = field(default=())
 
 
+def is_day(text: str) -> bool:
+    """Whether there is such a day, as in 2026-01-31."""
+    found = _DAY.fullmatch(text)
+    if found is None:
+        return False
+    year, month, day = map(int, found.groups())
+    return year > 0 and 1 <= month <= 12 and 1 <= day <= monthrange(year, month)[1]
+
+
 def state_hash(digests: Iterable[str]) -> str:
     """The hash of a state."""
     return hashlib.sha256(" ".join(digests).encode()).hexdigest()[:16]
@@ -165,9 +176,7 @@ def reviews(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:
 
 def _review(entry: Entry) -> Review:
     day = entry.text("date")
-    try:
-        date.fromisoformat(day)
-    except ValueError:
+    if not is_day(day):
         entry.refuse("reviews_sound", "date", f"there is no day {day}", "write it as in 2026-01-31")
     return Review(
         entry.place(),

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import time
 from collections.abc import Iterable, Mapping
-from datetime import date
 from pathlib import Path
 
-from fieldspec.audit.review import FILE, State, states, written
+from fieldspec.audit.review import FILE, State, is_day, states, written
 from fieldspec.audit.sourcing import section_order
 from fieldspec.commands import specs
 from fieldspec.commands.lists import write
@@ -23,11 +23,9 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     """Appends an entry to the reviews of a device. Raises UsageError, and writes nothing, where that cannot be done."""
     if not arguments.by or not arguments.by.strip():
         raise UsageError('--sign needs to know who has compared it; give a name or a role, as in --by "second reader"')
-    day = arguments.on or date.today().isoformat()
-    try:
-        date.fromisoformat(day)
-    except ValueError:
-        raise UsageError(f"--on {day} is no day; write it as in 2026-01-31") from None
+    day = arguments.on or time.strftime("%Y-%m-%d")
+    if not is_day(day):
+        raise UsageError(f"--on {day} is no day; write it as in 2026-01-31")
     held = list(layouts)
     signed = _picked(states(held), arguments.sign)
     manual = held[-1].device.manual
