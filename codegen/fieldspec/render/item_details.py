@@ -82,6 +82,7 @@ def _register(layout: DeviceLayout, register: Register, address: int | None) -> 
     yield "restart", _RESTART[register.restart]
     yield "trigger", "writing it starts something; reading gives 0" if register.trigger else ""
     yield "atomic", "its words are read in one request" if register.atomic else ""
+    yield "reserved", "it has no meaning to the user" if register.reserved else ""
     yield "same as", register.same_as
     yield "copy of", _placed(layout, register.copy_of)
     for other in layout.device.registers():
@@ -178,6 +179,7 @@ def _parameter(item: Numbered, number: int | None) -> Details:
         yield "default", str(value.default)
     yield "names", value.enum or value.flags
     yield "restart", _RESTART[parameter.restart]
+    yield "trigger", "writing it starts something; reading does not give it back" if parameter.trigger else ""
     yield "for", ", ".join(parameter.applies_to)
     yield "used by", ", ".join(parameter.messages)
     yield "reserved", "it has no meaning to the user" if parameter.reserved else ""

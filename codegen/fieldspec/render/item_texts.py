@@ -9,9 +9,13 @@ from fieldspec.model.device import Device
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
 from fieldspec.model.fact import Claim, Fact
+from fieldspec.model.handling import NOTHING_SAID, Handling
 from fieldspec.model.note import Note
 
 Details = Iterator[tuple[str, str]]
+
+_MEMORY = {"volatile": "lost with the power", "nonvolatile": "kept without power"}
+_ENDURANCE = {"limited": "a limited number of writes, which is not printed", "unlimited": "as many writes as one likes"}
 
 
 def fact_details(device: Device, fact: Fact) -> Details:
@@ -20,6 +24,7 @@ def fact_details(device: Device, fact: Fact) -> Details:
     yield "since", ", ".join(fact.since)
     yield "until", ", ".join(fact.until)
     yield "only", ", ".join(fact.only)
+    yield from _handling(getattr(fact, "handling", NOTHING_SAID))
     yield "source", citations(fact.sources)
     for claim in fact.restated:
         yield "also", _claim(claim)
@@ -37,6 +42,15 @@ def fact_details(device: Device, fact: Fact) -> Details:
     for erratum in device.errata:
         if erratum.fact == fact.place.path or erratum.fact.startswith(f"{fact.place.path}/"):
             yield "erratum", f"{erratum.id}: {_printed(erratum)}{erratum.reason}"
+
+
+def _handling(said: Handling) -> Details:
+    """What whoever reads or writes the value must know."""
+    yield "reading", "clears it: only the first reader gets it" if said.clears_on_read else ""
+    yield "memory", _MEMORY.get(said.memory, "")
+    yield "saved by", said.saved_by
+    yield "endurance", _ENDURANCE.get(said.endurance, f"{said.endurance} writes" if said.endurance else "")
+    yield "opposite of", said.opposite_of
 
 
 def erratum_details(erratum: Erratum) -> Details:

@@ -18,12 +18,14 @@ from fieldspec.backends.docs.document import (
     plain,
     styled,
 )
+from fieldspec.backends.docs.handling import handled
 from fieldspec.backends.docs.holders import Holder, holders
 from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.inferences import reasons
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.handling import NOTHING_SAID
 from fieldspec.model.place import Place
 from fieldspec.model.value import Value
 
@@ -61,6 +63,7 @@ class Context:
             yield (styled(f"until {', '.join(fact.until)}", "badge"),)
         if fact.only:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
+        yield from handled(getattr(fact, "handling", NOTHING_SAID))
         yield from (_note(note) for note in fact.notes)
         yield from self.beside(fact.place)
 

@@ -125,6 +125,9 @@ def _wire(held: ParameterSet, first: int, last: int) -> Cell:
 def _special(parameter: Parameter) -> Iterator[Line]:
     if parameter.reserved:
         yield (styled("reserved", "badge"),)
+    if parameter.trigger:
+        text = " Writing has an effect; reading does not give back what was written."
+        yield (styled("trigger", "badge"), plain(text))
     if parameter.elements is not None:
         yield (plain(f"{parameter.elements} elements, sub-index 0 to {parameter.elements - 1}"),)
 

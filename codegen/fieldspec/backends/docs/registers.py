@@ -114,6 +114,8 @@ def _special(register: Register) -> Iterator[Line]:
         apart = "" if register.stride == register.width else f", {register.stride} words apart"
         last = register.index_from + register.count - 1
         yield (plain(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
+    if register.reserved:
+        yield (styled("reserved", "badge"),)
     if register.trigger:
         text = " Writing has an effect; reading does not give back what was written."
         yield (styled("trigger", "badge"), plain(text))
