@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
+from typing import TypeVar
 
 from fieldspec.audit.agreement import corrects, says
 from fieldspec.audit.alignment import Aligned
 from fieldspec.audit.cited import Cited, OnLine
 from fieldspec.audit.pattern import Found, Held
-from fieldspec.audit.plan import LeftOut, Pattern, Plan, within
+from fieldspec.audit.plan import LeftOut, Pattern, Plan
 from fieldspec.audit.spelling import figures, readings
 from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
 STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)
+Placed = TypeVar("Placed", Pattern, LeftOut)
+
 LONGEST_SERIES = 4096
 LINE = "line"
 """The kind of a line that has a number, and of which no pattern says what it is."""
@@ -60,15 +63,17 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
     used: set[int] = set()
     needed: set[str] = set()
     beside: list[tuple[int, int, int]] = []
+    patterns = _by_line(plan.patterns)
+    left_out = _by_line((*plan.left_out, plan.headings))
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
         at = manual.known[number - 1]
         section = plan.section(at)
-        out = _left_out(plan, at, text)
+        out = _left_out(left_out.get(at, ()), text)
         before = len(made)
         told = OnLine() if number in manual.new else cited.at(at)
-        pieces = list(_pieces(plan, at, text))
+        pieces = list(_pieces(patterns.get(at, ()), text))
         used.update(id(pattern) for pattern, _ in pieces)
         for (pattern, found), (status, missing) in zip(pieces, _standings(pieces, told, cited, needed), strict=True):
             if status == OPEN and out is not None:
@@ -87,25 +92,31 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
     return Accounts(made, [one for one in declared if id(one) not in used], frozenset(needed), beside)
 
 
-def _left_out(plan: Plan, line: int, text: str) -> LeftOut | None:
+def _by_line(held: Sequence[Placed]) -> dict[int, list[Placed]]:
+    """What is about each line, in its order."""
+    made: dict[int, list[Placed]] = defaultdict(list)
+    for one in held:
+        for first, last in one.lines:
+            for line in range(first, last + 1):
+                made[line].append(one)
+    return made
+
+
+def _left_out(outs: Sequence[LeftOut], text: str) -> LeftOut | None:
     """What leaves a line out."""
-    for out in (*plan.left_out, plan.headings):
-        if within(line, out.lines) and (out.template is None or out.template.whole(text) is not None):
-            return out
-    return None
+    return next((out for out in outs if out.template is None or out.template.whole(text) is not None), None)
 
 
-def _pieces(plan: Plan, line: int, text: str) -> Iterator[tuple[Pattern, Found]]:
+def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Found]]:
     """The pieces of a line that patterns find."""
-    for pattern in plan.patterns:
-        if within(line, pattern.lines):
-            if pattern.row is not None:
-                found = pattern.row.find(text)
-                if found is not None:
-                    yield pattern, _whole(pattern, found)
-            elif pattern.each is not None:
-                for one in pattern.each.each(text):
-                    yield pattern, _whole(pattern, one)
+    for pattern in patterns:
+        if pattern.row is not None:
+            found = pattern.row.find(text)
+            if found is not None:
+                yield pattern, _whole(pattern, found)
+        elif pattern.each is not None:
+            for one in pattern.each.each(text):
+                yield pattern, _whole(pattern, one)
 
 
 def _beside(

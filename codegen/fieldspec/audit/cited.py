@@ -46,10 +46,10 @@ class Cited:
 def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout]) -> Cited:
     """What cites each line of the manual, in any version."""
     by_line: dict[int, OnLine] = defaultdict(OnLine)
-    known: set[str] = set()
+    known: set[object] = set()
     for layout in layouts:
         for row in _completed([row for row in rows(layout) if row["kind"] not in _OUR_WORDS]):
-            key = repr(row)
+            key = tuple(cell for cell in row.values() if not isinstance(cell, list | dict))
             if key not in known:
                 known.add(key)
                 for line in lines_of(citations(str(row["sources"] or ""), "")):

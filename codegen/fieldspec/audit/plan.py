@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator
+from operator import attrgetter
 
 from fieldspec.audit.pattern import PatternError, Row, Template, row, template
 from fieldspec.classes import dataclass
@@ -29,6 +30,9 @@ class ManualSection:
     title: str
     first: int
     last: int
+
+
+_first = attrgetter("first")
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +87,7 @@ class Plan:
 
     def section(self, line: int) -> str:
         """The name of the section in which a line stands; empty before the first one."""
-        at = bisect_right([section.first for section in self.sections], line)
+        at = bisect_right(self.sections, line, key=_first)
         return self.sections[at - 1].name if at else ""
 
 
@@ -174,8 +178,3 @@ def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lin
         return tuple(whole)
     both = ((max(a, c), min(b, d)) for a, b in given for c, d in whole)
     return tuple((first, last) for first, last in both if first <= last)
-
-
-def within(line: int, lines: Lines) -> bool:
-    """Whether a line is one of some."""
-    return any(first <= line <= last for first, last in lines)
