@@ -283,8 +283,9 @@ class Compiled:
                 raise self._fail(line, f"{held} {operator} {held}")
             return f"({texts[0]} {({'=': '==', '<>': '!='}).get(operator, operator)} {texts[1]})"
         if operator in ("AND", "OR", "XOR"):
-            if held == "bool" and operator != "XOR":
-                return f"({texts[0]} {operator.lower()} {texts[1]})"
+            # Both sides are always worked out: the language does not promise to stop at the first.
+            if held == "bool":
+                return f"({texts[0]} {SYMBOLS[operator]} {texts[1]})"
             if held not in BITS:
                 raise self._fail(line, f"{held} {operator} {held}")
             return f"({texts[0]} {SYMBOLS[operator]} {texts[1]})"

@@ -14,6 +14,7 @@ from fieldspec.plc.routines.expressions import (
     Expression,
     Member,
     Operation,
+    Truth,
     Variable,
     Whole,
     compared,
@@ -56,7 +57,6 @@ def _holds(world: World) -> Routine:
     end = _sum(register, size)
     inside = every(
         [
-            compared(words, ">", number(0)),
             compared(register, ">=", address),
             compared(end, "<=", Operation("+", (Conversion(address, UDINT), Conversion(words, UDINT)), UDINT)),
         ]
@@ -71,7 +71,10 @@ def _holds(world: World) -> Routine:
             Declared(register, "input", "address of the register"),
             Declared(size, "input", "its words"),
         ),
-        (Assignment(Variable(name, BOOL), inside),),
+        (
+            Assignment(Variable(name, BOOL), Truth(False)),
+            when(compared(words, ">", number(0)), [Assignment(Variable(name, BOOL), inside)]),
+        ),
         ("Whether all words of a register are among some words.",),
     )
 
