@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import re
 import shutil
 import subprocess
@@ -26,7 +27,7 @@ def block(kind: str, text: str) -> list[str]:
 def files() -> dict[str, str]:
     """The files of the page by the paths that stand above them."""
     found = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
-    assert len(found) == 4
+    assert len(found) == 5
     return dict(found)
 
 
@@ -98,3 +99,19 @@ def test_the_mended_device_is_built(mended: Path) -> None:
     for output in outputs:
         named = [path for path in (mended / "generated" / output).rglob("*") if "lifter" in path.as_posix()]
         assert named, f"{output} has no file of the device"
+
+
+def test_the_audit_of_the_mended_device_leaves_nothing(mended: Path, accept: bool) -> None:
+    page = PAGE.read_text("utf-8")
+    (mended / "lifter.txt").write_text(block("text", page)[0], "utf-8", newline="\n")
+    shown = [one for one in block("console", page) if "audit" in one]
+    for one in shown:
+        command = one.splitlines()[0]
+        printed = f"{command}\n{run(command, mended)}"
+        page = page.replace(f"```console\n{one}```", f"```console\n{printed}```", 1)
+    if accept:
+        PAGE.write_text(page, "utf-8", newline="\n")
+    assert PAGE.read_text("utf-8") == page
+    assert len(shown) == 2
+    told = json.loads(run("$ fieldspec audit lifter --format json", mended))
+    assert told["sections"]["coverage"]["findings"] == []

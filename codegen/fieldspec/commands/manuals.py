@@ -25,9 +25,9 @@ def recorded(given: str | None, device: str) -> ManualIndex | None:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
         raise UsageError(f"cannot read {path}: {reason}") from None
-    shown = specs.shown(folder)
+    shown = "/".join(filter(None, (specs.shown(folder), device, NAME)))
     try:
-        return parsed(f"{shown}/{device}/{NAME}" if shown else f"{device}/{NAME}", text.replace("\r\n", "\n"))
+        return parsed(shown, text.replace("\r\n", "\n"))
     except ManualError as error:
         raise UsageError(f"{path} {error}") from None
 
@@ -76,7 +76,8 @@ def record(given: str | None, device: Device, name: str | None) -> int:
             f"{name} is not the text that the spec cites; where the spec has been compared with it, "
             f"put its hash and its lines into the spec first: sha256: {manual.sha256}, lines: {len(manual.lines)}"
         )
-    path = specs.folder(given) / device.id / NAME
-    lists.write(path, written(manual, device.id).encode())
-    print(f"wrote {path}: {len(manual.lines)} lines")
+    folder = specs.folder(given)
+    lists.write(folder / device.id / NAME, written(manual, device.id).encode())
+    shown = "/".join(filter(None, (specs.shown(folder), device.id, NAME)))
+    print(f"wrote {shown}: {len(manual.lines)} lines")
     return 0
