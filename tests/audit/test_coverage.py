@@ -108,6 +108,12 @@ def test_a_remark_in_words_cites_a_line_too() -> None:
     assert gauge.said(gauge.covered(spec, cited=manual)) == []
 
 
+def test_a_name_with_a_number_cites_nothing() -> None:
+    manual = gauge.MANUAL.replace("\n2 Frames", "Wait 50 ms after each write.\n2 Frames")
+    spec = changed(gauge.DEVICE, "printed_name: Level,", "printed_name: Level, label: Phase L10,")
+    assert len(gauge.said(gauge.covered(spec, cited=manual))) == 1
+
+
 def test_what_is_left_out_says_why_and_how_often() -> None:
     rows = [row[:4] for row in table("left_out").rows]
     assert rows == [

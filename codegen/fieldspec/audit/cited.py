@@ -16,6 +16,10 @@ from fieldspec.reading.nodes import Node, Scalar, children
 from fieldspec.reading.project import DeviceSpec
 
 _OUR_WORDS = ("cause", "remedy")
+_NO_CITATIONS = frozenset(
+    ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
+)
+"""Keys of a spec under which an L with a number is no line of the manual."""
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
 
 
@@ -89,5 +93,5 @@ def _told(node: Node) -> Iterator[int]:
             yield from lines_of(citations(found[0], ""))
         return
     for key, inner in children(node):
-        if key != "audit":
+        if key not in _NO_CITATIONS:
             yield from _told(inner)
