@@ -21,7 +21,7 @@ from tools_available import without
 
 DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]
 DEVICES += [(MADE_UP, name) for name in ("gadget", "glider-x", "widget")]
-SECONDS = 2
+SECONDS = 1
 
 
 def clang() -> str:

@@ -29,7 +29,7 @@ MACHINES = {
     "MSP430, int of 16 bits": ["--target=msp430-none-elf", FREESTANDING],
 }
 # The oldest and the newest; with C++11 the self-tests are compiled and run.
-STANDARDS = ["c++98", "c++20"]
+STANDARDS = {"c++98": "g++", "c++20": "clang++"}
 
 # A header is a library: programs use its structs. Variables stand where functions begin.
 UNMINDED = ["unusedStructMember", "variableScope"]
@@ -59,9 +59,16 @@ def test_no_warning_of_clang_is_given(source: Path, machine: str) -> None:
 
 
 @pytest.mark.parametrize("standard", STANDARDS)
-@pytest.mark.parametrize("compiler", ["g++", "clang++"])
-def test_every_standard_of_cpp_takes_the_header(source: Path, compiler: str, standard: str) -> None:
-    command = [require_tool(compiler), f"-std={standard}", "-x", "c++", *STRICT, "-fsyntax-only", str(source)]
+def test_every_standard_of_cpp_takes_the_header(source: Path, standard: str) -> None:
+    command = [
+        require_tool(STANDARDS[standard]),
+        f"-std={standard}",
+        "-x",
+        "c++",
+        *STRICT,
+        "-fsyntax-only",
+        str(source),
+    ]
     assert complaints(command) == ""
 
 
