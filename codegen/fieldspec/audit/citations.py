@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from decimal import Decimal
 from fnmatch import fnmatchcase
 
@@ -57,11 +57,11 @@ class Missing:
 class Judged:
     """The citations that were looked up, those that fail, and exceptions that nothing needs.
 
-    `numbered` are the paths of the facts that are known by a number.
+    `numbered` are the facts that are known by a number, by path: where the spec says it, and where it is printed.
     """
 
     looked_up: int
-    numbered: frozenset[str]
+    numbered: Mapping[str, tuple[Span, Citation]]
     missing: tuple[Missing, ...]
     excepted: int
     unused: tuple[Unprinted, ...]
@@ -106,7 +106,10 @@ def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
                 missing.append(one)
             else:
                 used.add(id(out))
-    numbered = frozenset(claim.path.partition("/restated/")[0] for claim in claims.values() if claim.key in NUMBERS)
+    numbered: dict[str, tuple[Span, Citation]] = {}
+    for claim in claims.values():
+        if claim.key in NUMBERS:
+            numbered.setdefault(claim.path.partition("/restated/")[0], (claim.span, claim.sources[0]))
     unused = tuple(one for one in plan.unprinted if id(one) not in used)
     excepted = sum(_excepted(plan, claim.path) is not None for claim in claims.values())
     return Judged(looked_up, numbered, tuple(missing), excepted, unused)

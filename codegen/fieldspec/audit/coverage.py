@@ -57,6 +57,7 @@ def coverage(subject: Subject) -> Section:
         _reasons(counted, made),
         _rows(counted, manual),
         _beside(counted, made, manual),
+        _unneeded(counted, claims),
     )
     figures = tuple(_figures(counted, claims))
     return Section(NAME, TITLE, tuple(_says(subject, manual)), figures, tables, tuple(found))
@@ -115,7 +116,7 @@ def _figures(counted: Accounts, claims: Judged) -> Iterator[Figure]:
     yield Figure("are covered with a correction", states[CORRECTED], whole)
     yield Figure("are left out on purpose", states[LEFT_OUT], whole)
     yield Figure("are not accounted for", states[OPEN], whole, states[OPEN] == 0)
-    needed = len(counted.needed & claims.numbered)
+    needed = len(counted.needed & claims.numbered.keys())
     yield Figure("facts that have a number would be missed if they were gone", needed, len(claims.numbered))
     beside = len(counted.beside)
     yield Figure("numbers beside them, in remarks or of rows, are compared with nothing", beside)
@@ -192,6 +193,14 @@ def _beside(counted: Accounts, made: Plan, manual: Aligned) -> SectionTable:
         rows.append((made.section(manual.known[line - 1]), line, text[start:end], text))
     title = "Numbers in known lines that no fact has"
     return SectionTable("beside", title, ("section", "line", "number", "print"), tuple(rows), detail=True)
+
+
+def _unneeded(counted: Accounts, claims: Judged) -> SectionTable:
+    """The facts whose loss would not show."""
+    gone = [(path, *place) for path, place in claims.numbered.items() if path not in counted.needed]
+    rows: tuple[tuple[Cell, ...], ...] = tuple((path, source, span) for path, span, source in gone)
+    title = "Facts that would not be missed: printed twice, or in words, or in a line that others cite"
+    return SectionTable("unmissed", title, ("fact", "source", "place"), rows, detail=True)
 
 
 def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:
