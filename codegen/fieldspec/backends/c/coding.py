@@ -49,15 +49,7 @@ def encode_function(naming: Naming, device: Device, record: RecordLayout) -> lis
             body += refused(naming, " || ".join(tests), "err_wrong_length")
     size = _size(record)
     body += refused(naming, f"capacity < {size}", "err_capacity")
-    if packed(record):
-        if check_lines(naming, device, record):
-            body += returning(naming, f"{naming.function('record', record.name, 'check')}(in)")
-        body.append(f"{naming.function('record', record.name, 'pack')}(in, out);")
-    for field in _measuring_last(record) if not packed(record) else ():
-        if field.cases:
-            body += chosen_lines(naming, record, selector, _case_writer(naming, device, record, field))
-        else:
-            body += each(record, field, _writer(naming, device, record, field), "in->")
+    body += _written(naming, device, record, selector)
     body += [f"*length = {size};", f"return {naming.own_macro('ok')};"]
     return [*lines, *indented([*variables(naming, body), *body]), "}"]
 
@@ -70,24 +62,45 @@ def decode_function(naming: Naming, device: Device, record: RecordLayout) -> lis
         f"(const uint8_t *in, size_t length{argument})",
         "{",
     ]
-    body: list[str] = []
-    body += _length_tests(naming, record)
+    body = _length_tests(naming, record)
     selector = selector_read(naming, record.selector) if record.selector is not None else ""
     if selector:
         body += sized_lines(naming, record, selector)
     body += _measured_length(naming, record)
-    if packed(record):
-        body.append(f"{naming.function('record', record.name, 'unpack')}(in, out);")
-        body += found_lines(naming, device, record)
-    for field in _measuring_last(record) if not packed(record) else ():
-        if field.cases:
-            body += chosen_lines(naming, record, selector, _case_reader(naming, device, record, field))
-        else:
-            body += each(record, field, _reader(naming, device, record, field), "out->")
+    body += _read(naming, device, record, selector)
     if not any(re.search(r"\bin\b", line) for line in body):
         body.insert(0, "(void)in;")
     body.append(f"return {naming.own_macro('ok')};")
     return [*lines, *indented([*variables(naming, body), *body]), "}"]
+
+
+def _written(naming: Naming, device: Device, record: RecordLayout, selector: str) -> list[str]:
+    """Statements that check the values of a record and write them."""
+    lines = []
+    if packed(record):
+        if check_lines(naming, device, record):
+            lines += returning(naming, f"{naming.function('record', record.name, 'check')}(in)")
+        return [*lines, f"{naming.function('record', record.name, 'pack')}(in, out);"]
+    for field in _measuring_last(record):
+        if field.cases:
+            lines += chosen_lines(naming, record, selector, _case_writer(naming, device, record, field))
+        else:
+            lines += each(record, field, _writer(naming, device, record, field), "in->")
+    return lines
+
+
+def _read(naming: Naming, device: Device, record: RecordLayout, selector: str) -> list[str]:
+    """Statements that read the values of a record and check them."""
+    if packed(record):
+        unpack = f"{naming.function('record', record.name, 'unpack')}(in, out);"
+        return [unpack, *found_lines(naming, device, record)]
+    lines = []
+    for field in _measuring_last(record):
+        if field.cases:
+            lines += chosen_lines(naming, record, selector, _case_reader(naming, device, record, field))
+        else:
+            lines += each(record, field, _reader(naming, device, record, field), "out->")
+    return lines
 
 
 def _length_tests(naming: Naming, record: RecordLayout) -> list[str]:
