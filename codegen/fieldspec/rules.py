@@ -11,6 +11,7 @@ from fieldspec.changes import RULES as OF_CHANGES
 from fieldspec.checks import CHECKS
 from fieldspec.checks.allowances_used import allowances_used
 from fieldspec.classes import dataclass, replace
+from fieldspec.plc.rules import RULES as OF_CONTROLLERS
 from fieldspec.proofs.rules import RULES as OF_PROOFS
 from fieldspec.reading.rules import RULES as OF_READING
 
@@ -19,6 +20,7 @@ _TITLES = {
     "reading": "What holds of the files",
     "checks": "What holds of a device",
     "proofs": "What holds of examples and errata",
+    "outputs": "What holds of a device that an output for programmable controllers can express",
     "audits": "What holds of a spec beside its manual",
 }
 _INTRODUCTION = """\
@@ -117,6 +119,8 @@ def _rules() -> Iterator[Rule]:
         yield _parsed(code, "checks", _text(check))
     for code, text in OF_PROOFS.items():
         yield _parsed(code, "proofs", text)
+    for code, text in OF_CONTROLLERS.items():
+        yield _parsed(code, "outputs", text)
     for code, text in OF_AUDITS.items():
         yield _parsed(code, "audits", text)
 

@@ -17,9 +17,9 @@ class Dialect:
     own names have the device and the list in them. `name_length` are the most characters of a name.
 
     `enums` says whether enums are types, of at least `enum_members` members. `widest` are the bytes of its widest
-    whole number; wider ones are `split` in two. `bits` says whether words of flags lie in an image as a struct of
-    BOOL (`packed`) or as a `word`. `target` is the model of memory of its images, and `longest_image` the most bytes
-    of process data.
+    whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be arrays. `bits` says
+    whether words of flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of
+    memory of its images, and `longest_image` the most bytes of process data.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """
@@ -39,6 +39,7 @@ class Dialect:
     enums: bool
     enum_members: int
     widest: int
+    nested_arrays: bool
     bits: str
     target: str
     longest_image: int
@@ -70,10 +71,11 @@ STRUCTURED = Dialect(
     # CODESYS: "The enumeration must have at least two components."
     enum_members=2,
     widest=8,
+    nested_arrays=True,
     # A BOOL is a byte there, and BIT hides from other tools.
     bits="word",
     target="tc3:1",
-    # The most user data of one submodule of PROFINET.
+    # The most data in a frame of PROFINET.
     longest_image=1440,
     spelling=STRUCTURED_TEXT,
 )
@@ -96,6 +98,7 @@ SIEMENS = Dialect(
     enum_members=1,
     # An S7-1200 has no LWORD, no LINT and no ULINT.
     widest=4,
+    nested_arrays=False,
     bits="packed",
     target="s7",
     longest_image=1440,

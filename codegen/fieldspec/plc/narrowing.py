@@ -15,6 +15,7 @@ from fieldspec.model.primitive import PRIMITIVES, Kind
 from fieldspec.model.register import Register
 from fieldspec.model.value import Value
 from fieldspec.plc.dialects import Dialect
+from fieldspec.plc.routines.world import every_record
 
 _HALVES = {"u64": ("u32", "u32"), "i64": ("i32", "u32")}
 """The types of the upper and the lower half of a type."""
@@ -26,9 +27,9 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
     A number `turns` becomes `turns_high` and `turns_low`, in the order of the wire: turns = high * 2^32 + low. The
     halves are plain counts, because a scale or a range is one of the whole.
     """
+    found = [] if dialect.nested_arrays else [_nested(field, dialect) for field in _lists_of_texts(layout)]
     if dialect.widest >= 8:
-        return layout, []
-    found: list[Diagnostic] = []
+        return layout, found
     records = {record.name: _record(record, dialect, found) for record in layout.records.values()}
     laid_again = {id(layout.records[name]): record for name, record in records.items()}
     messages = {
@@ -66,6 +67,13 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
         tables=tables,
     )
     return made, found
+
+
+def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
+    for record in every_record(layout):
+        for field in record.fields:
+            if field.listed and field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES):
+                yield field
 
 
 def _wide(value: Value | None) -> bool:
@@ -150,6 +158,15 @@ def _refused(field: FieldLayout, dialect: Dialect) -> Diagnostic:
     return Diagnostic(
         "plc_numbers_fit",
         f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split",
+        field.field.place["type"],
+        help="leave this output out for the device: name the others after --to",
+    )
+
+
+def _nested(field: FieldLayout, dialect: Dialect) -> Diagnostic:
+    return Diagnostic(
+        "plc_arrays_flat",
+        f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays",
         field.field.place["type"],
         help="leave this output out for the device: name the others after --to",
     )
