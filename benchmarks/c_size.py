@@ -9,7 +9,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from c_headers import needed, newest, version, write_headers
@@ -78,9 +78,9 @@ def table() -> str:
     return "\n".join(lines) + "\n"
 
 
-def main(arguments: list[str]) -> None:
+def main(arguments: Sequence[str] = ()) -> None:
     """Prints the rows, or writes the table."""
-    if arguments != ["--write"]:
+    if list(arguments) != ["--write"]:
         printed(rows())
         return
     text = DOCUMENT.read_text("utf-8")
