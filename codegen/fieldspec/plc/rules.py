@@ -11,7 +11,7 @@ Example: a field with `type: text, length: 8, count: 4`.
 
 Cure: Leave the output out for the device (`--to`), or state the texts as a record with one text that is counted.
 """,
-    "plc_images_exact": """A struct that is laid over process data has its members where the wire has them, and no byte more.
+    "plc_images_exact": """A struct laid over process data has its members where the wire has them, and no byte more.
 
 Why: compilers fill up gaps so that numbers are aligned; every value behind a gap would be another one.
 
