@@ -231,6 +231,15 @@ def test_another_folder_has_a_note_of_its_own(place: Place, tmp_path: Path) -> N
     assert place.texts(other) == place.texts()
 
 
+def test_outputs_do_not_depend_on_where_the_specs_lie(
+    place: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert place.build(to="docs,vectors,c") == 0
+    monkeypatch.chdir(place.specs.parent)
+    assert place.build("--no-cache", to="docs,vectors,c", out=tmp_path / "here") == 0
+    assert place.texts(tmp_path / "here") == place.texts()
+
+
 def test_one_device_is_built_without_the_others(place: Place) -> None:
     first, second = place.devices[:2]
     for device in (first, second):

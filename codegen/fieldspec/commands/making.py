@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.commands import sources
 from fieldspec.commands.caching import digest
 from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
@@ -96,25 +96,25 @@ def _anew(
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
-    project = read(files, only, sources.shown(path))
+    project = read(files, only)  # without the folder, which outputs must not depend on
     outputs = not has_errors(project.found)
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
         versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
-            manual = _manual(sources.shown(path), spec.id, files)
+            manual = _manual(spec.id, files)
             tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
     done = {one.device: one for one in carried_out(project, tasks, sum(map(len, files.values())))}
     found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
+    shown = _from_here(found, sources.shown(path))
     if has_errors(found):
-        return Made(found, {}, {}, {}, False)
+        return Made(shown, {}, {}, {}, False)
     contents = {path: content for one in done.values() for path, content in one.files.items()}
     common = {name: pipeline.shared(name) for name in wanted.outputs if name not in shared}
     for held in common.values():
         contents |= held
     marked = {finding.span.file.path for finding in found}
-    folder = sources.shown(path)
     devices = {}
     for device, plan in plans.items():
         if device not in done:
@@ -125,15 +125,33 @@ def _anew(
         devices[device] = Built(
             {file: earlier.now[file] for file in sorted(files_read)},
             one.identities or earlier.devices[device].identities,
-            any((f"{folder}/{file}" if folder else file) in marked for file in files_read),
+            not marked.isdisjoint(files_read),
             {**plan.kept, **{name: _hashes(held) for name, held in one.outputs.items()}},
         )
     return Made(
-        found, devices, {**shared, **{name: _hashes(held) for name, held in common.items()}}, contents, not found
+        shown, devices, {**shared, **{name: _hashes(held) for name, held in common.items()}}, contents, not found
     )
 
 
-def _manual(folder: str, device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
+def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
+    """Findings that show the files below the folder of the specs as they are found from here."""
+    from fieldspec.source import SourceFile, Span
+
+    files: dict[str, SourceFile] = {}
+
+    def moved(span: Span) -> Span:
+        file = span.file
+        if file.path not in files:
+            files[file.path] = SourceFile(f"{folder}/{file.path}" if folder else file.path, file.text)
+        return Span(files[file.path], span.start, span.end)
+
+    return [
+        replace(one, span=moved(one.span), labels=tuple(replace(label, span=moved(label.span)) for label in one.labels))
+        for one in found
+    ]
+
+
+def _manual(device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
     """The index of a device's manual, where there is one among its files."""
     from fieldspec.audit.manual_index import ManualError, parsed
 
@@ -141,7 +159,7 @@ def _manual(folder: str, device: str, files: Mapping[str, bytes]) -> ManualIndex
     if path not in files:
         return None
     try:
-        return parsed(f"{folder}/{path}" if folder else path, files[path].decode("utf-8").replace("\r\n", "\n"))
+        return parsed(path, files[path].decode("utf-8").replace("\r\n", "\n"))
     except UnicodeDecodeError:
         raise UsageError(f"cannot read {path}: it is not UTF-8") from None
     except ManualError as error:

@@ -18,7 +18,7 @@ from fieldspec.reading.project import DeviceSpec, Project
 DOCUMENTATION = "docs"
 """The output that audits are a part of, where all versions of a device are built."""
 
-WORTH_IT = 40_000
+WORTH_IT = 200_000
 """Bytes of specs that take longer than starting processes."""
 
 

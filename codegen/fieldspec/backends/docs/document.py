@@ -234,6 +234,10 @@ def _line(held: Line | Piece | str) -> Line:
     return (held,) if isinstance(held, Piece) else held
 
 
+def _placed(held: Cell, style: str, heading: bool) -> Cell:
+    return Cell(held.lines, held.items, style, heading)
+
+
 def table(
     caption: str, columns: Sequence[Column], rows: Iterable[Row], footnotes: Sequence[Footnote] = (), heading: int = 0
 ) -> Table:
@@ -244,7 +248,7 @@ def table(
         clean(caption),
         tuple(replace(columns[n], title=clean(columns[n].title)) for n in kept),
         tuple(
-            replace(row, cells=tuple(replace(row.cells[n], style=columns[n].style, heading=n == heading) for n in kept))
+            Row(tuple(_placed(row.cells[n], columns[n].style, n == heading) for n in kept), row.anchor, row.element)
             for row in rows
         ),
         tuple(footnotes),

@@ -121,6 +121,8 @@ def _pairs(text: str) -> list[str]:
 
 def _compared(one: list[str], other: list[str]) -> Line:
     """Bytes, those marked that the other frame does not have."""
+    if one == other:
+        return tuple(styled(pair, "code") for pair in one)
     pieces = []
     for change, start, end, _, _ in SequenceMatcher(None, one, other, autojunk=False).get_opcodes():
         style = "code" if change == "equal" else "changed"

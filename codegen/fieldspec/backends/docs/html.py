@@ -6,6 +6,7 @@ The template has the page; what is in it by the ten thousand is written here, as
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 from fieldspec.backends.docs.document import (
     BitRow,
@@ -54,6 +55,7 @@ def lines(document: Document, held: tuple[Line, ...]) -> tuple[str, ...]:
     return tuple(map(_Writer(document.language).line, held))
 
 
+@lru_cache(maxsize=1 << 16)  # most texts stand on a page often, and on the pages of all versions
 def escaped(text: str) -> str:
     """Text that means itself, in an element or in an attribute."""
     text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

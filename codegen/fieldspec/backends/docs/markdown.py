@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from fieldspec.backends.docs.anchors import headings
 from fieldspec.backends.docs.document import (
@@ -70,6 +71,7 @@ def _parts(sections: tuple[Section, ...], hashes: str, anchors: frozenset[str]) 
         yield from _parts(section.sections, hashes + "#", anchors)
 
 
+@lru_cache(maxsize=1 << 16)  # most texts stand on a page often, and on the pages of all versions
 def escaped(text: str) -> str:
     """Text that means itself, anywhere in a line."""
     text = _SPECIAL.sub(lambda found: _ENTITIES.get(found[0], f"\\{found[0]}"), text)
@@ -86,11 +88,11 @@ def line(pieces: Line) -> str:
 
 
 def _line(pieces: Line, anchors: frozenset[str]) -> str:
-    return "".join(_piece(piece, anchors) for piece in pieces)
+    return "".join([_piece(piece, anchors) for piece in pieces])
 
 
 def _piece(piece: Piece, anchors: frozenset[str]) -> str:
-    text = _styled(piece)
+    text = _styled(piece.text, piece.style)
     if not piece.link or not text.strip():
         return text
     if piece.link.startswith("#") and piece.link[1:] not in anchors:
@@ -98,16 +100,16 @@ def _piece(piece: Piece, anchors: frozenset[str]) -> str:
     return f"[{text}]({piece.link})"
 
 
-def _styled(piece: Piece) -> str:
-    text = piece.text
-    if piece.style in ("code", "changed"):
+@lru_cache(maxsize=1 << 16)
+def _styled(text: str, style: str) -> str:
+    if style in ("code", "changed"):
         shown = f"`{text}`" if text and not set(text) & set("`|\\") else escaped(text)
-        return f"**{shown}**" if piece.style == "changed" else shown
-    if piece.style in ("strong", "wrong", "open"):
+        return f"**{shown}**" if style == "changed" else shown
+    if style in ("strong", "wrong", "open"):
         return _wrapped(text, "**")
-    if piece.style in ("badge", "unknown"):
+    if style in ("badge", "unknown"):
         return _wrapped(text, "*")
-    if piece.style == "mark":
+    if style == "mark":
         return f" ({escaped(text)})"
     return escaped(text)
 
