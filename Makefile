@@ -2,6 +2,7 @@
 # make test    set up and test everything
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
 # make accept  rewrite the tests' expectations; read the difference before you commit it
+# make bench   measure, and write docs/benchmarks.md
 # make pins    choose new versions of the dependencies
 # make clean   remove what make has set up
 PYTHON ?= python3
@@ -11,6 +12,9 @@ BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 PINS := requirements/dev.txt
 INSTALLED := $(VENV)/.installed
+BENCH := benchmarks/.venv
+PEERS := benchmarks/tools
+INSTALLED_PEERS := $(BENCH)/.installed
 TOOLS := tests/tools/node_modules/.package-lock.json
 NPM := $(shell command -v npm 2>/dev/null)
 UV := uv==0.13.8
@@ -32,14 +36,21 @@ fuzz: $(INSTALLED)
 accept: $(INSTALLED)
 	$(BIN)/pytest --accept
 
+# The peers have an environment of their own.
+bench: $(INSTALLED_PEERS) $(if $(NPM),$(PEERS)/node_modules/.package-lock.json)
+	$(BENCH)/$(notdir $(BIN))/python benchmarks/run.py $(ONLY)
+
 pins: $(INSTALLED)
 	$(PIP) install --quiet $(UV)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.10 --generate-hashes \
 	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
 	  --extra dev pyproject.toml --output-file $(PINS)
+	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
+	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
+	  pyproject.toml benchmarks/requirements.in --output-file requirements/bench.txt
 
 clean:
-	rm -rf $(VENV) tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 10))' || \
@@ -55,4 +66,14 @@ $(INSTALLED): $(PINS) pyproject.toml codegen/fieldspec/__init__.py | $(BIN)/pyth
 
 $(TOOLS): tests/tools/package.json tests/tools/package-lock.json
 	cd tests/tools && npm ci --no-audit --no-fund
+	@touch $@
+
+$(INSTALLED_PEERS): requirements/bench.txt pyproject.toml
+	$(PYTHON) -m venv $(BENCH)
+	$(BENCH)/$(notdir $(BIN))/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
+	$(BENCH)/$(notdir $(BIN))/python -m pip --disable-pip-version-check install --quiet --no-build-isolation --no-deps --editable .
+	@touch $@
+
+$(PEERS)/node_modules/.package-lock.json: $(PEERS)/package.json $(PEERS)/package-lock.json
+	cd $(PEERS) && npm ci --no-audit --no-fund
 	@touch $@

@@ -60,3 +60,39 @@ def _row(at: int) -> str:
     if at % 5 == 0:
         return f"{start}flags: word_{at}, {end}"
     return f"{start}range: 0..{at % 60000 + 5}, default: {at % 5}, scale: 0.01, unit: mm, doc: What it is for., {end}"
+
+
+def systemrdl(count: int) -> str:
+    """The same in SystemRDL, as PeakRDL reads it."""
+    lines = []
+    for at in range(count):
+        if at % 10 == 9:
+            members = " ".join(f"{word} = {number};" for number, word in enumerate(NAMES))
+            lines.append(f"enum choice_{at} {{ {members} }};")
+    lines.append("addrmap large {")
+    for at in range(count):
+        head = f'  reg {{ regwidth = 16; name = "Value number {at} of all"; desc = "4.{at % 90} L{at + 1}"; '
+        if at % 10 == 9:
+            body = f"field {{ sw = rw; hw = r; encode = choice_{at}; }} value[15:0] = 0;"
+        elif at % 5 == 0:
+            body = " ".join(f"field {{ sw = rw; hw = r; }} {word}[{bit}:{bit}];" for bit, word in enumerate(NAMES))
+        else:
+            body = f"field {{ sw = rw; hw = r; }} value[15:0] = {at % 5};"
+        lines.append(f"{head}{body} }} value_{at} @ 0x{2 * at:X};")
+    return "\n".join([*lines, "};"]) + "\n"
+
+
+def toml(count: int) -> str:
+    """The same in TOML, as hdl-registers reads it."""
+    lines = []
+    for at in range(count):
+        lines += [f"[value_{at}]", 'mode = "r_w"', f'description = "Value number {at} of all, 4.{at % 90} L{at + 1}"']
+        if at % 10 == 9:
+            lines += ['value.type = "enumeration"', 'value.default_value = "ready"']
+            lines += [f'value.element.{word} = "{word}"' for word in NAMES]
+        elif at % 5 == 0:
+            for word in NAMES:
+                lines += [f'{word}.type = "bit"', f'{word}.default_value = "0"']
+        else:
+            lines += ['value.type = "bit_vector"', "value.width = 16", f'value.default_value = "{at % 5:016b}"']
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,135 @@
+"""Runs the benchmarks and writes `docs/benchmarks.md` with its plot: `python benchmarks/run.py [FILE...]`.
+
+With names of files, such as `command_line`, only these are run, and the rows of the others stay as they were; what has
+been measured is kept in `benchmarks/results.json`.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from plot import drawn
+from remarks import BY_GROUP, REMARKS
+from rows import ROOT, Row
+
+HERE = ROOT / "benchmarks"
+RESULTS = HERE / "results.json"
+PAGE = ROOT / "docs" / "benchmarks.md"
+PLOT = ROOT / "docs" / "benchmarks.svg"
+FILES = (
+    "python_modbus",
+    "python_point",
+    "python_telegram",
+    "python_packet",
+    "python_framer",
+    "python_import",
+    "python_many",
+    "c_instructions",
+    "c_cortex",
+    "compiler",
+    "yaml_reading",
+    "builds",
+    "watching",
+    "command_line",
+)
+HEAD = """\
+# Benchmarks
+
+What the compiler and its outputs take, beside hand-written code and other tools that do the same work. Each row is
+timed in turns with its peer, so that only the ratios say something of another machine. A ratio is ours over the peer's; where
+the goal is *at least*, it is the peer's over ours. [benchmarks/README.md](../benchmarks/README.md) tells how.
+
+    {command}
+
+writes this page again. It was written on {machine}.
+
+![Ours and the peers](benchmarks.svg)
+"""
+
+
+def main(names: list[str]) -> int:
+    """Runs benchmarks, and writes the page."""
+    held = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {}
+    for name in names or FILES:
+        print(f"running {name}", file=sys.stderr, flush=True)
+        ran = subprocess.run([sys.executable, str(HERE / f"{name}.py")], stdout=subprocess.PIPE, text=True, cwd=HERE)
+        if ran.returncode:
+            print(f"{name} has failed; its rows stay as they were", file=sys.stderr)
+            continue
+        held[name] = [json.loads(line) for line in ran.stdout.splitlines()]
+    RESULTS.write_text(json.dumps(held, indent=1) + "\n", encoding="utf-8")
+    rows = [Row(**row) for name in FILES for row in held.get(name, [])]
+    PAGE.write_text(page(rows), encoding="utf-8")
+    drawn(rows, PLOT)
+    missed = [row for row in rows if not row.met]
+    print(f"{len(rows)} rows, {len(missed)} goals missed", file=sys.stderr)
+    return 0
+
+
+def page(rows: list[Row]) -> str:
+    """The text of the page."""
+    return "\n".join(_lines(rows))
+
+
+def _lines(rows: list[Row]) -> Iterator[str]:
+    yield HEAD.format(command="make bench", machine=machine())
+    with_goal = [row for row in rows if row.at_most is not None or row.at_least is not None]
+    met = sum(row.met for row in with_goal)
+    yield f"Of {len(with_goal)} goals, {met} are met."
+    for group in dict.fromkeys(row.group for row in rows):
+        own = [row for row in rows if row.group == group]
+        yield f"\n## {group}\n"
+        yield "| what | ours | peer | theirs | ratio | goal | met |"
+        yield "|---|---:|---|---:|---:|---:|---|"
+        yield from map(_row, own)
+        reasons = dict.fromkeys(
+            REMARKS.get((row.group, row.name), BY_GROUP.get(row.group, "")) for row in own if not row.met
+        )
+        for reason in filter(None, reasons):
+            yield f"\nWhat stands in the way: {reason}"
+    yield ""
+
+
+def _row(row: Row) -> str:
+    goal = "" if row.at_most is None else f"at most {row.at_most:g}"
+    goal = f"at least {row.at_least:g}" if row.at_least is not None else goal
+    met = "" if not goal else "yes" if row.met else f"no, by {_missed(row)}"
+    theirs = f"{_number(row.peers)} {row.unit}" if row.peers or row.ratio else ""
+    cells = (row.name, f"{_number(row.ours)} {row.unit}", row.peer, theirs, f"{row.ratio:g}", goal, met)
+    return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"
+
+
+def _missed(row: Row) -> str:
+    limit = row.at_most if row.at_most is not None else row.at_least
+    assert limit is not None
+    if not limit or not row.ratio:
+        return f"{row.ratio:g}"
+    times = row.ratio / limit if row.at_most is not None else limit / row.ratio
+    return f"{times:.2g} times"
+
+
+def _number(value: float) -> str:
+    return f"{value:,.0f}" if value >= 100 else f"{value:g}"
+
+
+def machine() -> str:
+    """The machine, as far as it matters to a reader."""
+    model = ""
+    if Path("/proc/cpuinfo").exists():
+        lines = Path("/proc/cpuinfo").read_text("utf-8").splitlines()
+        model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30 if hasattr(os, "sysconf") else 0
+    python = f"{platform.python_implementation()} {platform.python_version()}"
+    return (
+        f"{model or platform.machine()}, {os.cpu_count()} processors, {memory:.0f} GiB, {platform.system()}, {python}"
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
