@@ -20,7 +20,13 @@ from selenium.webdriver.chrome.service import Service
 from audit.audit_pages import files, page, projects
 from command_line import MADE_UP, SPECS, CommandLine
 from fieldspec.audit.address_map import STATES, spaces
+from fieldspec.audit.section import Figure, Report, Section, SectionTable
+from fieldspec.classes import replace
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.fact import Citation
+from fieldspec.render.audit_html import rendered
 from fieldspec.render.audit_map import maps
+from fieldspec.source import SourceFile, Span
 from laid_out import all_layouts, newest
 from tools_available import require_tool
 
@@ -147,6 +153,36 @@ def test_boxes_lie_within_their_drawing_and_not_on_each_other(laid) -> None:  # 
                     cells = {(x, box.y) for x in range(box.x, box.x + box.width, 10)}
                     assert not taken & cells, drawing.caption
                     taken |= cells
+
+
+@pytest.mark.parametrize("laid", all_layouts(), ids=lambda laid: f"{laid.device.id}@{laid.device.version}")
+def test_rows_that_are_one_are_followed_by_what_comes_behind_them(laid) -> None:  # type: ignore[no-untyped-def]
+    for drawn in maps(spaces(laid)):
+        for drawing in drawn.drawings:
+            starts = [int(mark.text[:-1], 16) for mark in drawing.marks if re.fullmatch("[0-9A-F]+h", mark.text)]
+            ends = [int(box.title[3:].partition("h")[0], 16) for box in drawing.boxes if box.title.startswith("to ")]
+            assert starts == sorted(set(starts))
+            assert all(end + 1 in starts or end > starts[-1] for end in ends), drawing.caption
+
+
+HOSTILE = "<script>alert(1)</script> \"' & </title></td>--> {{ 7 * 7 }} {% raw %} \x00\x1b \u202e*/ \\ \n zone"
+
+
+def test_whatever_a_report_says_is_a_text() -> None:
+    span = Span(SourceFile(HOSTILE, HOSTILE), 0, 3)
+    cells = (HOSTILE, 5, span, Citation(HOSTILE, ((1, 2),)), None)
+    table = SectionTable("table", HOSTILE, ("a", "b", HOSTILE, "d", "e"), (cells, cells), ("bad", ""))
+    wrong = Diagnostic("some_rule", HOSTILE, span, (Label(span, HOSTILE),), HOSTILE)
+    figures = (Figure(HOSTILE, 1, 2, True),)
+    held = Section("part", HOSTILE, (HOSTILE,), figures, (table, replace(table, detail=True, name="other")), (wrong,))
+    device = replace(newest(MADE_UP, "gizmo").device, name=HOSTILE, title=HOSTILE, vendor=HOSTILE)
+    device = replace(device, manual=replace(device.manual, title=HOSTILE, edition=HOSTILE, file=HOSTILE))
+    text = rendered(Report("x", HOSTILE, HOSTILE, HOSTILE, (held,)), device, {HOSTILE: f"a.html#{HOSTILE}"})
+    made = html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(text)
+    assert not list(made.iter("script"))
+    assert not re.search(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", text)
+    shown = "".join(made.itertext())
+    assert shown.count("<script>alert(1)</script>") == shown.count("{{ 7 * 7 }}") > 30
 
 
 def test_texts_of_a_hostile_spec_are_texts() -> None:

@@ -135,7 +135,7 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
     return _Head(
         clean(f"Audit of {report.title}"),
         clean(device.title),
-        report.identity,
+        clean(report.identity),
         tuple((term, clean(text)) for term, text in rows),
         verdict,
         kind,
@@ -180,7 +180,7 @@ def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Tabl
         clean(table.title),
         clean(table.title.partition(". ")[0]),
         f"{many} row" if many == 1 else f"{many} rows",
-        tuple(table.columns[at].replace("_", " ") for at in full),
+        tuple(clean(table.columns[at].replace("_", " ")) for at in full),
         marked,
         rows,
         table.detail,
@@ -231,7 +231,7 @@ def _cell(cell: Cell, links: Mapping[str, str]) -> str:
     text = escaped(clean(str(cell)))
     link = links.get(cell) if isinstance(cell, str) else None
     if link is not None:
-        return f'<a href="{escaped(link)}"><code>{text}</code></a>'
+        return f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
     return text
 
 
