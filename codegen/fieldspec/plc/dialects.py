@@ -17,9 +17,10 @@ class Dialect:
     own names have the device and the list in them. `name_length` are the most characters of a name.
 
     `enums` says whether enums are types, of at least `enum_members` members. `widest` are the bytes of its widest
-    whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be arrays. `bits` says
-    whether words of flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of
-    memory of its images, and `longest_image` the most bytes of process data.
+    whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be arrays, `wide_texts`
+    that texts of codes may have other characters than those of ASCII. `bits` says whether words of flags lie in an
+    image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images, and
+    `longest_image` the most bytes of process data. `foreign` is what tools of others lose of it, empty for nothing.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """
@@ -40,10 +41,12 @@ class Dialect:
     enum_members: int
     widest: int
     nested_arrays: bool
+    wide_texts: bool
     bits: str
     target: str
     longest_image: int
     spelling: Spelling
+    foreign: str = ""
     comment: str = "// {}"
     byte_order_mark: str = ""
     line_end: str = "\n"
@@ -72,6 +75,7 @@ STRUCTURED = Dialect(
     enum_members=2,
     widest=8,
     nested_arrays=True,
+    wide_texts=True,
     # A BOOL is a byte there, and BIT hides from other tools.
     bits="word",
     target="tc3:1",
@@ -99,6 +103,7 @@ SIEMENS = Dialect(
     # An S7-1200 has no LWORD, no LINT and no ULINT.
     widest=4,
     nested_arrays=False,
+    wide_texts=False,
     bits="packed",
     target="s7",
     longest_image=1440,
@@ -112,7 +117,12 @@ DIALECTS = {
     for dialect in (
         STRUCTURED,
         replace(STRUCTURED, name="twincat", title="TwinCAT 3 source files"),
-        replace(STRUCTURED, name="plcopen", title="PLCopen XML"),
+        replace(
+            STRUCTURED,
+            name="plcopen",
+            title="PLCopen XML",
+            foreign="attributes and lists of constants are data of CODESYS, which tools of others leave out",
+        ),
         SIEMENS,
     )
 }

@@ -1,0 +1,92 @@
+"""What outputs for engineering tools can express of a device: exactly, with a loss, or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.classes import dataclass
+from fieldspec.plc.dialects import Dialect
+
+EXACT, LOSSY, REFUSED = "exact", "lossy", "refused"
+
+CONSTRUCTS = {
+    "numbers": "whole numbers up to 32 bits",
+    "wide_numbers": "whole numbers of 64 bits",
+    "wide_lists": "lists of whole numbers of 64 bits",
+    "floats": "floating-point numbers",
+    "booleans": "booleans",
+    "texts": "texts and bytes",
+    "text_lists": "lists of texts",
+    "closed_enums": "closed enums",
+    "open_enums": "open enums",
+    "flags": "words of flags",
+    "bit_fields": "fields of several bits",
+    "records": "records, and records in records",
+    "lists": "lists with a fixed number of elements",
+    "choices": "fields whose type another field decides",
+    "groups": "groups of registers",
+    "tables": "tables of records in registers",
+    "frames": "frames: head, length, check, refusals",
+    "telegrams": "process data of telegrams, as values",
+    "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
+    "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",
+    "orders": "byte and word orders",
+    "scales": "scales, offsets and units",
+    "conversions": "shares of a reference",
+    "ranges": "ranges, sentinels and constants",
+    "constants": "addresses, codes, masks and limits as constants",
+    "code_texts": "texts of codes",
+    "remedies": "causes and remedies of codes",
+    "labels": "labels in the manual's language",
+}
+"""What a device is made of, and how the matrix calls it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Capability:
+    """How far an output expresses a construct, and why not further."""
+
+    level: str
+    reason: str = ""
+
+
+def lossy(reason: str) -> Capability:
+    """Something gets lost."""
+    return Capability(LOSSY, reason)
+
+
+def refused(reason: str) -> Capability:
+    """Nothing is written."""
+    return Capability(REFUSED, reason)
+
+
+def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
+    """The capabilities of a dialect, as its row of facts says; what is not named is exact."""
+    found: dict[str, Capability] = {}
+    if dialect.widest < 8:
+        found["wide_numbers"] = lossy(
+            "become two numbers of 32 bits, whose scale and range programs must apply to both"
+        )
+        found["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
+    if not dialect.nested_arrays:
+        found["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
+    if not dialect.enums:
+        found["closed_enums"] = lossy("are numbers with constants; the functions refuse numbers that are not listed")
+    found["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
+    found["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
+    found["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
+    if dialect.bits == "packed":
+        found["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")
+        found["images"] = refused("a gap would move every value behind it: plc_images_exact")
+    else:
+        found["flags"] = lossy("are words with masks, because a BOOL is a byte there")
+        found["images"] = found["aligned_images"] = lossy(
+            "have the bytes of the wire; numbers are read through functions, which turn them"
+        )
+    if not dialect.wide_texts:
+        found["code_texts"] = lossy("have ASCII alone, and at most 254 characters")
+    found["remedies"] = refused("are texts for people: see the output for operator panels")
+    found["labels"] = lossy("are comments")
+    if dialect.foreign:
+        found["records"] = found["closed_enums"] = found["constants"] = lossy(dialect.foreign)
+    return {name: found.get(name, Capability(EXACT)) for name in CONSTRUCTS}

@@ -1,0 +1,50 @@
+"""The matrix of capabilities as Markdown: what is exact in which output, what gets lost, what is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import import_module
+
+from fieldspec.backends import OUTPUTS
+from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, of_dialect
+from fieldspec.plc.dialects import DIALECTS
+
+COLUMNS = ("st", "twincat", "plcopen", "scl", "kv", "hmi")
+"""The outputs for engineering tools, in the order of the columns."""
+
+_INTRODUCTION = """\
+<!-- Written by `fieldspec.render.capabilities.page`; a test keeps it fresh. -->
+
+# What each output for engineering tools can express
+
+**exact**: programs get all of it, and nothing else. **lossy**: something gets lost; the number leads to what.
+**refused**: nothing of it is written. Where a device needs what an output refuses by a rule, the build says so and writes
+nothing; `fieldspec rule CODE` explains the rule.
+"""
+
+
+def page() -> str:
+    """The whole page."""
+    reasons: dict[str, int] = {}
+    tables = {name: capabilities(name) for name in COLUMNS}
+    lines = [_INTRODUCTION, f"| construct | {' | '.join(COLUMNS)} |", f"|---{'|---' * len(COLUMNS)}|"]
+    for key, title in CONSTRUCTS.items():
+        cells = [_cell(tables[name][key], reasons) for name in COLUMNS]
+        lines.append(f"| {title} | {' | '.join(cells)} |")
+    lines += ["", *(f"- `{name}`: {OUTPUTS[name].title}" for name in COLUMNS), "", "## Why", ""]
+    lines += [f"{number}. {reason[:1].upper()}{reason[1:]}." for reason, number in reasons.items()]
+    return "\n".join(lines) + "\n"
+
+
+def capabilities(name: str) -> Mapping[str, Capability]:
+    """The capabilities of an output: as its dialect says, or as its back end does."""
+    if name in DIALECTS:
+        return of_dialect(DIALECTS[name])
+    made: Mapping[str, Capability] = import_module(f"fieldspec.backends.{name}.capabilities").capabilities()
+    return made
+
+
+def _cell(held: Capability, reasons: dict[str, int]) -> str:
+    if held.level == EXACT:
+        return EXACT
+    return f"{held.level} ({reasons.setdefault(held.reason, len(reasons) + 1)})"

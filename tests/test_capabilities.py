@@ -1,0 +1,54 @@
+"""The matrix of capabilities is whole and fresh, and what it says is so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fieldspec import rules
+from fieldspec.backends import OUTPUTS
+from fieldspec.pipeline import layouts, load
+from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, LOSSY, REFUSED
+from fieldspec.render.capabilities import COLUMNS, capabilities, page
+
+PAGE = Path(__file__).parent.parent / "docs" / "plc-capabilities.md"
+CASES = Path(__file__).parent / "cases"
+
+REFUSALS = {"wide_lists": "plc_numbers_fit", "text_lists": "plc_arrays_flat", "images": "plc_images_exact"}
+"""Constructs that some output refuses by a rule, and whose failing case needs them."""
+
+
+def test_the_page_is_what_the_code_writes(accept: bool) -> None:
+    if accept:
+        PAGE.write_text(page(), "utf-8", newline="\n")
+    assert PAGE.read_text("utf-8") == page()
+
+
+@pytest.mark.parametrize("name", COLUMNS)
+def test_every_construct_has_a_level_and_what_is_not_exact_has_a_reason(name: str) -> None:
+    held = capabilities(name)
+    assert list(held) == list(CONSTRUCTS)
+    assert {one.level for one in held.values()} <= {EXACT, LOSSY, REFUSED}
+    assert all(bool(one.reason) == (one.level != EXACT) for one in held.values())
+
+
+@pytest.mark.parametrize("name", ["st", "twincat", "plcopen", "scl"])
+@pytest.mark.parametrize(("construct", "code"), REFUSALS.items())
+def test_an_output_refuses_by_a_rule_what_the_matrix_says_and_nothing_else(
+    name: str, construct: str, code: str
+) -> None:
+    spec = load({"gadget/device.yaml": (CASES / code / "failing" / "device.yaml").read_bytes()}).devices["gadget"]
+    found = {finding.code for finding in OUTPUTS[name].refusals(layouts(spec))}
+    held = capabilities(name)[construct]
+    assert (code in found) == (held.level == REFUSED)
+    assert (code in held.reason) == (held.level == REFUSED)
+
+
+def test_rules_that_the_matrix_names_are_there() -> None:
+    named = {
+        word.strip(";:,.") for name in COLUMNS for one in capabilities(name).values() for word in one.reason.split()
+    }
+    codes = {word for word in named if word.startswith("plc_")}
+    assert codes == set(REFUSALS.values())
+    assert all(rules.rule(code) for code in codes)
