@@ -122,6 +122,17 @@ def test_what_is_left_out_says_why_and_how_often() -> None:
     ]
 
 
+def test_a_section_that_is_left_out_hides_no_contradiction() -> None:
+    manual = gauge.MANUAL.replace("Two years", "0102 H | 3 | Total | spare\nTwo years")
+    audit = changed(gauge.AUDIT, 'kind: address, sections: ["1"]', 'kind: address, sections: ["1", "9"]')
+    spec = changed(
+        gauge.DEVICE, "words: 2, source: L8}", "words: 2, source: L8, restated: [{source: 9 L19, at: 0x0102}]}"
+    )
+    (found,) = gauge.said(gauge.covered(spec, audit, cited=manual))
+    assert found.startswith("manual_accounted: line 19 of the manual, section 9, prints `words` 3")
+    assert gauge.said(gauge.covered(audit=audit, cited=manual)) == []
+
+
 def test_coverage_is_counted_by_section() -> None:
     rows = [row[:3] for row in table("sections").rows]
     assert rows == [("Front", "", 1), ("1", "Registers", 11), ("2", "Frames", 3), ("9", "Warranty", 2)]

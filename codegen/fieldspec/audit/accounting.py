@@ -76,7 +76,7 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
         pieces = list(_pieces(patterns.get(at, ()), text))
         used.update(id(pattern) for pattern, _ in pieces)
         for (pattern, found), (status, missing) in zip(pieces, _standings(pieces, told, cited, needed), strict=True):
-            if status == OPEN and out is not None:
+            if status == OPEN and out is not None and not (told.facts and "sections" in out.place):
                 status, missing = LEFT_OUT, ()
             place = number, at, section, found.start, found.end
             made.append(Candidate(pattern.kind, *place, status, missing, pattern, out if status == LEFT_OUT else None))

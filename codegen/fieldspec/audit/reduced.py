@@ -19,7 +19,7 @@ _RAISED = {ord(raised): plain for raised, plain in zip("⁰¹²³⁴⁵⁶⁷⁸
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
 _SIGNS = str.maketrans(
     {
-        "、": ",",
+        "、": ", ",
         "。": ".",
         "·": ".",
         "\N{EN DASH}": "-",
