@@ -29,6 +29,7 @@ from fieldspec.backends.twincat.backend import files as twincat_files
 from fieldspec.backends.twincat.backend import identifier, path
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.plc.structured.literals import length, string
 from fieldspec.reading.project import read
 from laid_out import MADE_UP, SPECS, newest
 
@@ -43,6 +44,8 @@ def hostile() -> DeviceLayout:
     text = (MADE_UP / "hostile" / "device.yaml").read_text(encoding="utf-8")
     for key in ("label", "doc", "title", "edition"):
         text = text.replace(f'{key}: "', f'{key}: "{NASTY} ')
+    text = text.replace("name: codec_error\n", "name: codec_error\n    kind: alarm\n")
+    text = text.replace("{value: 0, name: register}", f'{{value: 0, name: register, problem: "{NASTY}"}}')
     assert text.count("]]>") > 10
     files = {
         "hostile/device.yaml": text.encode(),
@@ -114,6 +117,24 @@ def test_everything_that_is_named_is_declared_once_and_every_value_fits_its_type
     Machine(parsed(text))
     names = {token.text.lower() for token in tokens(text) if token.kind == "name"}
     assert not {name for name in names if "__" in name or name.endswith("_")}
+
+
+@pytest.mark.parametrize("text", ["it's $5", "$", "'", "a\nb\tc", "\"'$N'\"", "溫度 °C", "🤖 $'"])
+def test_texts_of_codes_hold_every_character(text: str) -> None:
+    wide = not text.isascii()
+    kind = f"{'WSTRING' if wide else 'STRING'}({length(text, wide)})"
+    lines = ["VAR_GLOBAL CONSTANT", f"    TEXT : {kind} := {string(text, wide)};", "END_VAR"]
+    blark_takes(lines)
+    unit = parsed("\n".join(lines))
+    Machine(unit)
+    assert said(unit.globals[0][2][1]) == text
+
+
+def said(literal: str) -> str:
+    """The text that a literal stands for."""
+    digits = 4 if literal[0] == '"' else 2
+    form = re.compile(rf"\$([0-9A-F]{{{digits}}})|\$(.)|([^$])", re.DOTALL)
+    return "".join(chr(int(m[1], 16)) if m[1] else m[2] or m[3] for m in form.finditer(literal[1:-1]))
 
 
 def test_hostile_labels_stay_within_comments_and_texts() -> None:
