@@ -77,8 +77,8 @@ def _misspelt(word: str, other: str) -> bool:
 
 
 def _finding(used: _Used, word: str, other: str) -> Diagnostic:
-    """A finding at the rarer of two words; of two that are equally rare, at the one that comes later."""
-    rare, usual = (word, other) if len(used[word]) <= len(used[other]) else (other, word)
+    """A finding at the rarer of two words; or at the shorter, or at the later one."""
+    rare, usual = sorted((word, other), key=lambda one: (len(used[one]), len(one)))
     (place, key), (there, its_key) = used[rare][0], used[usual][0]
     return finding(
         "identifiers_spelled_alike",
