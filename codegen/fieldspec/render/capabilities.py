@@ -18,8 +18,8 @@ _INTRODUCTION = """\
 # What each output for engineering tools can express
 
 **exact**: programs get all of it, and nothing else. **lossy**: something gets lost; the number leads to what.
-**refused**: nothing of it is written. Where a device needs what an output refuses by a rule, the build says so and writes
-nothing; `fieldspec rule CODE` explains the rule.
+**refused**: nothing of it is written. Where a device needs what an output refuses by a rule, the build says so and
+writes nothing; `fieldspec rule CODE` explains the rule.
 """
 
 
