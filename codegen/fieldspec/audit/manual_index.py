@@ -63,8 +63,6 @@ def index_of(path: str, content: bytes) -> ManualIndex:
 
 def _decoded(content: bytes) -> str:
     """The text of a file, with line feeds alone; a byte order mark is no part of it."""
-    if not content.strip():
-        raise ManualError("is empty; give the text of the manual")
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise ManualError("is UTF-16; save it as UTF-8")
     if b"\0" in content:
@@ -76,6 +74,8 @@ def _decoded(content: bytes) -> str:
         raise ManualError(
             f"is not UTF-8: line {line} has a byte {content[error.start]:02X}h; save it as UTF-8"
         ) from None
+    if not text.strip():
+        raise ManualError("is empty; give the text of the manual")
     return text.replace("\r\n", "\n")
 
 
