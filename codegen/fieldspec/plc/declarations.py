@@ -96,7 +96,7 @@ class _Declaring:
         self._enums: dict[str, EnumType] = {}
         self._enum_members: dict[str, dict[str, str]] = {}
         self.status_members = {name: self.member_of_enum(name) for name, _ in STATUSES}
-        status = EnumType(self.scope.take(self._form(dialect.enum, _STATUS), None), BASE)
+        status = EnumType(self._enum_name(_STATUS, None), BASE)
         names = Names(
             self.device.pascal(),
             self._structs,
@@ -109,6 +109,12 @@ class _Declaring:
 
     def _form(self, form: str, name: str) -> str:
         return form.format(self.device.pascal(), Name.of(name).pascal())
+
+    def _enum_name(self, name: str, fact: Fact | None) -> str:
+        """The name of an enum; where it is no type, what the names of its constants begin with."""
+        if self.dialect.enums:
+            return self.scope.take(self._form(self.dialect.enum, name), fact)
+        return (self.device + Name.of(name)).upper()
 
     def member_of_enum(self, name: str) -> str:
         """The name of a member of an enum."""
@@ -127,7 +133,7 @@ class _Declaring:
                 continue
             scope = Scope(self.dialect, f"member of {enum.name}", self.found)
             named = {one.name: scope.take(Name.of(one.name).pascal(), one) for one in listed}
-            name = self.scope.take(self._form(self.dialect.enum, enum.name), enum)
+            name = self._enum_name(enum.name, enum)
             self._enums[enum.name] = EnumType(name, base)
             self._enum_members[enum.name] = named
             made = (EnumMember(named[one.name], one.value, _told(one, _printed(one)), one) for one in listed)
@@ -205,7 +211,8 @@ class _Declaring:
     def remark(self, fact: Fact, value: Value | None) -> str:
         """What a comment says of a member."""
         told = self.world.told(fact, value)
-        return " ".join(part for part in (_printed(fact), told) if part)
+        joint = " " if told.startswith("[") else ": "
+        return joint.join(part for part in (_printed(fact), told) if part)
 
     def constants(self) -> Iterator[ConstantList]:
         """The lists that have constants."""

@@ -158,7 +158,9 @@ def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) 
     last = max(laid.register.end for laid in registers) - 1
     section = f" [{group.section}]" if group.section else ""
     title = group.title or group.name.replace("_", " ")
-    return f"{title}{section}: addresses {first}..{last}. {order_remark(world.layout, 'words')}"
+    return (
+        f"{title}{section}: addresses {first}..{last}. {order_remark(world.layout, 'words', bool(_order(registers)))}"
+    )
 
 
 def _order(registers: list[RegisterLayout]) -> str:

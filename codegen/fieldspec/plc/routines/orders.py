@@ -21,8 +21,10 @@ def word_order(wires: Iterable[Wire]) -> str:
     return found.pop() if len(found) == 1 else "both_word_orders" if found else ""
 
 
-def order_remark(layout: DeviceLayout, unit: str) -> str:
-    """What a comment says of the order in which a value lies in its bytes or words."""
+def order_remark(layout: DeviceLayout, unit: str, needed: bool = True) -> str:
+    """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
+    if not needed:
+        return ""
     device = layout.device
     byte = "high" if device.byte_order == "big" else "low"
     word = "high" if device.word_order == "big" else "low"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
+from fieldspec.names import Name
 
 
 def source(fact: Fact) -> str:
@@ -12,7 +13,10 @@ def source(fact: Fact) -> str:
 
 
 def of_value(value: Value | None) -> str:
-    """What a count of a value is, which counts it may be, and what some of them stand for."""
+    """What a count of a value is, which counts it may be, and what some of them stand for.
+
+    Enums and words of bits are told by what the names of their types, functions and constants have in common.
+    """
     if value is None:
         return ""
     facts = []
@@ -20,8 +24,10 @@ def of_value(value: Value | None) -> str:
         facts.append(f"1 count = {count_of(value)}.")
     if value.ranges is not None and (value.ranges.low, value.ranges.high) != (value.type.low, value.type.high):
         facts.append(f"{value.ranges.text()}.")
-    if value.enum or value.flags:
-        facts.append(f"See {value.enum or value.flags}.")
+    if value.enum:
+        facts.append(f"See {Name.of(value.enum).pascal()}.")
+    if value.flags:
+        facts.append(f"Bits: {Name.of(value.flags).upper()}_...")
     facts += [f"{sentinel.value} is {sentinel.name}." for sentinel in value.sentinels]
     return " ".join(facts)
 

@@ -41,6 +41,10 @@ def _order(record: RecordLayout) -> str:
     return word_order(wires(record))
 
 
+def _order_told(world: World, record: RecordLayout) -> str:
+    return order_remark(world.layout, "words", bool(_order(record)))
+
+
 def wires(record: RecordLayout) -> list[Wire]:
     """The values of a record and of those within it."""
     found = []
@@ -67,7 +71,7 @@ def _unpacked(world: World, record: RecordLayout) -> Routine:
         world.routine("unpack", record.name, _order(record)),
         f"record {record.name}",
         world.status,
-        f"Registers to struct: {words} words of {record.name}. {order_remark(world.layout, 'words')}",
+        f"Registers to struct: {words} words of {record.name}. {_order_told(world, record)}".strip(),
     )
     count = draft.declare("iCount", INT, "input", "how many words of aWords were read")
     holder, words = _words(world, draft, record, "is read only")
@@ -84,7 +88,7 @@ def _packed(world: World, record: RecordLayout) -> Routine:
         world.routine("pack", record.name, _order(record)),
         f"record {record.name}",
         world.status,
-        f"Struct to registers: {words} words of {record.name}. {order_remark(world.layout, 'words')}",
+        f"Struct to registers: {words} words of {record.name}. {_order_told(world, record)}".strip(),
         "Where a value is refused, some of the words may have been changed: do not send them.",
     )
     struct = draft.declare("stData", world.struct(record.name), "in_out", "is read only")
