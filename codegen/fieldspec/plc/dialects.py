@@ -16,11 +16,11 @@ class Dialect:
     letters for their type. `qualified` says that constants are used with the name of their list before them; else their
     own names have the device and the list in them. `name_length` are the most characters of a name.
 
-    `enums` says whether enums are types, of at least `enum_members` members. `widest` are the bytes of its widest
-    whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be arrays, `wide_texts`
-    that texts of codes may have other characters than those of ASCII. `bits` says whether words of flags lie in an
-    image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images, and
-    `longest_image` the most bytes of process data. `foreign` is what tools of others lose of it, empty for nothing.
+    `enums` says whether enums are types, of at least `enum_members` members; else their form is empty. `widest` are the
+    bytes of its widest whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be
+    arrays, `wide_texts` that texts of codes may have other characters than those of ASCII. `bits` says whether words of
+    flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images,
+    and `longest_image` the most bytes of process data. `foreign` is what tools of others lose of it, empty for nothing.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """
@@ -91,7 +91,7 @@ SIEMENS = Dialect(
     struct="type{}{}",
     image="type{}{}Image",
     bit_struct="type{}{}Bits",
-    enum="E_{}_{}",
+    enum="",
     constants="{}{}",
     texts="type{}{}Text",
     prefixed=False,
