@@ -49,6 +49,9 @@ CLASSES = {
 }
 """The classes of misprints, by the first key that is misprinted."""
 
+TEXTS = frozenset(("printed_name", "label", *CLASSES["description"]))
+"""The keys that people read, and that no frame depends on."""
+
 OTHER, WORDING = "other", "wording"
 """The classes of what is misprinted in another key, and of what no key holds: a sentence that is wrong or missing."""
 
@@ -125,7 +128,7 @@ def _alone(spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratu
     if not erratum.printed:
         return []
     wrong, broken = put_back(spec, tree, version, device, erratum)
-    return everything(wrong, broken) if wrong is not device else broken
+    return everything(wrong, broken, not TEXTS.issuperset(erratum.printed)) if wrong is not device else broken
 
 
 def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device) -> list[Diagnostic]:
