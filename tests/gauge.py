@@ -119,12 +119,17 @@ messages:
 """
 
 
+def files(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> dict[str, str]:
+    """The files of the spec of the gauge, about a manual."""
+    sha256 = hashlib.sha256(manual.encode()).hexdigest()
+    head = device.replace("SHA256", sha256).replace("LINES", str(len(manual.splitlines())))
+    made = {"gauge/device.yaml": head, "protocols/wire.yaml": WIRE}
+    return {**made, "gauge/audit.yaml": audit} if audit else made
+
+
 def spec(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> DeviceSpec:
     """The spec of the gauge, about a manual."""
-    data = manual.encode()
-    head = device.replace("SHA256", hashlib.sha256(data).hexdigest()).replace("LINES", str(len(manual.splitlines())))
-    files = {"gauge/device.yaml": head, "protocols/wire.yaml": WIRE, **({"gauge/audit.yaml": audit} if audit else {})}
-    found = read({path: text.encode() for path, text in files.items()})
+    found = read({path: text.encode() for path, text in files(device, audit, manual).items()})
     assert [finding.message for finding in found.found] == []
     return found.devices["gauge"]
 
