@@ -219,6 +219,7 @@ class _Declaring:
         types = frozenset(self._enums) if self.dialect.enums else frozenset[str]()
         for key, (word, title, make) in LISTS.items():
             drafts = [*(self._statuses() if key == "codes" else ()), *make(self.layout, types)]
+            drafts = [one for one in drafts if one.type.family == "real" or one.type.size <= self.dialect.widest]
             if drafts:
                 name = self._form(self.dialect.constants, key)
                 yield ConstantList(name, key, title, tuple(self._named(drafts, name, word)))
