@@ -49,7 +49,7 @@ class Place:
     def build(self, *more: str, to: str = OUTPUTS, out: Path | None = None) -> int:
         """Builds, with a fresh note, and a compiler that is looked at anew."""
         self.made.clear()
-        fresh._at_start.cache_clear()
+        fresh._at_start.clear()
         return main(["build", "--specs", str(self.specs), "--out", str(out or self.out), "--to", to, *more])
 
     def texts(self, out: Path | None = None) -> dict[str, bytes]:

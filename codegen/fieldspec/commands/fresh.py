@@ -8,7 +8,6 @@ and every file of the output as it lies there. Times of files play no part in it
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -107,17 +106,16 @@ def devices_in(paths: Iterable[str]) -> list[str]:
     return sorted({folder for path in paths if (folder := path.partition("/")[0]) != PROTOCOLS})
 
 
-@cache
-def _at_start() -> str:
-    try:
-        return compiler.identity()
-    except OSError:
-        return ""
+_at_start: list[str] = []
+"""The compiler that this process began with, once it is known."""
 
 
 def _running() -> str:
     """The compiler that runs; empty where it cannot be told, as its files are not those any more that it began with."""
     try:
-        return compiler.identity() if _at_start() == compiler.identity() else ""
+        now = compiler.identity()
     except OSError:
         return ""
+    if not _at_start:
+        _at_start.append(now)
+    return now if _at_start == [now] else ""
