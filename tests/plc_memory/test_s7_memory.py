@@ -200,28 +200,30 @@ def test_the_generated_data_block_holds_every_telegram_as_s7datablock_reads_it(
     assert bytes(block.buffer)[start : start + len(example.frame)] == example.frame
 
 
-def test_snap7_reads_a_telegram_from_a_server_by_the_offsets_of_the_table() -> None:
+def test_snap7_reads_every_telegram_from_a_server_by_the_offsets_of_the_table() -> None:
     needed("snap7")
     from snap7 import Client, Server, SrvArea
 
     layout = layouts(SPECS)["hiwin-e"][-1]
-    example = next(one for one in layout.device.examples.values() if one.message == "telegram_111")
-    record = layout.messages["telegram_111"].data(example.direction)
-    values = codec(layout).links[example.link].decode(example.frame, example.direction, example.message).values
-    rows = offsets(layout, name_of(layout, record.name))
-    memory = bytearray(example.frame)
+    link = codec(layout).links["cyclic"]
+    examples = [one for one in layout.device.examples.values() if one.link == "cyclic" and one.message]
     server, client = Server(), Client()
     port = free_port()
-    server.register_area(SrvArea.DB, 1, memory)
+    for number, example in enumerate(examples, 1):
+        server.register_area(SrvArea.DB, number, bytearray(example.frame))
     server.start(tcp_port=port)
     try:
         client.connect("127.0.0.1", 0, 0, port)
-        for field in record.fields:
-            row = rows[Name.of(field.name).camel()]
-            read = client.db_read(1, int(row["byte"]), int(row["size"]))
-            assert field.value is not None
-            letter = field.value.type.letter
-            assert struct.unpack(f">{letter}", bytes(read))[0] == values.get(field.name, 0), field.name
+        for number, example in enumerate(examples, 1):
+            record = layout.messages[example.message].data(example.direction)
+            values = link.decode(example.frame, example.direction, example.message).values
+            rows = offsets(layout, name_of(layout, record.name))
+            for field in record.fields:
+                row = rows[Name.of(field.name).camel()]
+                read = client.db_read(number, int(row["byte"]), int(row["size"]))
+                assert field.value is not None
+                letter = field.value.type.letter
+                assert struct.unpack(f">{letter}", bytes(read))[0] == values.get(field.name, 0), field.name
         client.disconnect()
     finally:
         server.stop()
