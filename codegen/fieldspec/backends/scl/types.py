@@ -33,12 +33,14 @@ def _image(held: Project, placed: Placed) -> list[str]:
         swapped = "" if direct(placed, one) else " Bytes are in another order than the PLC reads them."
         place = f"{one.at}.{one.bit or 0}"
         members.append((one.member.name, _type(held, one.member.type), f"{place} {one.member.remark}{swapped}"))
-    return _type_lines(struct.name, about, members)
+    return _type_lines(held, struct.name, about, members)
 
 
 def _values(held: Project, struct: Struct) -> list[str]:
     about = [f"{struct.title}. Values, for blocks with optimized access; functions convert them from and to the wire."]
-    return _type_lines(struct.name, about, [(one.name, _type(held, one.type), one.remark) for one in struct.members])
+    return _type_lines(
+        held, struct.name, about, [(one.name, _type(held, one.type), one.remark) for one in struct.members]
+    )
 
 
 def _texts(held: Project) -> list[str]:
@@ -46,17 +48,17 @@ def _texts(held: Project) -> list[str]:
         ("code", held.code_type.name, "number of the code"),
         ("text", f"STRING[{held.text_length}]", "what it means"),
     ]
-    return _type_lines(held.text_type, ["A code and its text."], members)
+    return _type_lines(held, held.text_type, ["A code and its text."], members)
 
 
 def _type(held: Project, kind: object) -> str:
     return type_text(kind, held.declared.dialect.spelling)  # type: ignore[arg-type]
 
 
-def _type_lines(name: str, about: list[str], members: list[tuple[str, str, str]]) -> list[str]:
+def _type_lines(held: Project, name: str, about: list[str], members: list[tuple[str, str, str]]) -> list[str]:
     lines = [line for text in about for line in comment(text)]
     lines += [f'TYPE "{name}"', "VERSION : 0.1", "   STRUCT"]
     for member, kind, remark in members:
-        beside = f"   // {plain(remark)}" if plain(remark) else ""
+        beside = f"   {held.declared.dialect.comment.format(plain(remark))}" if plain(remark) else ""
         lines.append(f"      {member} : {kind};{beside}")
     return [*lines, "   END_STRUCT;", "", "END_TYPE"]
