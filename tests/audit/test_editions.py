@@ -60,6 +60,37 @@ def test_a_row_that_an_edition_changes_is_found_at_its_place() -> None:
     ]
 
 
+def test_a_line_that_an_edition_adds_below_a_heading_is_no_heading() -> None:
+    found = gauge.said(gauge.covered(manual=edition(insert={4: "Since 2031 there are 7 registers.\n"})))
+    assert found == ["manual_accounted: line 4 of the manual, section 1, has numbers, and nothing in the spec cites it"]
+
+
+def test_a_line_that_is_left_out_for_what_it_says_is_looked_at_where_an_edition_changes_it() -> None:
+    manual = gauge.MANUAL.replace("Two years", "See page 7.\n\nTwo years")
+    audit = (
+        gauge.AUDIT.replace('[Front, "9"], reason', "[Front], reason") + '    - {lines: "19, 21", reason: A page.}\n'
+    )
+    other = manual.replace("page 7", "page 8")
+    assert gauge.said(gauge.covered(audit=audit, cited=manual)) == []
+    (found,) = gauge.said(gauge.covered(audit=audit, cited=manual, manual=other))
+    assert found.startswith("manual_accounted: line 19 of the manual, section 9, has numbers, and says something else")
+
+
+def test_a_line_that_only_a_remark_cites_is_looked_at_where_an_edition_changes_it() -> None:
+    cited = gauge.MANUAL.replace("\n9 Warranty", "At most 4 at once.\n\n9 Warranty")
+    device = gauge.DEVICE.replace(
+        "{name: read_registers, source: 2 L14}", '{name: read_registers, source: "2 L14, 16"}'
+    )
+    audit = gauge.AUDIT.replace("line: 17", "line: 18")
+    assert gauge.said(gauge.covered(device=device, audit=audit, cited=cited)) == []
+    (found,) = gauge.said(
+        gauge.covered(device=device, audit=audit, cited=cited, manual=cited.replace("At most 4", "At most 5"))
+    )
+    assert found.endswith(
+        "line 16 of the manual, section 2, has numbers, and says something else in the edition that the spec cites"
+    )
+
+
 def test_the_same_text_saved_in_another_way_fits() -> None:
     for data in (b"\xef\xbb\xbf" + gauge.MANUAL.encode(), gauge.MANUAL.replace("\n", "\r\n").encode()):
         other = index_of("gauge.txt", data)

@@ -65,12 +65,18 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
     beside: list[tuple[int, int, int]] = []
     patterns = _by_line(plan.patterns)
     left_out = _by_line((*plan.left_out, plan.headings))
+    of_changed = _by_line((*(one for one in plan.left_out if not one.exact), plan.headings))
+    of_new = _by_line(plan.left_out)
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
         at = manual.known[number - 1]
         section = plan.section(at)
-        out = _left_out(left_out.get(at, ()), text)
+        if number in manual.new:
+            outs = [one for one in of_new.get(at, ()) if one in of_new.get(at + 1, ())]
+        else:
+            outs = (of_changed if at in manual.changed else left_out).get(at, [])
+        out = _left_out(outs, text)
         before = len(made)
         told = OnLine() if number in manual.new else cited.at(at)
         pieces = list(_pieces(patterns.get(at, ()), text))
@@ -83,7 +89,7 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
         if pieces:
             beside += ((number, *place) for place in _beside(text, pieces, told, cited))
         elif any(char.isdigit() for char in text):
-            known = number not in manual.new and at in cited.lines
+            known = number not in manual.new and at not in manual.changed and at in cited.lines
             status = COVERED if known else LEFT_OUT if out is not None else OPEN
             kept = out if status == LEFT_OUT else None
             made.append(Candidate(LINE, number, at, section, 0, len(text), status, out=kept))

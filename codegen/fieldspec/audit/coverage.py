@@ -210,7 +210,9 @@ def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:
         printed = manual.index.lines[one.line - 1][one.start : one.end]
         where = f"line {one.line} of the manual" + (f", section {one.section}," if one.section else "")
         if one.pattern is None:
-            text = f"{where} has numbers, and nothing in the spec cites it"
+            changed = one.line not in manual.new and one.cited in manual.changed
+            why = "says something else in the edition that the spec cites" if changed else _UNCITED
+            text = f"{where} has numbers, and {why}"
             yield Diagnostic("manual_accounted", text, manual.index.span(one.line), help=_CURE)
             continue
         what = ", ".join(_held(held) for held in one.missing) or f"`{printed}`"
@@ -219,6 +221,7 @@ def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:
         yield Diagnostic("manual_accounted", text, manual.index.span(one.line), (label,), _CURE)
 
 
+_UNCITED = "nothing in the spec cites it"
 _CURE = "transcribe it, put it right with an erratum, or say why it is left out"
 
 

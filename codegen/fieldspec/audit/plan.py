@@ -61,6 +61,11 @@ class LeftOut:
     template: Template | None
     reason: str
 
+    @property
+    def exact(self) -> bool:
+        """Whether it leaves out lines one by one for what they say, so that one which says something else is not."""
+        return self.template is None and all(first == last for first, last in self.lines)
+
 
 @dataclass(frozen=True, slots=True)
 class Unprinted:
