@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.backends.scl.blocks import blocks
-from fieldspec.backends.scl.functions import functions
+from fieldspec.backends.scl.functions import clashes, functions
 from fieldspec.backends.scl.project import Project, project
 from fieldspec.backends.scl.source import source
 from fieldspec.backends.scl.tags import tag_tables
@@ -35,7 +35,8 @@ def shared() -> dict[str, str | Workbook]:
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """What TIA Portal cannot have of a device: names, sizes and places."""
-    return list(project(versions[-1]).found)
+    held = project(versions[-1])
+    return [*held.found, *clashes(held)]
 
 
 def _layout(held: Project) -> list[Sequence[Cell]]:
