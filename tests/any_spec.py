@@ -50,7 +50,7 @@ def spec(seed: int) -> str:
     """The text of one random spec file with the section `device`."""
     chance = random.Random(seed)
     data = _mapping(schema(), "", chance, 5)
-    for key in ("protocol", "overlay", "adds", "changes", "removes", "renames"):
+    for key in ("protocol", "overlay", "adds", "changes", "removes", "renames", "audit"):
         data.pop(key, None)
     data["device"] = _of(schema()["properties"]["device"], "", chance, 5) | {"id": "gadget"}
     data["uses"] = [{"protocol": "wire"}] if chance.random() < 0.3 else []
@@ -70,7 +70,8 @@ def text_of(data: Any) -> str:
 
 def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
     part = resolved(part)
-    form = next((form for name, form in FORMS.items() if part is schema()["$defs"].get(name)), None)
+    defined = schema()["$defs"] if "properties" not in part else {}
+    form = next((form for name, form in FORMS.items() if part is defined.get(name)), None)
     if form is None and "pattern" in part:
         form = FORMS[key]
     if form is not None and part.get("type") == ["string", "array"] and chance.random() < 0.5:
@@ -95,7 +96,8 @@ def _of(part: Schema, key: str, chance: random.Random, depth: int) -> Any:
         return Written(chance.choice(PLAIN))
     if kind == "boolean":
         return chance.random() < 0.5
-    return None if kind == "null" else chance.choice(TEXTS)
+    least = part.get("minLength", 0)
+    return None if kind == "null" else chance.choice([text for text in TEXTS if len(text) >= least])
 
 
 def _mapping(part: Schema, key: str, chance: random.Random, depth: int) -> dict[str, Any]:

@@ -62,4 +62,4 @@ def test_good_spec_has_no_findings(folder: Path, monkeypatch: pytest.MonkeyPatch
 @pytest.mark.parametrize("kind", ["failing", "passing"])
 def test_every_rule_has_a_case(kind: str) -> None:
     cased = {folder.parent.name for folder in FOLDERS if folder.name.startswith(kind)}
-    assert cased == {rule.code for rule in all_rules()}
+    assert cased == {rule.code for rule in all_rules() if rule.stage != "audits"}  # tests/audit has those
