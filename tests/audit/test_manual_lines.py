@@ -6,6 +6,7 @@ from decimal import Decimal
 
 import pytest
 
+from fieldspec.audit.manual_index import index_of
 from fieldspec.audit.reduced import LONGEST, digest, reduced
 from fieldspec.audit.spelling import byte_pairs, hold, numbers, readings
 
@@ -106,3 +107,9 @@ def test_a_series_of_words_holds_those_between() -> None:
 @pytest.mark.parametrize("line", ["01 | 06 | 20", "01H+06H+20H", "0x01, 0x06, 0x20", "01 06 20"])
 def test_bytes_are_read_from_every_way_to_print_a_frame(line: str) -> None:
     assert bytes(byte_pairs(line)) == bytes([1, 6, 0x20])
+
+
+def test_nothing_is_kept_of_programs_that_a_manual_prints() -> None:
+    index = index_of("m.txt", b"Code 05H\n```\nCRC = 65535\n```\nCode 06H\n")
+    assert list(index.lines) == ["Code 05H", "", "", "", "Code 06H"]
+    assert all(index.digests)

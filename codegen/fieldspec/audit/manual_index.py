@@ -7,7 +7,7 @@ line, and then one line for each of the manual: the hash of the line, and the re
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from hashlib import sha256
 
 from fieldspec.audit.reduced import digest, reduced
@@ -56,9 +56,18 @@ def index_of(path: str, content: bytes) -> ManualIndex:
     return ManualIndex(
         sha256(content).hexdigest(),
         [digest(line) for line in lines],
-        [reduced(line) for line in lines],
+        list(_without_programs(lines)),
         SourceFile(path, text),
     )
+
+
+def _without_programs(lines: Sequence[str]) -> Iterator[str]:
+    """Each line reduced; of a program, between lines of three backticks, nothing is left, as all of it is text."""
+    inside = False
+    for line in lines:
+        fence = line.strip().startswith("```")
+        inside ^= fence
+        yield "" if inside or fence else reduced(line)
 
 
 def _decoded(content: bytes) -> str:
