@@ -29,7 +29,7 @@ check that should fail does not. Each with how a row of it stands."""
 _FIGURES = {
     "proven": "errata are proven by a check that fails with the print put back",
     "judgement": "errata rest on the judgement of a person",
-    "open": "errata are about what the manual leaves open",
+    "open": "errata are questions that the manual leaves open",
 }
 
 COLUMNS = (
@@ -78,7 +78,8 @@ def ledger(subject: Subject) -> Section:
         detail=True,
     )
     found = tuple(fault for proof in proofs for fault in proof.faults)
-    return Section("errata", "Errata", (_SAYS,), tuple(figures), (_summary(proofs), table), found)
+    tables = (_summary(proofs), table)
+    return Section("errata", "Errata", (_SAYS,), tuple(figures), tables, found, questions=verdicts["open"])
 
 
 def by_effect(proofs: Iterable[Proof]) -> list[Proof]:

@@ -45,7 +45,11 @@ class SectionTable:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """One part of the report. `name` is a word for data and links, `drawn` is what a renderer may draw of it."""
+    """One part of the report. `name` is a word for data and links, `drawn` is what a renderer may draw of it.
+
+    `questions` is how many questions of those that it lists the manual leaves open. They are no findings: nothing in
+    the spec can be put right before somebody answers them.
+    """
 
     name: str
     title: str
@@ -54,6 +58,7 @@ class Section:
     tables: tuple[SectionTable, ...] = ()
     findings: tuple[Diagnostic, ...] = ()
     drawn: object = None
+    questions: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -94,7 +94,7 @@ class _Finding:
 
 @dataclass(frozen=True, slots=True)
 class _Head:
-    """What the report is about."""
+    """What the report is about, and what it comes to; `questions` has a link and a text for each part with any."""
 
     title: str
     subtitle: str
@@ -103,6 +103,7 @@ class _Head:
     verdict: str
     kind: str
     sign: str
+    questions: tuple[tuple[str, str], ...]
 
 
 def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
@@ -118,7 +119,8 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
     manual = device.manual
     edition = f", {manual.edition}" if manual.edition else ""
     rows = (
-        ("Device", f"{device.name}, {device.vendor}"),
+        ("Device", device.name),
+        ("Vendor", device.vendor),
         ("Version", report.version),
         ("Identity of the spec", report.identity),
         ("Manual", f"{manual.title}{edition}"),
@@ -131,7 +133,7 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
     elif warnings:
         verdict, kind = f"No error; {_many(warnings, 'warning')} to be looked at.", "warning"
     else:
-        verdict, kind = "Nothing is open: no finding in any part of the audit.", "good"
+        verdict, kind = "No finding in any part of the audit.", "good"
     return _Head(
         clean(f"Audit of {report.title}"),
         clean(device.title),
@@ -140,7 +142,15 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
         verdict,
         kind,
         _SIGNS[kind][0],
+        tuple((one.name, clean(_questions(one))) for one in report.sections if one.questions),
     )
+
+
+def _questions(section: Section) -> str:
+    leaves = (
+        "question that the manual leaves open" if section.questions == 1 else "questions that the manual leaves open"
+    )
+    return f"{section.questions} {leaves}"
 
 
 def _many(number: int, what: str) -> str:
