@@ -1,0 +1,126 @@
+"""The functions in SCL are typed as strictly as those in Structured Text, and do the same with the same values."""
+
+from __future__ import annotations
+
+import random
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from loaded import REAL, made_of
+from scans import of_siemens
+from st_machine import Machine
+from st_syntax import parsed
+from st_values import WHOLE, MachineError, bounds
+
+from fieldspec.backends.scl.backend import files
+from fieldspec.backends.st.backend import text
+from laid_out import SPECS, newest
+
+TRIES = 20
+PADDING = "abypadding"
+"""How the members begin that only Structured Text has, to fill up gaps."""
+
+
+@cache
+def siemens(device: str) -> Machine:
+    """The types and functions for TIA Portal, ready to run; that they can be loaded means that their types agree."""
+    made = {path: content for path, content in files([newest(SPECS, device)]).items() if isinstance(content, str)}
+    source = "".join(
+        of_siemens(content.lstrip("\ufeff").replace("\r\n", "\n"))
+        for kind in (".udt", ".scl")
+        for path, content in made.items()
+        if path.endswith(kind)
+    )
+    for mine, theirs in (("VAR_TEMP", "VAR"), ("IN := ", ""), (", N := ", ", ")):
+        source = source.replace(mine, theirs)
+    return Machine(parsed(source))
+
+
+@cache
+def structured(device: str) -> Machine:
+    """The same functions in Structured Text."""
+    return Machine(parsed(text(made_of(SPECS, device))))
+
+
+def shape(machine: Machine, kind: Any) -> Any:
+    """A type without names: what it holds, in order. Enums are their numbers."""
+    kind = machine.kind(kind)
+    if isinstance(kind, tuple) and kind[0] == "array":
+        return ("array", kind[1], kind[2], shape(machine, kind[3]))
+    if kind in machine.unit.structs:
+        members = machine.unit.structs[kind]
+        return ("struct", *(shape(machine, of) for name, of, _ in members if not name.startswith(PADDING)))
+    return machine.unit.enums[kind][0] if kind in machine.unit.enums else kind
+
+
+def drawn(form: Any, dice: random.Random) -> Any:
+    """A value of a shape: often a small one, since ranges begin there."""
+    if isinstance(form, tuple):
+        if form[0] == "array":
+            return [drawn(form[3], dice) for _ in range(form[1], form[2] + 1)]
+        return [drawn(one, dice) for one in form[1:]]
+    if form == "bool":
+        return dice.random() < 0.5
+    if form in WHOLE:
+        low, high = bounds(form)
+        return dice.choice([0, 1, dice.randint(0, min(60, high)), dice.randint(low, high)])
+    return dice.choice([0.0, 1.5, dice.uniform(-1e4, 1e4)])
+
+
+def put(machine: Machine, kind: Any, value: Any) -> Any:
+    """A value with the names that a type gives to its members."""
+    kind = machine.kind(kind)
+    if isinstance(kind, tuple) and kind[0] == "array":
+        return [put(machine, kind[3], one) for one in value]
+    if kind in machine.unit.structs:
+        left = iter(value)
+        members = machine.unit.structs[kind]
+        return {
+            name: machine.fresh(of) if name.startswith(PADDING) else put(machine, of, next(left))
+            for name, of, _ in members
+        }
+    return value
+
+
+def bare(value: Any) -> Any:
+    """A value without names."""
+    if isinstance(value, dict):
+        return [bare(one) for name, one in value.items() if not name.startswith(PADDING)]
+    return [bare(one) for one in value] if isinstance(value, list) else value
+
+
+def parameters(machine: Machine, name: str) -> list[tuple[str, Any, Any]]:
+    """What a function is given and lent: name, type and shape."""
+    function = machine.unit.functions[name]
+    held = [(one, kind) for role, one, kind, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
+    return [(one, kind, shape(machine, kind)) for one, kind in held]
+
+
+def run(machine: Machine, name: str, values: dict[str, Any]) -> tuple[Any, Any]:
+    """What a function gives, and what it leaves in what it was lent; or that the values made it fail."""
+    given = {one: put(machine, kind, values[one]) for one, kind, _ in parameters(machine, name)}
+    try:
+        return machine.call(name, **given), bare(given)
+    except MachineError as error:
+        return str(error), None
+
+
+@pytest.mark.parametrize("device", REAL)
+def test_scl_does_what_structured_text_does(device: str) -> None:
+    ours, theirs, dice, compared = structured(device), siemens(device), random.Random(device), 0
+    for name in sorted(ours.unit.functions.keys() & theirs.unit.functions.keys()):
+        forms = {one: form for one, _, form in parameters(ours, name)}
+        if forms != {one: form for one, _, form in parameters(theirs, name)}:
+            continue
+        compared += 1
+        for _ in range(TRIES):
+            values = {one: drawn(form, dice) for one, form in forms.items()}
+            assert run(ours, name, values) == run(theirs, name, values), (name, values)
+    # Whole numbers of 64 bits are split in two there.
+    assert compared >= len(theirs.unit.functions) - 1
