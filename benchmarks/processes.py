@@ -44,8 +44,8 @@ def run(command: Sequence[str], **variables: str) -> Took:
 
 
 def in_turns(commands: Mapping[str, Sequence[str]], rounds: int, **variables: str) -> dict[str, list[Took]]:
-    """What each of some commands took in each round, all of them in turns."""
-    for command in commands.values():
+    """What each of some commands took in each round, all of them in turns; what they need lies in memory before."""
+    for command in commands.values() if rounds > 1 else ():
         run(command, **variables)
     took: dict[str, list[Took]] = {name: [] for name in commands}
     for turn in range(rounds):
