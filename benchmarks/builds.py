@@ -37,7 +37,9 @@ def rows() -> Iterator[Row]:
     yield limited(GROUP, everything, median(one.clock for one in took["all"]) / 1e3, "s", 2)
     yield limited(GROUP, f"{everything}, work of all processors", median(one.work for one in took["all"]) / 1e3, "s", 2)
     yield limited(GROUP, "nothing has changed", median(one.clock for one in took["none"]), "ms", 250)
-    yield limited(GROUP, "nothing has changed, work of the processor", median(one.work for one in took["none"]), "ms", 250)
+    yield limited(
+        GROUP, "nothing has changed, work of the processor", median(one.work for one in took["none"]), "ms", 250
+    )
     yield Row(GROUP, "nothing has changed, files rewritten", "none", rewritten, 0, "files", 0, at_most=0)
     yield Row(GROUP, "TC100 has changed", "", round(median(changed), 1), 0, "ms", 0)
 

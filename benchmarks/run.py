@@ -13,6 +13,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from plot import drawn
 from remarks import BY_GROUP, REMARKS
@@ -22,6 +23,8 @@ HERE = ROOT / "benchmarks"
 RESULTS = HERE / "results.json"
 PAGE = ROOT / "docs" / "benchmarks.md"
 PLOT = ROOT / "docs" / "benchmarks.svg"
+BUSY = 1.0
+"""The load from which on other work on the machine is mentioned."""
 FILES = (
     "python_modbus",
     "python_point",
@@ -42,8 +45,9 @@ HEAD = """\
 # Benchmarks
 
 What the compiler and its outputs take, beside hand-written code and other tools that do the same work. Each row is
-timed in turns with its peer, so that only the ratios say something of another machine. A ratio is ours over the peer's; where
-the goal is *at least*, it is the peer's over ours. [benchmarks/README.md](../benchmarks/README.md) tells how.
+timed in turns with its peer, so that only the ratios say something of another machine. A ratio is ours over the
+peer's; where the goal is *at least*, it is the peer's over ours. [benchmarks/README.md](../benchmarks/README.md)
+tells how.
 
     {command}
 
@@ -58,30 +62,41 @@ def main(names: list[str]) -> int:
     held = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {}
     for name in names or FILES:
         print(f"running {name}", file=sys.stderr, flush=True)
+        load = round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else 0.0
         ran = subprocess.run([sys.executable, str(HERE / f"{name}.py")], stdout=subprocess.PIPE, text=True, cwd=HERE)
         if ran.returncode:
             print(f"{name} has failed; its rows stay as they were", file=sys.stderr)
             continue
-        held[name] = [json.loads(line) for line in ran.stdout.splitlines()]
+        held[name] = {"load": load, "rows": [json.loads(line) for line in ran.stdout.splitlines()]}
     RESULTS.write_text(json.dumps(held, indent=1) + "\n", encoding="utf-8")
-    rows = [Row(**row) for name in FILES for row in held.get(name, [])]
-    PAGE.write_text(page(rows), encoding="utf-8")
-    drawn(rows, PLOT)
-    missed = [row for row in rows if not row.met]
-    print(f"{len(rows)} rows, {len(missed)} goals missed", file=sys.stderr)
+    write(held)
     return 0
 
 
-def page(rows: list[Row]) -> str:
-    """The text of the page."""
-    return "\n".join(_lines(rows))
+def write(held: dict[str, Any]) -> None:
+    """Writes the page and the plot of what has been measured."""
+    rows = [Row(**row) for name in FILES if name in held for row in held[name]["rows"]]
+    PAGE.write_text("\n".join(_lines(rows, held)), encoding="utf-8")
+    drawn(rows, PLOT)
+    missed = [row for row in rows if not row.met]
+    print(f"{len(rows)} rows, {len(missed)} goals missed", file=sys.stderr)
 
 
-def _lines(rows: list[Row]) -> Iterator[str]:
+def _lines(rows: list[Row], held: dict[str, Any]) -> Iterator[str]:
     yield HEAD.format(command="make bench", machine=machine())
     with_goal = [row for row in rows if row.at_most is not None or row.at_least is not None]
     met = sum(row.met for row in with_goal)
     yield f"Of {len(with_goal)} goals, {met} are met."
+    busy = [name for name in FILES if name in held and held[name]["load"] > BUSY]
+    if busy:
+        most = max(held[name]["load"] for name in busy)
+        yield (
+            f"\nWhile {', '.join(f'`{name}`' for name in busy)} ran, the machine had other work, at a load of up to "
+            f"{most}: what these files measure by the clock is too long, and ratios scatter more."
+        )
+    yield from (f"\n`{name}`: {held[name]['note']}" for name in FILES if held.get(name, {}).get("note"))
+    if missing := [name for name in FILES if name not in held]:
+        yield f"\nNot measured yet: {', '.join(f'`{name}`' for name in missing)}."
     for group in dict.fromkeys(row.group for row in rows):
         own = [row for row in rows if row.group == group]
         yield f"\n## {group}\n"
@@ -111,7 +126,7 @@ def _missed(row: Row) -> str:
     if not limit or not row.ratio:
         return f"{row.ratio:g}"
     times = row.ratio / limit if row.at_most is not None else limit / row.ratio
-    return f"{times:.2g} times"
+    return f"{(times - 1) * 100:.0f} %" if times < 2 else f"{times:.2g} times"
 
 
 def _number(value: float) -> str:
