@@ -8,6 +8,7 @@ import matplotlib as mpl
 
 mpl.use("svg")
 mpl.rcParams["svg.hashsalt"] = "fieldspec"  # so that the same rows are the same file
+mpl.rcParams["svg.fonttype"] = "none"
 mpl.rcParams["font.size"] = 8
 
 from matplotlib import pyplot  # noqa: E402

@@ -32,8 +32,8 @@ REMARKS = {
     ("100,000 registers", "memory"): "All files are held until all are made, so that none is written where one fails.",
 }
 NODES = (
-    "Every value becomes an object of its own that knows its place, and tags, anchors, keys that are there twice, depth "
-    "and size are looked after; the prototype that took 0.32 did nothing of this."
+    "Every value becomes an object of its own that knows its place, and tags, anchors, keys that stand there twice, "
+    "depth and size are looked after; the prototype that took 0.32 did nothing of this."
 )
 BY_GROUP = {"build --watch": WATCH, "All outputs of four devices": ALL, "YAML with line numbers": NODES}
 """What stands in the way of every row of a group that has no remark of its own."""
