@@ -56,6 +56,7 @@ else:
     def _made(cls, frozen, eq, kw_only):
         fields = {name: one for base in cls.__mro__[:0:-1] for name, one in base.__dict__.get("_fields", {}).items()}
         space = dict(cls.__dict__)
+        assert "__post_init__" not in space, f"{cls.__name__}: nothing is called when an object is made"
         own = [name for name, kind in space.get("__annotations__", {}).items() if not kind.startswith("ClassVar")]
         for name in own:
             given = space.pop(name, _MISSING)

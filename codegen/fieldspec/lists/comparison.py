@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 
-from fieldspec.classes import dataclass, field
+from fieldspec.classes import dataclass
 from fieldspec.lists.addresses import BASES
 from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS, Item
@@ -93,17 +93,14 @@ class Compared:
         return not (self.shifted or self.differing or self.extras or self.missing)
 
 
-@dataclass(slots=True)
 class _Known:
     """The items by the address of each element, and by every word that they hold."""
 
-    items: Sequence[Item]
-    spaces: Mapping[str, str]
-    starts: dict[Place, list[Item]] = field(default_factory=lambda: defaultdict(list))
-    inside: dict[Place, Item] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        for item in self.items:
+    def __init__(self, items: Sequence[Item]) -> None:
+        self.spaces = {folded(item.space): item.space for item in items}
+        self.starts: dict[Place, list[Item]] = defaultdict(list)
+        self.inside: dict[Place, Item] = {}
+        for item in items:
             for address in item.addresses():
                 self.starts[item.space, address].append(item)
                 for word in range(1, item.words or 1):
@@ -125,7 +122,7 @@ def compared(
     items: Sequence[Item], listing: Listing, offset: int | None = None, ignored: Collection[str] = ()
 ) -> Compared:
     """Compares a device with a list. Without an offset, one of 1 for the whole list is found out."""
-    known = _Known(items, {folded(item.space): item.space for item in items})
+    known = _Known(items)
     aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
     ways = [
         (base, one, list(moved(listing.rows(base), one)))
