@@ -10,6 +10,7 @@ import socket
 import struct
 import sys
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -95,9 +96,8 @@ def by_path(held: dict[str, list[Member]], name: str, record: RecordLayout, valu
 
 def block_of_awlsim(lines: list[str]) -> bytes:
     """The bytes of a data block with some members."""
-    from awlsim import awlcompiler as compiler
-    from awlsim.core import main
-
+    # Its modules import each other, and work in this order alone.
+    main, compiler = import_module("awlsim.core.main"), import_module("awlsim.awlcompiler")
     program = ["DATA_BLOCK DB 1", "STRUCT", *lines, "END_STRUCT;", "BEGIN", "END_DATA_BLOCK"]
     program += ["ORGANIZATION_BLOCK OB 1", "BEGIN", "BE", "END_ORGANIZATION_BLOCK", ""]
     parser = compiler.AwlParser()
