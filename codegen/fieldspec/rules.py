@@ -28,9 +28,9 @@ _INTRODUCTION = """\
 
 # Rules
 
-Every finding has the code of its rule. `fieldspec rule CODE` shows one of these entries. `fieldspec check` applies all of
-them but those of a spec beside its manual, which `fieldspec audit` applies. A fact that may break a rule of the second part
-says so: `allow: {<code>: <reason>}`.
+Every finding has the code of its rule. `fieldspec rule CODE` shows one of these entries. `fieldspec check` applies
+all of them but those of a spec beside its manual, which `fieldspec audit` applies. A fact that may break a rule of the
+second part says so: `allow: {<code>: <reason>}`.
 """
 
 _CHANGES = """\

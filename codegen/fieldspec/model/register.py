@@ -16,7 +16,8 @@ class Register(Fact):
 
     `words`, `decimal` and `number` are what the manual prints; `copy_of` names the register of which this one is a
     copy, else empty; `access` is empty, and `restart` None, where it does not
-    say. A reserved one has no meaning to the user. `element_lines` has the place of each element, where they have rows of their own.
+    say. A reserved one has no meaning to the user. `element_lines` has the place of each element, where they have rows
+    of their own.
     """
 
     address: int
