@@ -20,7 +20,9 @@ PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 
 # Settled on the nodes, before the model is built: which protocols are laid under, and which version a fact holds for.
 # Copies of blocks are written out as groups, and which lines share outputs is no matter of one version.
-SETTLED_BEFORE = set("uses protocol links messages since until only copies like audit reviews".split())
+SETTLED_BEFORE = {
+    *("uses", "protocol", "links", "messages", "since", "until", "only", "copies", "like", "audit", "reviews"),
+}
 
 # How the manual is audited, and who has compared it: no part of the device, and read where audits are made.
 OF_AUDITS = ("manual_section", "manual_pattern", "left_out", "unprinted", "review")

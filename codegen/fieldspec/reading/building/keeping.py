@@ -1,4 +1,4 @@
-"""Keeps what is built of entries and rows: versions share the nodes that do not differ, and so what is built of them."""
+"""Keeps what is built of entries and rows: versions share the nodes that do not differ, and what is built of them."""
 
 from __future__ import annotations
 
