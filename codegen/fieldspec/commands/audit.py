@@ -21,6 +21,12 @@ if TYPE_CHECKING:
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
 """The options that say how a dump is read."""
 
+ALONE = ("sign", "dump", "record", "as_printed")
+"""The options of which each asks for something else than the audit, so that one excludes the others."""
+
+FORMED = ("sign", "record")
+"""Those that write a file of the spec, and print nothing that has a form."""
+
 WHOLE = ("sarif", "html")
 """The formats that hold all sections."""
 
@@ -38,6 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.facts import rows
     from fieldspec.proofs.running import errata_proofs
 
+    _must_go_together(arguments)
     if arguments.format in LISTS and not arguments.table:
         raise UsageError(f"{arguments.format} holds one table; name it with --table, such as --table ledger")
     if arguments.table and arguments.format in WHOLE:
@@ -72,6 +79,23 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         _print_report(made, found, arguments, layout.device)
     return 1 if has_errors(found) and not arguments.as_printed else 0
+
+
+def _must_go_together(arguments: argparse.Namespace) -> None:
+    """Refuses options of which one would do nothing beside the other."""
+    asked = [option for option in ALONE if getattr(arguments, option)]
+    if len(asked) > 1:
+        raise UsageError(f"{_spelled(asked[0])} and {_spelled(asked[1])} do not go together; ask for one at a time")
+    beside = [option for option in ("table", "out", "all") if getattr(arguments, option)]
+    beside += ["format"] if arguments.format != "text" else []
+    if asked and asked[0] in FORMED and beside:
+        raise UsageError(f"{_spelled(asked[0])} prints no report, so {_spelled(beside[0])} has no use; leave it out")
+    if asked and asked[0] in ("sign", "dump") and arguments.manual:
+        raise UsageError(f"{_spelled(asked[0])} looks into no manual, so --manual has no use; leave it out")
+
+
+def _spelled(option: str) -> str:
+    return "--" + option.replace("_", "-")
 
 
 def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
@@ -121,7 +145,7 @@ def _print_table(made: Report, arguments: argparse.Namespace) -> None:
 
     tables = {table.name: table for section in made.sections for table in section.tables}
     if arguments.table not in tables:
-        raise unknown("table", arguments.table, tables)
+        raise unknown("table", arguments.table, tables, most=len(tables))
     table = tables[arguments.table]
     if arguments.format == "text":
         if arguments.out:

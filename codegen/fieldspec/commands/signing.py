@@ -23,9 +23,12 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     """Appends an entry to the reviews of a device. Raises UsageError, and writes nothing, where that cannot be done."""
     if not arguments.by or not arguments.by.strip():
         raise UsageError('--sign needs to know who has compared it; give a name or a role, as in --by "second reader"')
-    day = arguments.on or time.strftime("%Y-%m-%d")
+    today = time.strftime("%Y-%m-%d")
+    day = arguments.on or today
     if not is_day(day):
         raise UsageError(f"--on {day} is no day; write it as in 2026-01-31")
+    if day > today:
+        raise UsageError(f"--on {day} is still to come, as today is {today}; give the day of the comparison")
     held = list(layouts)
     signed = _picked(states(held), arguments.sign)
     manual = held[-1].device.manual
