@@ -32,17 +32,19 @@ def checksum(world: World, algorithm: str) -> Routine:
     kind, remark, make = CHECKSUMS[algorithm]
     name = world.routine(algorithm)
     frame = Variable("aFrame", world.frame)
-    locals_, body = make(frame, Variable(name, kind))
+    result = Variable(name, kind)
+    locals_, body = make(frame, result)
+    fits = compared(_LENGTH, "<=", number(world.frame.high + 1))
     return Routine(
         name,
         "checks",
         kind,
         (
-            Declared(_LENGTH, "input", "how many bytes from the first one on are checked"),
+            Declared(_LENGTH, "input", "how many bytes from the first one on are checked; more than there are give 0"),
             Declared(frame, "in_out", "is read only"),
             *(Declared(one, "local") for one in locals_),
         ),
-        body,
+        (Assignment(result, Whole(0, kind)), when(fits, body)),
         (remark,),
     )
 

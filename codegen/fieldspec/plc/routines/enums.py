@@ -35,20 +35,23 @@ def _from_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
     value = Variable("eValue", kind)
     name = world.routine(enum.name, "from_raw")
     result = Variable(name, BOOL)
+    listed = _listed(world, enum, kind)
     branches: list[tuple[tuple[tuple[int, int] | Listed, ...], tuple[Statement, ...]]] = [
-        (((one.value, one.value),), (Assignment(value, one),)) for one in _listed(world, enum, kind)
+        (((one.value, one.value),), (Assignment(value, one),)) for one in listed
     ]
+    # What a function leaves unwritten is undefined on some controllers.
+    otherwise = (*(Assignment(value, one) for one in listed[:1]), Assignment(result, Truth(False)))
     return Routine(
         name,
         "enums",
         BOOL,
         (
             Declared(raw, "input", "number on the wire"),
-            Declared(value, "output", "stays as it is where the number is not listed"),
+            Declared(value, "output", "the first member where the number is not listed: not to be used then"),
         ),
         (
             Assignment(result, Truth(True)),
-            Selection(raw, tuple(branches), (Assignment(result, Truth(False)),)),
+            Selection(raw, tuple(branches), otherwise),
         ),
         (f"The member of {kind.name} with a number; FALSE where there is none. {world.told(enum, None)}".strip(),),
     )
