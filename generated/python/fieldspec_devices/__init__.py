@@ -7,13 +7,16 @@ Everything that is wrong in bytes or values is a `CodecError`. A firmware that a
 `UnknownFirmwareError`.
 """
 
-from ._error import CodecError
-from ._firmware import UnknownFirmwareError
-from ._flags import Flags
-from ._framers import Framer
-from ._frames import ErrorReply, Request, Response
-from ._parameters import Parameter, ParameterSet, ParameterSpace, Subindex
-from ._registers import Register, RegisterArray, Table
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._error import CodecError
+    from ._firmware import UnknownFirmwareError
+    from ._flags import Flags
+    from ._framers import Framer
+    from ._frames import ErrorReply, Request, Response
+    from ._parameters import Parameter, ParameterSet, ParameterSpace, Subindex
+    from ._registers import Register, RegisterArray, Table
 
 __all__ = [
     "CodecError",
@@ -31,3 +34,34 @@ __all__ = [
     "Table",
     "UnknownFirmwareError",
 ]
+
+if not TYPE_CHECKING:
+    _HOMES = {
+        "CodecError": "_error",
+        "ErrorReply": "_frames",
+        "Flags": "_flags",
+        "Framer": "_framers",
+        "Parameter": "_parameters",
+        "ParameterSet": "_parameters",
+        "ParameterSpace": "_parameters",
+        "Register": "_registers",
+        "RegisterArray": "_registers",
+        "Request": "_frames",
+        "Response": "_frames",
+        "Subindex": "_parameters",
+        "Table": "_registers",
+        "UnknownFirmwareError": "_firmware",
+    }
+
+    def __getattr__(name):
+        """Imports what is asked for: a device needs only some of it."""
+        if name not in _HOMES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        from importlib import import_module
+
+        held = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+        globals()[name] = held
+        return held
+
+    def __dir__():
+        return [*globals(), *_HOMES]

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     Part = TypeVar("Part", bound=_Decodes)
 
+new = object.__new__
 UNFIT = (StructError, TypeError, AttributeError, OverflowError, ValueError, IndexError)
 """What straight-line code raises for values that cannot be encoded, `CodecError` among them."""
 

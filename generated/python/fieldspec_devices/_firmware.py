@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -33,6 +31,8 @@ def module_of(package: str, lines: tuple[Line, ...], firmware: str, nearest: boo
     name = _named(lines, text) or _numbered(lines, text, nearest)
     if name is None:
         raise UnknownFirmwareError(firmware, tuple(version for line in lines for version, _ in line))
+    from importlib import import_module  # few programs ask, and all would wait for it
+
     return import_module(f"{package}.{name}")
 
 

@@ -9,6 +9,17 @@ if TYPE_CHECKING:
     from typing import ClassVar, Final
 
 
+def _bits() -> tuple[tuple[bool, ...], ...]:
+    held: list[tuple[bool, ...]] = [()]
+    for _ in range(8):
+        held = [(*bits, value) for value in (False, True) for bits in held]
+    return tuple(held)
+
+
+BITS_OF = _bits()
+"""The bits of each byte, the least significant first."""
+
+
 class Flags:
     """A word, and its bits as properties. It keeps the bits that have no name.
 

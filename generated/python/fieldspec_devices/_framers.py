@@ -2,7 +2,8 @@
 
 A framer is for one direction: requests and responses look alike, and what the other side sends is garbage to it. It
 keeps no more than one frame's worth of bytes. Where what looks like a frame is none, it drops one byte and looks
-again, so each byte is looked at no more often than a frame is long.
+again, so each byte is looked at no more often than a frame is long. Bytes that cannot begin a frame are passed over by
+a regular expression.
 
 Garbage may look like the beginning of a frame. Then the frames behind it wait until that frame would be complete, or
 until the line has been silent and `idle` is called. Garbage that has the right check by chance is taken for a frame;
@@ -42,14 +43,32 @@ class Framer:
         self.dropped = 0
         self._buffer = bytearray()
         self._marked = bool(frames.start or frames.end)
+        self._prepare()
+
+    def _prepare(self) -> None:
+        """Makes what finds the next byte that may begin a frame."""
+        from re import DOTALL, compile  # takes longer to import than a device, and few programs need it
+
+        known = self._known()
+        self._width = max(known, default=0) + 1
+        pattern = b"".join(_class(known[place]) if place in known else b"." for place in range(self._width))
+        self._search = compile(pattern, DOTALL).search
+
+    def _known(self) -> dict[int, frozenset[int]]:
+        """What single bytes at the beginning of a frame can be, by their place."""
+        start = self.frames.start
+        known = {place: frozenset((byte,)) for place, byte in enumerate(start)}
+        if self.stations and self.station_size == 1:
+            known[len(start) + self.station_offset] = self.stations
+        return known
 
     def feed(self, data: Data) -> list[bytes]:
         """The frames that these bytes complete, each with its marks and check."""
         buffer = self._buffer
         buffer += data
         found: list[bytes] = []
-        at, size = 0, len(buffer)
-        while size - at >= self.shortest:
+        at, size, shortest = 0, len(buffer), self.shortest
+        while size - at >= shortest:
             extent = self._extent(buffer, at)
             if at + extent > size:
                 break
@@ -60,8 +79,10 @@ class Framer:
                 found.append(frame)
                 at += extent
                 continue
-            at += 1
-            self.dropped += 1
+            seen = self._search(buffer, at + 1)
+            begins = max(at, size - self._width) + 1 if seen is None else seen.start()
+            self.dropped += begins - at
+            at = begins
         del buffer[:at]
         return found
 
@@ -110,8 +131,10 @@ class Framer:
             frame = frame[len(frames.start) : len(frame) - len(frames.end)]
         if frames.algorithm is None:
             return True
-        at = len(frame) - frames.tail_size
-        return frames.algorithm(frame[:at]) == int.from_bytes(frame[at:], frames.check_order)
+        size = frames.tail_size
+        if size == 1:
+            return frames.algorithm(frame[:-1]) == frame[-1]
+        return frames.algorithm(frame[:-size]) == int.from_bytes(frame[-size:], frames.check_order)
 
 
 class LengthFramer(Framer):
@@ -129,6 +152,7 @@ class LengthFramer(Framer):
         stations: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
+        self.length_offset, self.length_size = frames.length_offset, length_size
         super().__init__(
             frames,
             shortest=shortest,
@@ -138,7 +162,14 @@ class LengthFramer(Framer):
             stations=stations,
             order=order,
         )
-        self.length_offset, self.length_size = frames.length_offset, length_size
+
+    def _known(self) -> dict[int, frozenset[int]]:
+        known = super()._known()
+        if self.length_size == 1:
+            start, end = len(self.frames.start), len(self.frames.end)
+            least, most = self.shortest - start - end, min(self.longest - start - end, 255)
+            known[start + self.length_offset] = frozenset(range(least, most + 1))
+        return known
 
     def _extent(self, buffer: bytearray, at: int) -> int:
         extent = 0
@@ -179,6 +210,8 @@ class CodeFramer(Framer):
         stations: frozenset[int] = frozenset(),
         order: str = "big",
     ) -> None:
+        self.code_offset, self.code_size = frames.code_offset, code_size
+        self.extents, self.flag, self.refusal = extents, flag, refusal
         super().__init__(
             frames,
             shortest=shortest,
@@ -188,8 +221,13 @@ class CodeFramer(Framer):
             stations=stations,
             order=order,
         )
-        self.code_offset, self.code_size = frames.code_offset, code_size
-        self.extents, self.flag, self.refusal = extents, flag, refusal
+
+    def _known(self) -> dict[int, frozenset[int]]:
+        known = super()._known()
+        if self.code_size == 1:
+            codes = frozenset(code for code in range(256) if code in self.extents or code & self.flag)
+            known[len(self.frames.start) + self.code_offset] = codes
+        return known
 
     def _extent(self, buffer: bytearray, at: int) -> int:
         if self._marked:
@@ -213,6 +251,9 @@ class CodeFramer(Framer):
 
 class MarkFramer(Framer):
     """For frames of characters between a start mark and an end mark, neither of which occurs within."""
+
+    def _prepare(self) -> None:
+        """Marks are found as they are."""
 
     def feed(self, data: Data) -> list[bytes]:
         """The frames that these bytes complete, each with its marks and check."""
@@ -262,3 +303,10 @@ _HEX = b"0123456789ABCDEFabcdef"
 
 def _hexadecimal(text: bytes) -> bool:
     return not text.translate(None, _HEX)
+
+
+def _class(values: frozenset[int]) -> bytes:
+    """The regular expression for one byte of some values, each written so that it has no meaning of its own."""
+    if not values:
+        return b"(?!)"
+    return b"[" + b"".join(b"\\x%02x" % value for value in sorted(values)) + b"]"

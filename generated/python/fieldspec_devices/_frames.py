@@ -8,6 +8,7 @@ from struct import Struct
 
 from ._checks import crc16_modbus, lrc, sum8
 from ._error import CodecError, wrong_const
+from ._record import Record
 from ._typing import TYPE_CHECKING, Generic, M, R
 
 if TYPE_CHECKING:
@@ -17,10 +18,9 @@ if TYPE_CHECKING:
     from ._typing import Data
 
 _CHECKS = {"crc16_modbus": (crc16_modbus, 2), "lrc": (lrc, 1), "sum8": (sum8, 1)}
-new = object.__new__
 
 
-class RequestOf(Generic[R]):
+class RequestOf(Record, Generic[R]):
     """The data of a request whose response has the data R."""
 
     __slots__ = ()
@@ -33,25 +33,7 @@ class RequestOf(Generic[R]):
         return cls._RESPONSE
 
 
-class _Parts:
-    """Parts of a frame; equal where all of them are."""
-
-    __slots__ = ()
-    __match_args__: tuple[str, ...] = ()
-
-    def __eq__(self, other: object) -> bool:
-        if other.__class__ is not self.__class__:
-            return NotImplemented
-        return all(getattr(self, name) == getattr(other, name) for name in self.__match_args__)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __repr__(self) -> str:
-        shown = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__match_args__)
-        return f"{self.__class__.__name__}({shown})"
-
-
-class Request(_Parts, Generic[M]):
+class Request(Record, Generic[M]):
     """A request to a station. `station` is 0 on links that have none."""
 
     __slots__ = ("message", "station")
@@ -61,7 +43,7 @@ class Request(_Parts, Generic[M]):
         self.station, self.message = station, message
 
 
-class Response(_Parts, Generic[M]):
+class Response(Record, Generic[M]):
     """A response from a station. `station` is 0 on links that have none."""
 
     __slots__ = ("message", "station")
@@ -71,7 +53,7 @@ class Response(_Parts, Generic[M]):
         self.station, self.message = station, message
 
 
-class ErrorReply(_Parts, Generic[M]):
+class ErrorReply(Record, Generic[M]):
     """A station's refusal of a request: the code of that request, and the record that says why."""
 
     __slots__ = ("code", "exception", "station")

@@ -15,17 +15,20 @@ from __future__ import annotations
 
 from enum import IntEnum as _IntEnum
 from struct import Struct as _Struct
+from operator import index as _index
 from struct import error as _StructError
 
 from .._checks import BYTES as _BYTES
 from .._checks import CRC_EXCHANGED as _CRC_EXCHANGED
 from .._conversions import Repeated as _Repeated
 from .._conversions import UNFIT as _UNFIT
+from .._conversions import new as _new
 from .._error import CodecError as _CodecError
 from .._error import unknown_member as _unknown_member
 from .._error import wrong_const as _wrong_const
 from .._error import wrong_length as _wrong_length
 from .._error import wrong_measure as _wrong_measure
+from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import CodeFramer as _CodeFramer
 from .._framers import MarkFramer as _MarkFramer
@@ -34,7 +37,7 @@ from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
 from .._frames import Response as _Response
-from .._frames import new as _new
+from .._record import Record as _Record
 from .._refusals import refused_flags as _refused_flags
 from .._refusals import refused_list as _refused_list
 from .._refusals import refused_number as _refused_number
@@ -70,6 +73,7 @@ if TYPE_CHECKING:
     from .._typing import Data as _Data
     from .._typing import R as _R
     from .._typing import T as _T
+    from ..many import Column as _Column
 
 __all__ = [
     "ACCELERATION_TIME",
@@ -1866,35 +1870,39 @@ class MotionStatus(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        error, positive_hard_limit, negative_hard_limit, positive_soft_limit, negative_soft_limit, _, _, position_overflow = _BITS_OF[raw & 255]
+        overcurrent, overspeed, position_tracking, overload, overheat, back_emf, _, in_position_error = _BITS_OF[raw >> 8 & 255]
+        emergency_stop, slow_stop, homing, in_position, servo_on, alarm_reset, point_table_stopped, origin_sensor = _BITS_OF[raw >> 16 & 255]
+        z_pulse, homing_complete, direction, moving, _, accelerating, decelerating, constant_speed = _BITS_OF[raw >> 24 & 255]
         return {
-            "error": raw & 0x1 != 0,
-            "positive_hard_limit": raw & 0x2 != 0,
-            "negative_hard_limit": raw & 0x4 != 0,
-            "positive_soft_limit": raw & 0x8 != 0,
-            "negative_soft_limit": raw & 0x10 != 0,
-            "position_overflow": raw & 0x80 != 0,
-            "overcurrent": raw & 0x100 != 0,
-            "overspeed": raw & 0x200 != 0,
-            "position_tracking": raw & 0x400 != 0,
-            "overload": raw & 0x800 != 0,
-            "overheat": raw & 0x1000 != 0,
-            "back_emf": raw & 0x2000 != 0,
-            "in_position_error": raw & 0x8000 != 0,
-            "emergency_stop": raw & 0x10000 != 0,
-            "slow_stop": raw & 0x20000 != 0,
-            "homing": raw & 0x40000 != 0,
-            "in_position": raw & 0x80000 != 0,
-            "servo_on": raw & 0x100000 != 0,
-            "alarm_reset": raw & 0x200000 != 0,
-            "point_table_stopped": raw & 0x400000 != 0,
-            "origin_sensor": raw & 0x800000 != 0,
-            "z_pulse": raw & 0x1000000 != 0,
-            "homing_complete": raw & 0x2000000 != 0,
-            "direction": raw & 0x4000000 != 0,
-            "moving": raw & 0x8000000 != 0,
-            "accelerating": raw & 0x20000000 != 0,
-            "decelerating": raw & 0x40000000 != 0,
-            "constant_speed": raw & 0x80000000 != 0,
+            "error": error,
+            "positive_hard_limit": positive_hard_limit,
+            "negative_hard_limit": negative_hard_limit,
+            "positive_soft_limit": positive_soft_limit,
+            "negative_soft_limit": negative_soft_limit,
+            "position_overflow": position_overflow,
+            "overcurrent": overcurrent,
+            "overspeed": overspeed,
+            "position_tracking": position_tracking,
+            "overload": overload,
+            "overheat": overheat,
+            "back_emf": back_emf,
+            "in_position_error": in_position_error,
+            "emergency_stop": emergency_stop,
+            "slow_stop": slow_stop,
+            "homing": homing,
+            "in_position": in_position,
+            "servo_on": servo_on,
+            "alarm_reset": alarm_reset,
+            "point_table_stopped": point_table_stopped,
+            "origin_sensor": origin_sensor,
+            "z_pulse": z_pulse,
+            "homing_complete": homing_complete,
+            "direction": direction,
+            "moving": moving,
+            "accelerating": accelerating,
+            "decelerating": decelerating,
+            "constant_speed": constant_speed,
         }
 
     @property
@@ -2269,37 +2277,41 @@ class InputSignals(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        positive_limit, negative_limit, origin, clear_position, point_address_0, point_address_1, point_address_2, point_address_3 = _BITS_OF[raw & 255]
+        point_address_4, point_address_5_or_user_6, point_address_6_or_user_7, point_address_7_or_user_8, start_point_table, stop, jog_positive, jog_negative = _BITS_OF[raw >> 8 & 255]
+        reset_alarm, servo_on, _, start_homing, _, emergency_stop, jump_0, jump_1 = _BITS_OF[raw >> 16 & 255]
+        jump_2, start_jump, user_0, user_1, user_2, user_3, user_4, user_5 = _BITS_OF[raw >> 24 & 255]
         return {
-            "positive_limit": raw & 0x1 != 0,
-            "negative_limit": raw & 0x2 != 0,
-            "origin": raw & 0x4 != 0,
-            "clear_position": raw & 0x8 != 0,
-            "point_address_0": raw & 0x10 != 0,
-            "point_address_1": raw & 0x20 != 0,
-            "point_address_2": raw & 0x40 != 0,
-            "point_address_3": raw & 0x80 != 0,
-            "point_address_4": raw & 0x100 != 0,
-            "point_address_5_or_user_6": raw & 0x200 != 0,
-            "point_address_6_or_user_7": raw & 0x400 != 0,
-            "point_address_7_or_user_8": raw & 0x800 != 0,
-            "start_point_table": raw & 0x1000 != 0,
-            "stop": raw & 0x2000 != 0,
-            "jog_positive": raw & 0x4000 != 0,
-            "jog_negative": raw & 0x8000 != 0,
-            "reset_alarm": raw & 0x10000 != 0,
-            "servo_on": raw & 0x20000 != 0,
-            "start_homing": raw & 0x80000 != 0,
-            "emergency_stop": raw & 0x200000 != 0,
-            "jump_0": raw & 0x400000 != 0,
-            "jump_1": raw & 0x800000 != 0,
-            "jump_2": raw & 0x1000000 != 0,
-            "start_jump": raw & 0x2000000 != 0,
-            "user_0": raw & 0x4000000 != 0,
-            "user_1": raw & 0x8000000 != 0,
-            "user_2": raw & 0x10000000 != 0,
-            "user_3": raw & 0x20000000 != 0,
-            "user_4": raw & 0x40000000 != 0,
-            "user_5": raw & 0x80000000 != 0,
+            "positive_limit": positive_limit,
+            "negative_limit": negative_limit,
+            "origin": origin,
+            "clear_position": clear_position,
+            "point_address_0": point_address_0,
+            "point_address_1": point_address_1,
+            "point_address_2": point_address_2,
+            "point_address_3": point_address_3,
+            "point_address_4": point_address_4,
+            "point_address_5_or_user_6": point_address_5_or_user_6,
+            "point_address_6_or_user_7": point_address_6_or_user_7,
+            "point_address_7_or_user_8": point_address_7_or_user_8,
+            "start_point_table": start_point_table,
+            "stop": stop,
+            "jog_positive": jog_positive,
+            "jog_negative": jog_negative,
+            "reset_alarm": reset_alarm,
+            "servo_on": servo_on,
+            "start_homing": start_homing,
+            "emergency_stop": emergency_stop,
+            "jump_0": jump_0,
+            "jump_1": jump_1,
+            "jump_2": jump_2,
+            "start_jump": start_jump,
+            "user_0": user_0,
+            "user_1": user_1,
+            "user_2": user_2,
+            "user_3": user_3,
+            "user_4": user_4,
+            "user_5": user_5,
         }
 
     @property
@@ -2612,29 +2624,32 @@ class OutputSignals(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        compare_output, in_position, alarm, moving, accelerating_or_decelerating, acknowledge, end, alarm_blink = _BITS_OF[raw & 255]
+        homing_complete, servo_ready, _, _, point_output_0, point_output_1, point_output_2, user_0 = _BITS_OF[raw >> 8 & 255]
+        user_1, user_2, user_3, user_4, user_5, user_6, user_7, user_8 = _BITS_OF[raw >> 16 & 255]
         return {
-            "compare_output": raw & 0x1 != 0,
-            "in_position": raw & 0x2 != 0,
-            "alarm": raw & 0x4 != 0,
-            "moving": raw & 0x8 != 0,
-            "accelerating_or_decelerating": raw & 0x10 != 0,
-            "acknowledge": raw & 0x20 != 0,
-            "end": raw & 0x40 != 0,
-            "alarm_blink": raw & 0x80 != 0,
-            "homing_complete": raw & 0x100 != 0,
-            "servo_ready": raw & 0x200 != 0,
-            "point_output_0": raw & 0x1000 != 0,
-            "point_output_1": raw & 0x2000 != 0,
-            "point_output_2": raw & 0x4000 != 0,
-            "user_0": raw & 0x8000 != 0,
-            "user_1": raw & 0x10000 != 0,
-            "user_2": raw & 0x20000 != 0,
-            "user_3": raw & 0x40000 != 0,
-            "user_4": raw & 0x80000 != 0,
-            "user_5": raw & 0x100000 != 0,
-            "user_6": raw & 0x200000 != 0,
-            "user_7": raw & 0x400000 != 0,
-            "user_8": raw & 0x800000 != 0,
+            "compare_output": compare_output,
+            "in_position": in_position,
+            "alarm": alarm,
+            "moving": moving,
+            "accelerating_or_decelerating": accelerating_or_decelerating,
+            "acknowledge": acknowledge,
+            "end": end,
+            "alarm_blink": alarm_blink,
+            "homing_complete": homing_complete,
+            "servo_ready": servo_ready,
+            "point_output_0": point_output_0,
+            "point_output_1": point_output_1,
+            "point_output_2": point_output_2,
+            "user_0": user_0,
+            "user_1": user_1,
+            "user_2": user_2,
+            "user_3": user_3,
+            "user_4": user_4,
+            "user_5": user_5,
+            "user_6": user_6,
+            "user_7": user_7,
+            "user_8": user_8,
         }
 
     @property
@@ -2855,15 +2870,16 @@ class UserInputs(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        user_0, user_1, user_2, user_3, user_4, user_5, user_6, user_7 = _BITS_OF[raw & 255]
         return {
-            "user_0": raw & 0x1 != 0,
-            "user_1": raw & 0x2 != 0,
-            "user_2": raw & 0x4 != 0,
-            "user_3": raw & 0x8 != 0,
-            "user_4": raw & 0x10 != 0,
-            "user_5": raw & 0x20 != 0,
-            "user_6": raw & 0x40 != 0,
-            "user_7": raw & 0x80 != 0,
+            "user_0": user_0,
+            "user_1": user_1,
+            "user_2": user_2,
+            "user_3": user_3,
+            "user_4": user_4,
+            "user_5": user_5,
+            "user_6": user_6,
+            "user_7": user_7,
             "user_8": raw & 0x100 != 0,
         }
 
@@ -2981,15 +2997,16 @@ class UserOutputs(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        user_0, user_1, user_2, user_3, user_4, user_5, user_6, user_7 = _BITS_OF[raw & 255]
         return {
-            "user_0": raw & 0x1 != 0,
-            "user_1": raw & 0x2 != 0,
-            "user_2": raw & 0x4 != 0,
-            "user_3": raw & 0x8 != 0,
-            "user_4": raw & 0x10 != 0,
-            "user_5": raw & 0x20 != 0,
-            "user_6": raw & 0x40 != 0,
-            "user_7": raw & 0x80 != 0,
+            "user_0": user_0,
+            "user_1": user_1,
+            "user_2": user_2,
+            "user_3": user_3,
+            "user_4": user_4,
+            "user_5": user_5,
+            "user_6": user_6,
+            "user_7": user_7,
             "user_8": raw & 0x100 != 0,
         }
 
@@ -3102,10 +3119,11 @@ class PointOutputSetting(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        point_output_0, point_output_1, point_output_2, _, _, _, _, _ = _BITS_OF[raw & 255]
         return {
-            "point_output_0": raw & 0x1 != 0,
-            "point_output_1": raw & 0x2 != 0,
-            "point_output_2": raw & 0x4 != 0,
+            "point_output_0": point_output_0,
+            "point_output_1": point_output_1,
+            "point_output_2": point_output_2,
             "moment": _OUTPUT_MOMENT_MEMBERS.get(raw >> 3 & 0x3, raw >> 3 & 0x3),
         }
 
@@ -3147,7 +3165,7 @@ class PointOutputSetting(_Flags):
 _EXCEPTION_RECORD_STRUCT = _Struct(">B")
 
 
-class ExceptionRecord:
+class ExceptionRecord(_Record):
     """Exception. 1 byte.
 
     The body of a reply that refuses a request.
@@ -3157,47 +3175,57 @@ class ExceptionRecord:
     Source: 1.4 L225-229.
     """
 
-    __slots__ = ("exception_code",)
+    __slots__ = ("_held_exception_code",)
     __match_args__ = ("exception_code",)
+    _SIZE: _ClassVar[int] = 1
 
     def __init__(self, exception_code: ExceptionCode | int) -> None:
-        self.exception_code = exception_code
+        self._held_exception_code: ExceptionCode | int = exception_code
+
+    @property
+    def exception_code(self) -> ExceptionCode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_exception_code
+        return _EXCEPTION_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @exception_code.setter
+    def exception_code(self, value: ExceptionCode | int) -> None:
+        self._held_exception_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_exception_code,) = _EXCEPTION_RECORD_STRUCT.unpack(data)
+            (record._held_exception_code,) = _EXCEPTION_RECORD_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
-        record.exception_code = _EXCEPTION_CODE_MEMBERS.get(raw_exception_code, raw_exception_code)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _EXCEPTION_RECORD_STRUCT.pack(self.exception_code)
+            return _EXCEPTION_RECORD_STRUCT.pack(self._held_exception_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("exception")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("exception_code", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("exception_code", self.exception_code, 0, 255)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ExceptionRecord):
-            return NotImplemented
-        return self.exception_code == other.exception_code
-
-    def __repr__(self) -> str:
-        return f"ExceptionRecord(exception_code={self.exception_code!r})"
 
 
 _POINT_STRUCT = _Struct(">iIIHHHH2xHHHHHHHHHiHHIiH2x2x2x")
 
 
-class Point:
+class Point(_Record):
     """Point (位置表). 64 bytes.
 
     One row of the point table, which the manual calls PT and position table.
@@ -3259,9 +3287,9 @@ class Point:
     __slots__ = (
         "position", "low_speed", "high_speed", "acceleration_time", "deceleration_time", "command",
         "waiting_time", "jump_point", "jump_point_of_input_0", "jump_point_of_input_1",
-        "jump_point_of_input_2", "loop_count", "loop_jump_point", "output_setting", "clear_loop_counter_of",
-        "check_in_position", "trigger_position", "trigger_time", "push_torque_ratio", "push_speed",
-        "push_position", "push_mode",
+        "jump_point_of_input_2", "loop_count", "loop_jump_point", "_held_output_setting",
+        "clear_loop_counter_of", "check_in_position", "trigger_position", "trigger_time", "push_torque_ratio",
+        "push_speed", "push_position", "push_mode",
     )
     __match_args__ = (
         "position", "low_speed", "high_speed", "acceleration_time", "deceleration_time", "command",
@@ -3270,6 +3298,7 @@ class Point:
         "check_in_position", "trigger_position", "trigger_time", "push_torque_ratio", "push_speed",
         "push_position", "push_mode",
     )
+    _SIZE: _ClassVar[int] = 64
     COMMAND_IGNORED: _Final = 65535
     """`command`: The point has no command."""
     JUMP_POINT_IGNORED: _Final = 65535
@@ -3300,7 +3329,7 @@ class Point:
         jump_point_of_input_2: int,
         loop_count: int,
         loop_jump_point: int,
-        output_setting: PointOutputSetting,
+        output_setting: PointOutputSetting | int,
         clear_loop_counter_of: int,
         check_in_position: CheckInPosition,
         trigger_position: int,
@@ -3323,7 +3352,7 @@ class Point:
         self.jump_point_of_input_2 = jump_point_of_input_2
         self.loop_count = loop_count
         self.loop_jump_point = loop_jump_point
-        self.output_setting = output_setting
+        self._held_output_setting: PointOutputSetting | int = output_setting
         self.clear_loop_counter_of = clear_loop_counter_of
         self.check_in_position = check_in_position
         self.trigger_position = trigger_position
@@ -3332,6 +3361,18 @@ class Point:
         self.push_speed = push_speed
         self.push_position = push_position
         self.push_mode = push_mode
+
+    @property
+    def output_setting(self) -> PointOutputSetting:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_output_setting
+        if isinstance(held, int):
+            held = self._held_output_setting = PointOutputSetting(held)
+        return held
+
+    @output_setting.setter
+    def output_setting(self, value: PointOutputSetting | int) -> None:
+        self._held_output_setting = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -3352,7 +3393,7 @@ class Point:
                 record.jump_point_of_input_2,
                 record.loop_count,
                 record.loop_jump_point,
-                raw_output_setting,
+                record._held_output_setting,
                 record.clear_loop_counter_of,
                 raw_check_in_position,
                 record.trigger_position,
@@ -3364,15 +3405,16 @@ class Point:
             ) = _POINT_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("point", len(data), 64, 64) from None
-        command__member = _POINT_COMMAND_MEMBERS.get(raw_command, raw_command if raw_command in (65535,) else None)
-        if command__member is None:
-            raise _unknown_member("command", raw_command, "point_command", 16)
-        record.command = command__member
-        record.output_setting = PointOutputSetting(raw_output_setting)
-        check_in_position__member = _CHECK_IN_POSITION_MEMBERS.get(raw_check_in_position)
-        if check_in_position__member is None:
-            raise _unknown_member("check_in_position", raw_check_in_position, "check_in_position", 38)
-        record.check_in_position = check_in_position__member
+        try:
+            record.command = _POINT_COMMAND_MEMBERS[raw_command]
+        except KeyError:
+            if raw_command not in (65535,):
+                raise _unknown_member("command", raw_command, "point_command", 16) from None
+            record.command = raw_command
+        try:
+            record.check_in_position = _CHECK_IN_POSITION_MEMBERS[raw_check_in_position]
+        except KeyError:
+            raise _unknown_member("check_in_position", raw_check_in_position, "check_in_position", 38) from None
         return record
 
     def encode(self) -> bytes:
@@ -3390,7 +3432,7 @@ class Point:
             raw_jump_point_of_input_2 = self.jump_point_of_input_2
             raw_loop_count = self.loop_count
             raw_loop_jump_point = self.loop_jump_point
-            raw_output_setting = self.output_setting
+            raw_output_setting = _index(self._held_output_setting)
             raw_clear_loop_counter_of = self.clear_loop_counter_of
             raw_check_in_position = self.check_in_position
             raw_push_torque_ratio = self.push_torque_ratio
@@ -3401,7 +3443,6 @@ class Point:
                 and 1 <= raw_high_speed <= 500000
                 and 1 <= raw_acceleration_time <= 9999
                 and 1 <= raw_deceleration_time <= 9999
-                and (raw_command in _POINT_COMMAND_MEMBERS or raw_command in (65535,))
                 and (0 <= raw_command <= 11 or raw_command == 65535)
                 and 0 <= raw_waiting_time <= 60000
                 and (0 <= raw_jump_point <= 127 or 10000 <= raw_jump_point <= 10127 or raw_jump_point == 65535)
@@ -3410,9 +3451,8 @@ class Point:
                 and (0 <= raw_jump_point_of_input_2 <= 127 or 10000 <= raw_jump_point_of_input_2 <= 10127 or raw_jump_point_of_input_2 == 65535)
                 and 0 <= raw_loop_count <= 100
                 and (0 <= raw_loop_jump_point <= 127 or 10000 <= raw_loop_jump_point <= 10127)
-                and 0 <= raw_output_setting.raw <= 23
+                and 0 <= raw_output_setting <= 23
                 and (0 <= raw_clear_loop_counter_of <= 127 or raw_clear_loop_counter_of == 65535)
-                and raw_check_in_position in _CHECK_IN_POSITION_MEMBERS
                 and 0 <= raw_check_in_position <= 1
                 and 20 <= raw_push_torque_ratio <= 90
                 and 1 <= raw_push_speed <= 33333
@@ -3422,13 +3462,42 @@ class Point:
                     self.position, raw_low_speed, raw_high_speed, raw_acceleration_time,
                     raw_deceleration_time, raw_command, raw_waiting_time, raw_jump_point,
                     raw_jump_point_of_input_0, raw_jump_point_of_input_1, raw_jump_point_of_input_2,
-                    raw_loop_count, raw_loop_jump_point, raw_output_setting.raw, raw_clear_loop_counter_of,
+                    raw_loop_count, raw_loop_jump_point, raw_output_setting, raw_clear_loop_counter_of,
                     raw_check_in_position, self.trigger_position, self.trigger_time, raw_push_torque_ratio,
                     raw_push_speed, self.push_position, raw_push_mode,
                 )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("point")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("position", "i", 0),
+            Column("low_speed", "I", 4),
+            Column("high_speed", "I", 8),
+            Column("acceleration_time", "H", 12),
+            Column("deceleration_time", "H", 14),
+            Column("command", "H", 16, tests=((0, 11), (65535, 65535))),
+            Column("waiting_time", "H", 18),
+            Column("jump_point", "H", 22),
+            Column("jump_point_of_input_0", "H", 24),
+            Column("jump_point_of_input_1", "H", 26),
+            Column("jump_point_of_input_2", "H", 28),
+            Column("loop_count", "H", 30),
+            Column("loop_jump_point", "H", 32),
+            Column("output_setting", "H", 34),
+            Column("clear_loop_counter_of", "H", 36),
+            Column("check_in_position", "H", 38, tests=((0, 1),)),
+            Column("trigger_position", "i", 40),
+            Column("trigger_time", "H", 44),
+            Column("push_torque_ratio", "H", 46),
+            Column("push_speed", "I", 48),
+            Column("push_position", "i", 52),
+            Column("push_mode", "H", 56),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -3456,66 +3525,11 @@ class Point:
             or _refused_number("push_mode", self.push_mode, 0, 65535, ((0, 10000),), (0,))
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Point):
-            return NotImplemented
-        return (
-            self.position == other.position
-            and self.low_speed == other.low_speed
-            and self.high_speed == other.high_speed
-            and self.acceleration_time == other.acceleration_time
-            and self.deceleration_time == other.deceleration_time
-            and self.command == other.command
-            and self.waiting_time == other.waiting_time
-            and self.jump_point == other.jump_point
-            and self.jump_point_of_input_0 == other.jump_point_of_input_0
-            and self.jump_point_of_input_1 == other.jump_point_of_input_1
-            and self.jump_point_of_input_2 == other.jump_point_of_input_2
-            and self.loop_count == other.loop_count
-            and self.loop_jump_point == other.loop_jump_point
-            and self.output_setting == other.output_setting
-            and self.clear_loop_counter_of == other.clear_loop_counter_of
-            and self.check_in_position == other.check_in_position
-            and self.trigger_position == other.trigger_position
-            and self.trigger_time == other.trigger_time
-            and self.push_torque_ratio == other.push_torque_ratio
-            and self.push_speed == other.push_speed
-            and self.push_position == other.push_position
-            and self.push_mode == other.push_mode
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Point("
-            f"position={self.position!r}, "
-            f"low_speed={self.low_speed!r}, "
-            f"high_speed={self.high_speed!r}, "
-            f"acceleration_time={self.acceleration_time!r}, "
-            f"deceleration_time={self.deceleration_time!r}, "
-            f"command={self.command!r}, "
-            f"waiting_time={self.waiting_time!r}, "
-            f"jump_point={self.jump_point!r}, "
-            f"jump_point_of_input_0={self.jump_point_of_input_0!r}, "
-            f"jump_point_of_input_1={self.jump_point_of_input_1!r}, "
-            f"jump_point_of_input_2={self.jump_point_of_input_2!r}, "
-            f"loop_count={self.loop_count!r}, "
-            f"loop_jump_point={self.loop_jump_point!r}, "
-            f"output_setting={self.output_setting!r}, "
-            f"clear_loop_counter_of={self.clear_loop_counter_of!r}, "
-            f"check_in_position={self.check_in_position!r}, "
-            f"trigger_position={self.trigger_position!r}, "
-            f"trigger_time={self.trigger_time!r}, "
-            f"push_torque_ratio={self.push_torque_ratio!r}, "
-            f"push_speed={self.push_speed!r}, "
-            f"push_position={self.push_position!r}, "
-            f"push_mode={self.push_mode!r})"
-        )
-
 
 _READ_REGISTERS_RESPONSE_STRUCT = _Repeated(">B", "H")
 
 
-class ReadRegistersResponse:
+class ReadRegistersResponse(_Record):
     """Read holding registers: the response (0x03, 讀取暫存器). 3 to 251 bytes.
 
     Code 0x03. Reads neighbouring registers.
@@ -3559,14 +3573,6 @@ class ReadRegistersResponse:
             or _refused_number("byte_count", len(self.values) * 2, 0, 255)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadRegistersResponse):
-            return NotImplemented
-        return self.values == other.values
-
-    def __repr__(self) -> str:
-        return f"ReadRegistersResponse(values={self.values!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         body = self.encode()
         error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -3601,6 +3607,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
     __slots__ = ("address", "word_count")
     __match_args__ = ("address", "word_count")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x03
     _RESPONSE = ReadRegistersResponse
 
@@ -3628,25 +3635,26 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
             pass
         raise self._refused() or _unfit("read_registers_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("word_count", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 125),))
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadRegistersRequest):
-            return NotImplemented
-        return self.address == other.address and self.word_count == other.word_count
-
-    def __repr__(self) -> str:
-        return f"ReadRegistersRequest(address={self.address!r}, word_count={self.word_count!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 125:
+            if 0 <= station <= 16 and 1 <= raw_word_count <= 125:
                 check = (
                     17435
                     ^ _X5[station]
@@ -3691,7 +3699,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 125:
+            if 0 <= station <= 16 and 1 <= raw_word_count <= 125:
                 data = _READ_REGISTERS_ASCII_REQUEST.pack(station, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -3728,7 +3736,7 @@ _WRITE_REGISTER_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
 _WRITE_REGISTER_RESPONSE_STRUCT = _Struct(">HH")
 
 
-class WriteRegisterResponse:
+class WriteRegisterResponse(_Record):
     """Write one register: the response (0x06, 寫入單一暫存器). 4 bytes.
 
     Code 0x06. Writes one register. The response repeats the request.
@@ -3741,6 +3749,7 @@ class WriteRegisterResponse:
 
     __slots__ = ("address", "value")
     __match_args__ = ("address", "value")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x06
 
     def __init__(self, address: int, value: int) -> None:
@@ -3765,25 +3774,26 @@ class WriteRegisterResponse:
             pass
         raise self._refused() or _unfit("write_register_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("value", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegisterResponse):
-            return NotImplemented
-        return self.address == other.address and self.value == other.value
-
-    def __repr__(self) -> str:
-        return f"WriteRegisterResponse(address={self.address!r}, value={self.value!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = (
                     34843
                     ^ _X5[station]
@@ -3827,7 +3837,7 @@ class WriteRegisterResponse:
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _WRITE_REGISTER_ASCII_RESPONSE.pack(station, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -3872,6 +3882,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     __slots__ = ("address", "value")
     __match_args__ = ("address", "value")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x06
     _RESPONSE = WriteRegisterResponse
 
@@ -3897,25 +3908,26 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
             pass
         raise self._refused() or _unfit("write_register_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("value", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegisterRequest):
-            return NotImplemented
-        return self.address == other.address and self.value == other.value
-
-    def __repr__(self) -> str:
-        return f"WriteRegisterRequest(address={self.address!r}, value={self.value!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = (
                     34843
                     ^ _X5[station]
@@ -3959,7 +3971,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _WRITE_REGISTER_ASCII_REQUEST.pack(station, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -3991,7 +4003,7 @@ _WRITE_REGISTERS_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
 _WRITE_REGISTERS_RESPONSE_STRUCT = _Struct(">HH")
 
 
-class WriteRegistersResponse:
+class WriteRegistersResponse(_Record):
     """Write several registers: the response (0x10, 寫入多個暫存器). 4 bytes.
 
     Code 0x10. Writes neighbouring registers. The response repeats the address and the number.
@@ -4004,6 +4016,7 @@ class WriteRegistersResponse:
 
     __slots__ = ("address", "word_count")
     __match_args__ = ("address", "word_count")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x10
 
     def __init__(self, address: int, word_count: int) -> None:
@@ -4028,25 +4041,26 @@ class WriteRegistersResponse:
             pass
         raise self._refused() or _unfit("write_registers_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("word_count", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegistersResponse):
-            return NotImplemented
-        return self.address == other.address and self.word_count == other.word_count
-
-    def __repr__(self) -> str:
-        return f"WriteRegistersResponse(address={self.address!r}, word_count={self.word_count!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = (
                     49624
                     ^ _X5[station]
@@ -4090,7 +4104,7 @@ class WriteRegistersResponse:
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _WRITE_REGISTERS_ASCII_RESPONSE.pack(station, 0x10, self.address, self.word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -4182,14 +4196,6 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
             or _refused_number("byte_count", len(self.values) * 2, 0, 255)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegistersRequest):
-            return NotImplemented
-        return self.address == other.address and self.values == other.values
-
-    def __repr__(self) -> str:
-        return f"WriteRegistersRequest(address={self.address!r}, values={self.values!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         body = self.encode()
         error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -4211,7 +4217,7 @@ _REPORT_SERVER_ID_ASCII_RESPONSE_CHECKED = _Struct(">BBBBBx")
 _REPORT_SERVER_ID_RESPONSE_STRUCT = _Struct(">BBB")
 
 
-class ReportServerIdResponse:
+class ReportServerIdResponse(_Record):
     """Report the device's identity: the response (0x11, 回報從站 ID). 3 bytes.
 
     Code 0x11. Asks for the identity and the running state of the controller. CK10 always gives the
@@ -4222,6 +4228,7 @@ class ReportServerIdResponse:
 
     __slots__ = ()
     __match_args__ = ()
+    _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x11
 
     @classmethod
@@ -4248,20 +4255,22 @@ class ReportServerIdResponse:
             pass
         raise self._refused() or _unfit("report_server_id_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("", "B", 0, tests=((2, 2),)),
+            Column("", "B", 1, tests=((104, 104),)),
+            Column("", "B", 2, tests=((255, 255),)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReportServerIdResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReportServerIdResponse()"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = 61308 ^ _X4[station]
                 return _REPORT_SERVER_ID_RTU_RESPONSE.pack(station, 0x11, 2, 104, 255, check)
         except _UNFIT:
@@ -4302,7 +4311,7 @@ class ReportServerIdResponse:
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _REPORT_SERVER_ID_ASCII_RESPONSE.pack(station, 0x11, 2, 104, 255)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -4381,17 +4390,9 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReportServerIdRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReportServerIdRequest()"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = 49596 ^ _X1[station]
                 return _REPORT_SERVER_ID_RTU_REQUEST.pack(station, 0x11, check)
         except _UNFIT:
@@ -4419,7 +4420,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _REPORT_SERVER_ID_ASCII_REQUEST.pack(station, 0x11)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -4531,11 +4532,12 @@ class RtuLink:
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
         """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
         data = frame
-        quick = _RTU_QUICK_REQUESTS.get(data[1]) if len(data) > 1 else None
-        if quick is not None:
-            request: _Request[AnyRtuRequest] | None = quick(data)
-            if request is not None:
-                return request
+        try:
+            request: _Request[AnyRtuRequest] | None = _RTU_QUICK_REQUESTS[data[1]](data)
+        except LookupError:
+            request = None
+        if request is not None:
+            return request
         head, body = _RTU_REQUESTS.split(data)
         message: AnyRtuRequest = _RTU_REQUESTS.message(_RTU_REQUEST_CLASSES, head[1], body)
         return _Request(head[0], message)
@@ -4721,11 +4723,12 @@ class AsciiLink:
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
         """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
         data = _ASCII_REQUESTS.unmarked(frame)
-        quick = _ASCII_QUICK_REQUESTS.get(data[1]) if len(data) > 1 else None
-        if quick is not None:
-            request: _Request[AnyAsciiRequest] | None = quick(data)
-            if request is not None:
-                return request
+        try:
+            request: _Request[AnyAsciiRequest] | None = _ASCII_QUICK_REQUESTS[data[1]](data)
+        except LookupError:
+            request = None
+        if request is not None:
+            return request
         head, body = _ASCII_REQUESTS.split(data)
         message: AnyAsciiRequest = _ASCII_REQUESTS.message(_ASCII_REQUEST_CLASSES, head[1], body)
         return _Request(head[0], message)

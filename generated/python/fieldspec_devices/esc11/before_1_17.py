@@ -25,21 +25,23 @@ from .._conversions import UNFIT as _UNFIT
 from .._conversions import counts as _counts
 from .._conversions import decoded_at as _decoded_at
 from .._conversions import decoded_each as _decoded_each
+from .._conversions import new as _new
 from .._conversions import text as _text
 from .._error import CodecError as _CodecError
 from .._error import no_boolean as _no_boolean
 from .._error import unknown_member as _unknown_member
 from .._error import wrong_const as _wrong_const
 from .._error import wrong_length as _wrong_length
+from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import LengthFramer as _LengthFramer
 from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
 from .._frames import Response as _Response
-from .._frames import new as _new
 from .._parameters import Parameter as _Parameter
 from .._parameters import ParameterSet as _ParameterSet
+from .._record import Record as _Record
 from .._refusals import refused_flags as _refused_flags
 from .._refusals import refused_list as _refused_list
 from .._refusals import refused_number as _refused_number
@@ -67,6 +69,7 @@ if TYPE_CHECKING:
     from .._typing import Data as _Data
     from .._typing import R as _R
     from .._typing import T as _T
+    from ..many import Column as _Column
 
 __all__ = [
     "ActuatorType",
@@ -836,15 +839,16 @@ class CommunicationStatus(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        executing, out_of_position, servo_off, data_read_request, command_resend_request, command_error, alarm, communication_error = _BITS_OF[raw & 255]
         return {
-            "executing": raw & 0x1 != 0,
-            "out_of_position": raw & 0x2 != 0,
-            "servo_off": raw & 0x4 != 0,
-            "data_read_request": raw & 0x8 != 0,
-            "command_resend_request": raw & 0x10 != 0,
-            "command_error": raw & 0x20 != 0,
-            "alarm": raw & 0x40 != 0,
-            "communication_error": raw & 0x80 != 0,
+            "executing": executing,
+            "out_of_position": out_of_position,
+            "servo_off": servo_off,
+            "data_read_request": data_read_request,
+            "command_resend_request": command_resend_request,
+            "command_error": command_error,
+            "alarm": alarm,
+            "communication_error": communication_error,
         }
 
     @property
@@ -951,7 +955,7 @@ class IoInputs(_Flags):
 
     8 bits; those without a name are kept in `raw`.
 
-    Source: 9.4.3 L946.
+    Source: 9.4.3 L945-946.
     """
 
     __slots__ = ()
@@ -985,15 +989,16 @@ class IoInputs(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        point_input_0, point_input_1, point_input_2, point_input_3, point_input_4, start, selection, interlock_released = _BITS_OF[raw & 255]
         return {
-            "point_input_0": raw & 0x1 != 0,
-            "point_input_1": raw & 0x2 != 0,
-            "point_input_2": raw & 0x4 != 0,
-            "point_input_3": raw & 0x8 != 0,
-            "point_input_4": raw & 0x10 != 0,
-            "start": raw & 0x20 != 0,
-            "selection": raw & 0x40 != 0,
-            "interlock_released": raw & 0x80 != 0,
+            "point_input_0": point_input_0,
+            "point_input_1": point_input_1,
+            "point_input_2": point_input_2,
+            "point_input_3": point_input_3,
+            "point_input_4": point_input_4,
+            "start": start,
+            "selection": selection,
+            "interlock_released": interlock_released,
         }
 
     @property
@@ -1005,7 +1010,7 @@ class IoInputs(_Flags):
         Inferred (doc): The manual does not explain IPOS; five bits number the points 1 to 31, and
         9.5.4 L1036 takes all five off for point 0.
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x1 != 0
 
@@ -1013,7 +1018,7 @@ class IoInputs(_Flags):
     def point_input_1(self) -> bool:
         """Point input 1, bit 1 (IPOS1).
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x2 != 0
 
@@ -1021,7 +1026,7 @@ class IoInputs(_Flags):
     def point_input_2(self) -> bool:
         """Point input 2, bit 2 (IPOS2).
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x4 != 0
 
@@ -1029,7 +1034,7 @@ class IoInputs(_Flags):
     def point_input_3(self) -> bool:
         """Point input 3, bit 3 (IPOS3).
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x8 != 0
 
@@ -1037,7 +1042,7 @@ class IoInputs(_Flags):
     def point_input_4(self) -> bool:
         """Point input 4, bit 4 (IPOS4).
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x10 != 0
 
@@ -1048,7 +1053,7 @@ class IoInputs(_Flags):
         Starts the move; with IPOS0 to IPOS4 off the temporary point of command 63h, or homing where
         there is none (9.5.4).
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x20 != 0
 
@@ -1060,7 +1065,7 @@ class IoInputs(_Flags):
 
         Inferred (name): The manual does not explain SEL; the name is read as select.
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x40 != 0
 
@@ -1074,7 +1079,7 @@ class IoInputs(_Flags):
         Inferred (name): The manual explains INLOK only in the remedy of error 25h (10.4 L1318): the
         interlock is released while the input is on. That 1 is on is taken for granted.
 
-        Source: 9.4.3 L946.
+        Source: 9.4.3 L945-946.
         """
         return self.raw & 0x80 != 0
 
@@ -1086,7 +1091,7 @@ class IoOutputs(_Flags):
 
     8 bits; those without a name are kept in `raw`.
 
-    Source: 9.4.3 L947.
+    Source: 9.4.3 L945, 947.
     """
 
     __slots__ = ()
@@ -1118,14 +1123,15 @@ class IoOutputs(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        point_output_0, point_output_1, point_output_2, point_output_3, point_output_4, homing_complete, in_zone, _ = _BITS_OF[raw & 255]
         return {
-            "point_output_0": raw & 0x1 != 0,
-            "point_output_1": raw & 0x2 != 0,
-            "point_output_2": raw & 0x4 != 0,
-            "point_output_3": raw & 0x8 != 0,
-            "point_output_4": raw & 0x10 != 0,
-            "homing_complete": raw & 0x20 != 0,
-            "in_zone": raw & 0x40 != 0,
+            "point_output_0": point_output_0,
+            "point_output_1": point_output_1,
+            "point_output_2": point_output_2,
+            "point_output_3": point_output_3,
+            "point_output_4": point_output_4,
+            "homing_complete": homing_complete,
+            "in_zone": in_zone,
         }
 
     @property
@@ -1136,7 +1142,7 @@ class IoOutputs(_Flags):
 
         Inferred (doc): The manual does not explain OPOS; the name is read as the counterpart of IPOS.
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x1 != 0
 
@@ -1144,7 +1150,7 @@ class IoOutputs(_Flags):
     def point_output_1(self) -> bool:
         """Point output 1, bit 1 (OPOS1).
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x2 != 0
 
@@ -1152,7 +1158,7 @@ class IoOutputs(_Flags):
     def point_output_2(self) -> bool:
         """Point output 2, bit 2 (OPOS2).
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x4 != 0
 
@@ -1160,7 +1166,7 @@ class IoOutputs(_Flags):
     def point_output_3(self) -> bool:
         """Point output 3, bit 3 (OPOS3).
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x8 != 0
 
@@ -1168,7 +1174,7 @@ class IoOutputs(_Flags):
     def point_output_4(self) -> bool:
         """Point output 4, bit 4 (OPOS4).
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x10 != 0
 
@@ -1179,7 +1185,7 @@ class IoOutputs(_Flags):
         Inferred (name): The manual does not explain RORG; the name is read as return to the origin,
         for an output.
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x20 != 0
 
@@ -1189,7 +1195,7 @@ class IoOutputs(_Flags):
 
         On when a move with a zone stopped between the two limits (9.1.14 L662).
 
-        Source: 9.4.3 L947.
+        Source: 9.4.3 L945, 947.
         """
         return self.raw & 0x40 != 0
 
@@ -1201,7 +1207,7 @@ class IoStateOutputs(_Flags):
 
     8 bits; those without a name are kept in `raw`.
 
-    Source: 9.4.3 L948.
+    Source: 9.4.3 L945, 948.
     """
 
     __slots__ = ()
@@ -1235,22 +1241,23 @@ class IoStateOutputs(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        ready, busy, alarm, in_position, hold, run_lamp, ready_lamp, alarm_lamp = _BITS_OF[raw & 255]
         return {
-            "ready": raw & 0x1 != 0,
-            "busy": raw & 0x2 != 0,
-            "alarm": raw & 0x4 != 0,
-            "in_position": raw & 0x8 != 0,
-            "hold": raw & 0x10 != 0,
-            "run_lamp": raw & 0x20 != 0,
-            "ready_lamp": raw & 0x40 != 0,
-            "alarm_lamp": raw & 0x80 != 0,
+            "ready": ready,
+            "busy": busy,
+            "alarm": alarm,
+            "in_position": in_position,
+            "hold": hold,
+            "run_lamp": run_lamp,
+            "ready_lamp": ready_lamp,
+            "alarm_lamp": alarm_lamp,
         }
 
     @property
     def ready(self) -> bool:
         """Ready, bit 0 (READY).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x1 != 0
 
@@ -1260,7 +1267,7 @@ class IoStateOutputs(_Flags):
 
         Commands are to be sent when it is off (remedy of error 28h).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x2 != 0
 
@@ -1268,7 +1275,7 @@ class IoStateOutputs(_Flags):
     def alarm(self) -> bool:
         """Alarm, bit 2 (ALRM).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x4 != 0
 
@@ -1278,7 +1285,7 @@ class IoStateOutputs(_Flags):
 
         Note: By its name, the reverse of the bit out_of_position in the status byte.
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x8 != 0
 
@@ -1286,7 +1293,7 @@ class IoStateOutputs(_Flags):
     def hold(self) -> bool:
         """Hold, bit 4 (HOLD).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x10 != 0
 
@@ -1294,7 +1301,7 @@ class IoStateOutputs(_Flags):
     def run_lamp(self) -> bool:
         """Run lamp, bit 5 (RUN (LED)).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x20 != 0
 
@@ -1302,7 +1309,7 @@ class IoStateOutputs(_Flags):
     def ready_lamp(self) -> bool:
         """Ready lamp, bit 6 (READY(LED)).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x40 != 0
 
@@ -1310,7 +1317,7 @@ class IoStateOutputs(_Flags):
     def alarm_lamp(self) -> bool:
         """Alarm lamp, bit 7 (ALM (LED)).
 
-        Source: 9.4.3 L948.
+        Source: 9.4.3 L945, 948.
         """
         return self.raw & 0x80 != 0
 
@@ -1318,7 +1325,7 @@ class IoStateOutputs(_Flags):
 _ALARM_HISTORY_ENTRY_STRUCT = _Struct("<HBB")
 
 
-class AlarmHistoryEntry:
+class AlarmHistoryEntry(_Record):
     """Alarm history entry. 4 bytes.
 
     One alarm with the accumulated time at which it came up.
@@ -1331,23 +1338,33 @@ class AlarmHistoryEntry:
     Source: 9.4.4 L956; 10.1 L1229-1232.
     """
 
-    __slots__ = ("hours", "minutes", "alarm_code")
+    __slots__ = ("hours", "minutes", "_held_alarm_code")
     __match_args__ = ("hours", "minutes", "alarm_code")
+    _SIZE: _ClassVar[int] = 4
 
     def __init__(self, hours: int, minutes: int, alarm_code: AlarmCode | int) -> None:
         self.hours = hours
         self.minutes = minutes
-        self.alarm_code = alarm_code
+        self._held_alarm_code: AlarmCode | int = alarm_code
+
+    @property
+    def alarm_code(self) -> AlarmCode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_alarm_code
+        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @alarm_code.setter
+    def alarm_code(self, value: AlarmCode | int) -> None:
+        self._held_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes, raw_alarm_code = _ALARM_HISTORY_ENTRY_STRUCT.unpack(data)
+            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("alarm_history_entry", len(data), 4, 4) from None
-        record.alarm_code = _ALARM_CODE_MEMBERS.get(raw_alarm_code, raw_alarm_code)
         return record
 
     def encode(self) -> bytes:
@@ -1355,10 +1372,20 @@ class AlarmHistoryEntry:
         try:
             raw_minutes = self.minutes
             if 0 <= raw_minutes <= 60:
-                return _ALARM_HISTORY_ENTRY_STRUCT.pack(self.hours, raw_minutes, self.alarm_code)
+                return _ALARM_HISTORY_ENTRY_STRUCT.pack(self.hours, raw_minutes, self._held_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("alarm_history_entry")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("hours", "H", 0, order="little"),
+            Column("minutes", "B", 2),
+            Column("alarm_code", "B", 3),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -1367,28 +1394,11 @@ class AlarmHistoryEntry:
             or _refused_number("alarm_code", self.alarm_code, 0, 255)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, AlarmHistoryEntry):
-            return NotImplemented
-        return (
-            self.hours == other.hours
-            and self.minutes == other.minutes
-            and self.alarm_code == other.alarm_code
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"AlarmHistoryEntry("
-            f"hours={self.hours!r}, "
-            f"minutes={self.minutes!r}, "
-            f"alarm_code={self.alarm_code!r})"
-        )
-
 
 _POINT_STRUCT = _Struct("<BBiBBii")
 
 
-class Point:
+class Point(_Record):
     """Point (表9-1, 数据内容). 16 bytes.
 
     One point as commands 44h, 50h and 60h carry it.
@@ -1409,6 +1419,7 @@ class Point:
 
     __slots__ = ("number", "mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     __match_args__ = ("number", "mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
+    _SIZE: _ClassVar[int] = 16
 
     def __init__(
         self,
@@ -1444,10 +1455,10 @@ class Point:
             ) = _POINT_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("point", len(data), 16, 16) from None
-        mode__member = _POINT_MODE_MEMBERS.get(raw_mode)
-        if mode__member is None:
-            raise _unknown_member("mode", raw_mode, "point_mode", 1)
-        record.mode = mode__member
+        try:
+            record.mode = _POINT_MODE_MEMBERS[raw_mode]
+        except KeyError:
+            raise _unknown_member("mode", raw_mode, "point_mode", 1) from None
         return record
 
     def encode(self) -> bytes:
@@ -1477,6 +1488,20 @@ class Point:
             pass
         raise self._refused() or _unfit("point")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("number", "B", 0),
+            Column("mode", "B", 1, tests=((65, 65), (67, 67), (71, 75), (79, 79))),
+            Column("distance", "i", 2, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 6),
+            Column("force", "B", 7),
+            Column("zone_limit_1", "i", 8, order="little", ratio=(1, 0, 100)),
+            Column("zone_limit_2", "i", 12, order="little", ratio=(1, 0, 100)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("number", self.number, 0, 255, ((1, 31),))
@@ -1486,31 +1511,6 @@ class Point:
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
             or _refused_number("zone_limit_1", self.zone_limit_1, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("zone_limit_2", self.zone_limit_2, -2147483648, 2147483647, ((-134217727, 134217727),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Point):
-            return NotImplemented
-        return (
-            self.number == other.number
-            and self.mode == other.mode
-            and self.distance == other.distance
-            and self.speed == other.speed
-            and self.force == other.force
-            and self.zone_limit_1 == other.zone_limit_1
-            and self.zone_limit_2 == other.zone_limit_2
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Point("
-            f"number={self.number!r}, "
-            f"mode={self.mode!r}, "
-            f"distance={self.distance!r}, "
-            f"speed={self.speed!r}, "
-            f"force={self.force!r}, "
-            f"zone_limit_1={self.zone_limit_1!r}, "
-            f"zone_limit_2={self.zone_limit_2!r})"
         )
 
     @property
@@ -1550,7 +1550,7 @@ class Point:
 _TEMPORARY_POINT_STRUCT = _Struct("<BBiBBii")
 
 
-class TemporaryPoint:
+class TemporaryPoint(_Record):
     """Temporary point (表1, 数据内容). 16 bytes.
 
     The point of command 63h. It is laid out like a stored point, and its number is always 0.
@@ -1567,6 +1567,7 @@ class TemporaryPoint:
 
     __slots__ = ("mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     __match_args__ = ("mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
+    _SIZE: _ClassVar[int] = 16
 
     def __init__(
         self,
@@ -1602,10 +1603,10 @@ class TemporaryPoint:
             raise _wrong_length("temporary_point", len(data), 16, 16) from None
         if raw_number != 0:
             raise _wrong_const("number", raw_number, 0, 0)
-        mode__member = _POINT_MODE_MEMBERS.get(raw_mode)
-        if mode__member is None:
-            raise _unknown_member("mode", raw_mode, "point_mode", 1)
-        record.mode = mode__member
+        try:
+            record.mode = _POINT_MODE_MEMBERS[raw_mode]
+        except KeyError:
+            raise _unknown_member("mode", raw_mode, "point_mode", 1) from None
         return record
 
     def encode(self) -> bytes:
@@ -1632,6 +1633,20 @@ class TemporaryPoint:
             pass
         raise self._refused() or _unfit("temporary_point")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("", "B", 0, tests=((0, 0),)),
+            Column("mode", "B", 1, tests=((65, 65), (67, 67), (71, 75), (79, 79))),
+            Column("distance", "i", 2, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 6),
+            Column("force", "B", 7),
+            Column("zone_limit_1", "i", 8, order="little", ratio=(1, 0, 100)),
+            Column("zone_limit_2", "i", 12, order="little", ratio=(1, 0, 100)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("mode", self.mode, 0, 255, (), (), _POINT_MODE_MEMBERS, "point_mode")
@@ -1640,29 +1655,6 @@ class TemporaryPoint:
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
             or _refused_number("zone_limit_1", self.zone_limit_1, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("zone_limit_2", self.zone_limit_2, -2147483648, 2147483647, ((-134217727, 134217727),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, TemporaryPoint):
-            return NotImplemented
-        return (
-            self.mode == other.mode
-            and self.distance == other.distance
-            and self.speed == other.speed
-            and self.force == other.force
-            and self.zone_limit_1 == other.zone_limit_1
-            and self.zone_limit_2 == other.zone_limit_2
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"TemporaryPoint("
-            f"mode={self.mode!r}, "
-            f"distance={self.distance!r}, "
-            f"speed={self.speed!r}, "
-            f"force={self.force!r}, "
-            f"zone_limit_1={self.zone_limit_1!r}, "
-            f"zone_limit_2={self.zone_limit_2!r})"
         )
 
     @property
@@ -1702,7 +1694,7 @@ class TemporaryPoint:
 _READ_POINTS_RESPONSE_STRUCT = _Repeated(">", "16s")
 
 
-class ReadPointsResponse:
+class ReadPointsResponse(_Record):
     """Read consecutive points: the response (连续读取点数据). 16 to 240 bytes.
 
     Code 0x50. Group data read. Gives the points from a number on, at most 15 of them. Deleted points
@@ -1746,14 +1738,6 @@ class ReadPointsResponse:
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadPointsResponse):
-            return NotImplemented
-        return self.points == other.points
-
-    def __repr__(self) -> str:
-        return f"ReadPointsResponse(points={self.points!r})"
-
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         body = self.encode()
         error = (
@@ -1783,6 +1767,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
 
     __slots__ = ("first_point",)
     __match_args__ = ("first_point",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x50
     _RESPONSE = ReadPointsResponse
 
@@ -1809,16 +1794,16 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
             pass
         raise self._refused() or _unfit("read_points_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("first_point", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("first_point", self.first_point, 0, 255, ((1, 31),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadPointsRequest):
-            return NotImplemented
-        return self.first_point == other.first_point
-
-    def __repr__(self) -> str:
-        return f"ReadPointsRequest(first_point={self.first_point!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -1860,7 +1845,7 @@ _READ_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHH
 _READ_PARAMETERS_RESPONSE_STRUCT = _Struct("<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
 
 
-class ReadParametersResponse:
+class ReadParametersResponse(_Record):
     """Read all parameters: the response (读取全部参数). 64 bytes.
 
     Code 0x51. Group data read. Gives all 32 parameters in the order of their numbers.
@@ -1872,6 +1857,7 @@ class ReadParametersResponse:
 
     __slots__ = ("parameters",)
     __match_args__ = ("parameters",)
+    _SIZE: _ClassVar[int] = 64
     CODE: _ClassVar[int | None] = 0x51
 
     def __init__(self, parameters: list[int]) -> None:
@@ -1897,16 +1883,16 @@ class ReadParametersResponse:
             pass
         raise self._refused() or _unfit("read_parameters_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("parameters", "H", 0, count=32, order="little"),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadParametersResponse):
-            return NotImplemented
-        return self.parameters == other.parameters
-
-    def __repr__(self) -> str:
-        return f"ReadParametersResponse(parameters={self.parameters!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -1984,14 +1970,6 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadParametersRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadParametersRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -2025,7 +2003,7 @@ _READ_IO_STATUS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBBBB")
 _READ_IO_STATUS_RESPONSE_STRUCT = _Struct(">BBB")
 
 
-class ReadIoStatusResponse:
+class ReadIoStatusResponse(_Record):
     """Read the inputs and outputs: the response (读取I/O状态). 3 bytes.
 
     Code 0x52. Group data read. Gives the states of the inputs, of the outputs and of the lamps.
@@ -2037,37 +2015,90 @@ class ReadIoStatusResponse:
     Source: 9.4.3 L936-940, 934.
     """
 
-    __slots__ = ("inputs", "outputs", "state_outputs")
+    __slots__ = ("_held_inputs", "_held_outputs", "_held_state_outputs")
     __match_args__ = ("inputs", "outputs", "state_outputs")
+    _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x52
 
-    def __init__(self, inputs: IoInputs, outputs: IoOutputs, state_outputs: IoStateOutputs) -> None:
-        self.inputs = inputs
-        self.outputs = outputs
-        self.state_outputs = state_outputs
+    def __init__(
+        self,
+        inputs: IoInputs | int,
+        outputs: IoOutputs | int,
+        state_outputs: IoStateOutputs | int,
+    ) -> None:
+        self._held_inputs: IoInputs | int = inputs
+        self._held_outputs: IoOutputs | int = outputs
+        self._held_state_outputs: IoStateOutputs | int = state_outputs
+
+    @property
+    def inputs(self) -> IoInputs:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_inputs
+        if isinstance(held, int):
+            held = self._held_inputs = IoInputs(held)
+        return held
+
+    @inputs.setter
+    def inputs(self, value: IoInputs | int) -> None:
+        self._held_inputs = value
+
+    @property
+    def outputs(self) -> IoOutputs:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_outputs
+        if isinstance(held, int):
+            held = self._held_outputs = IoOutputs(held)
+        return held
+
+    @outputs.setter
+    def outputs(self, value: IoOutputs | int) -> None:
+        self._held_outputs = value
+
+    @property
+    def state_outputs(self) -> IoStateOutputs:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_state_outputs
+        if isinstance(held, int):
+            held = self._held_state_outputs = IoStateOutputs(held)
+        return held
+
+    @state_outputs.setter
+    def state_outputs(self, value: IoStateOutputs | int) -> None:
+        self._held_state_outputs = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            raw_inputs, raw_outputs, raw_state_outputs = _READ_IO_STATUS_RESPONSE_STRUCT.unpack(data)
+            (
+                record._held_inputs,
+                record._held_outputs,
+                record._held_state_outputs,
+            ) = _READ_IO_STATUS_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("read_io_status_response", len(data), 3, 3) from None
-        record.inputs = IoInputs(raw_inputs)
-        record.outputs = IoOutputs(raw_outputs)
-        record.state_outputs = IoStateOutputs(raw_state_outputs)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _READ_IO_STATUS_RESPONSE_STRUCT.pack(
-                self.inputs.raw, self.outputs.raw, self.state_outputs.raw,
+                self._held_inputs, self._held_outputs, self._held_state_outputs,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_io_status_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("inputs", "B", 0),
+            Column("outputs", "B", 1),
+            Column("state_outputs", "B", 2),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -2076,28 +2107,12 @@ class ReadIoStatusResponse:
             or _refused_flags("state_outputs", self.state_outputs, 255)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadIoStatusResponse):
-            return NotImplemented
-        return (
-            self.inputs == other.inputs
-            and self.outputs == other.outputs
-            and self.state_outputs == other.state_outputs
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"ReadIoStatusResponse("
-            f"inputs={self.inputs!r}, "
-            f"outputs={self.outputs!r}, "
-            f"state_outputs={self.state_outputs!r})"
-        )
-
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             if 0 <= station <= 15:
                 data = _READ_IO_STATUS_SERIAL_RESPONSE.pack(
-                    7, station, part_status.raw, self.inputs.raw, self.outputs.raw, self.state_outputs.raw,
+                    7, station, part_status.raw, self._held_inputs, self._held_outputs,
+                    self._held_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -2117,18 +2132,15 @@ class ReadIoStatusResponse:
                 part_length,
                 station,
                 part_status,
-                raw_inputs,
-                raw_outputs,
-                raw_state_outputs,
+                message._held_inputs,
+                message._held_outputs,
+                message._held_state_outputs,
                 check,
             ) = _READ_IO_STATUS_SERIAL_RESPONSE_CHECKED.unpack(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
             return None
-        message.inputs = IoInputs(raw_inputs)
-        message.outputs = IoOutputs(raw_outputs)
-        message.state_outputs = IoStateOutputs(raw_state_outputs)
         frame = _new(SerialResponse)
         frame.station = station
         frame.message = message
@@ -2175,14 +2187,6 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadIoStatusRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadIoStatusRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -2214,7 +2218,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 _READ_ALARM_HISTORY_RESPONSE_STRUCT = _Repeated(">", "4s")
 
 
-class ReadAlarmHistoryResponse:
+class ReadAlarmHistoryResponse(_Record):
     """Read the alarm history: the response (读出警报记录). 0 to 64 bytes.
 
     Code 0x53. Group data read. Gives the last alarms with the accumulated time at which each came up,
@@ -2256,14 +2260,6 @@ class ReadAlarmHistoryResponse:
 
     def _refused(self) -> _CodecError | None:
         return _refused_list("entries", self.entries, 0, 16, _refused_record, AlarmHistoryEntry)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadAlarmHistoryResponse):
-            return NotImplemented
-        return self.entries == other.entries
-
-    def __repr__(self) -> str:
-        return f"ReadAlarmHistoryResponse(entries={self.entries!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         body = self.encode()
@@ -2316,14 +2312,6 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadAlarmHistoryRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadAlarmHistoryRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -2357,7 +2345,7 @@ _WRITE_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _WRITE_POINTS_RESPONSE_STRUCT = _Struct(">")
 
 
-class WritePointsResponse:
+class WritePointsResponse(_Record):
     """Write points: the response (写入点数据). 0 bytes.
 
     Code 0x60. Group data write. Stores up to 15 points under the numbers that they bring along.
@@ -2389,14 +2377,6 @@ class WritePointsResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WritePointsResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "WritePointsResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -2474,14 +2454,6 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_list("points", self.points, 1, 15, _refused_record, Point)
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WritePointsRequest):
-            return NotImplemented
-        return self.points == other.points
-
-    def __repr__(self) -> str:
-        return f"WritePointsRequest(points={self.points!r})"
-
     def _to_serial(self, station: int) -> bytes:
         body = self.encode()
         error = _refused_number("address", station, 0, 255, ((0, 15),))
@@ -2495,7 +2467,7 @@ _WRITE_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _WRITE_PARAMETERS_RESPONSE_STRUCT = _Struct(">")
 
 
-class WriteParametersResponse:
+class WriteParametersResponse(_Record):
     """Write all parameters: the response (写入全部参数). 0 bytes.
 
     Code 0x61. Group data write. Stores all 32 parameters in the order of their numbers.
@@ -2527,14 +2499,6 @@ class WriteParametersResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteParametersResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "WriteParametersResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -2583,6 +2547,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
 
     __slots__ = ("parameters",)
     __match_args__ = ("parameters",)
+    _SIZE: _ClassVar[int] = 64
     CODE: _ClassVar[int | None] = 0x61
     _RESPONSE = WriteParametersResponse
 
@@ -2609,16 +2574,16 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
             pass
         raise self._refused() or _unfit("write_parameters_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("parameters", "H", 0, count=32, order="little"),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_list("parameters", self.parameters, 32, 32, _refused_number, 0, 65535)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteParametersRequest):
-            return NotImplemented
-        return self.parameters == other.parameters
-
-    def __repr__(self) -> str:
-        return f"WriteParametersRequest(parameters={self.parameters!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -2660,7 +2625,7 @@ _WRITE_PARAMETER_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _WRITE_PARAMETER_RESPONSE_STRUCT = _Struct(">")
 
 
-class WriteParameterResponse:
+class WriteParameterResponse(_Record):
     """Write one parameter: the response (写入一个参数). 0 bytes.
 
     Code 0x62. Group data write. Stores one parameter.
@@ -2692,14 +2657,6 @@ class WriteParameterResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteParameterResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "WriteParameterResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -2750,6 +2707,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     __slots__ = ("parameter_number", "value")
     __match_args__ = ("parameter_number", "value")
+    _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x62
     _RESPONSE = WriteParameterResponse
 
@@ -2777,19 +2735,20 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
             pass
         raise self._refused() or _unfit("write_parameter_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("parameter_number", "B", 0),
+            Column("value", "H", 1, order="little"),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("parameter_number", self.parameter_number, 0, 255, ((0, 31),))
             or _refused_number("value", self.value, 0, 65535)
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteParameterRequest):
-            return NotImplemented
-        return self.parameter_number == other.parameter_number and self.value == other.value
-
-    def __repr__(self) -> str:
-        return f"WriteParameterRequest(parameter_number={self.parameter_number!r}, value={self.value!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -2834,7 +2793,7 @@ _WRITE_TEMPORARY_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _WRITE_TEMPORARY_POINT_RESPONSE_STRUCT = _Struct(">")
 
 
-class WriteTemporaryPointResponse:
+class WriteTemporaryPointResponse(_Record):
     """Write the temporary point: the response (写入点数据). 0 bytes.
 
     Code 0x63. Group data write. Writes one point that is kept until the power is switched off. It is
@@ -2868,14 +2827,6 @@ class WriteTemporaryPointResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteTemporaryPointResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "WriteTemporaryPointResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -2931,6 +2882,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     __slots__ = ("point",)
     __match_args__ = ("point",)
+    _SIZE: _ClassVar[int] = 16
     CODE: _ClassVar[int | None] = 0x63
     _RESPONSE = WriteTemporaryPointResponse
 
@@ -2956,16 +2908,16 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
             pass
         raise self._refused() or _unfit("write_temporary_point_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("point", "", 0, record=TemporaryPoint, size=16),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, TemporaryPoint)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteTemporaryPointRequest):
-            return NotImplemented
-        return self.point == other.point
-
-    def __repr__(self) -> str:
-        return f"WriteTemporaryPointRequest(point={self.point!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -3007,7 +2959,7 @@ _CLEAR_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _CLEAR_POINTS_RESPONSE_STRUCT = _Struct(">")
 
 
-class ClearPointsResponse:
+class ClearPointsResponse(_Record):
     """Delete points: the response (清除点数据). 0 bytes.
 
     Code 0x70. Group data initialization. Deletes a number of consecutive points.
@@ -3039,14 +2991,6 @@ class ClearPointsResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ClearPointsResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ClearPointsResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -3096,6 +3040,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
 
     __slots__ = ("first_point", "point_count")
     __match_args__ = ("first_point", "point_count")
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x70
     _RESPONSE = ClearPointsResponse
 
@@ -3124,19 +3069,20 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
             pass
         raise self._refused() or _unfit("clear_points_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("first_point", "B", 0),
+            Column("point_count", "B", 1),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("first_point", self.first_point, 0, 255, ((1, 31),))
             or _refused_number("point_count", self.point_count, 0, 255, ((1, 31),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ClearPointsRequest):
-            return NotImplemented
-        return self.first_point == other.first_point and self.point_count == other.point_count
-
-    def __repr__(self) -> str:
-        return f"ClearPointsRequest(first_point={self.first_point!r}, point_count={self.point_count!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -3180,7 +3126,7 @@ _INITIALIZE_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _INITIALIZE_POINTS_RESPONSE_STRUCT = _Struct(">")
 
 
-class InitializePointsResponse:
+class InitializePointsResponse(_Record):
     """Delete all points: the response (初始化全部点数据). 0 bytes.
 
     Code 0x71. Group data initialization. Deletes all points.
@@ -3212,14 +3158,6 @@ class InitializePointsResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, InitializePointsResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "InitializePointsResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -3290,14 +3228,6 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, InitializePointsRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "InitializePointsRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -3331,7 +3261,7 @@ _INITIALIZE_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _INITIALIZE_PARAMETERS_RESPONSE_STRUCT = _Struct(">")
 
 
-class InitializeParametersResponse:
+class InitializeParametersResponse(_Record):
     """Set all parameters to those of an actuator type: the response (初始化全部参数). 0 bytes.
 
     Code 0x72. Group data initialization. Sets all parameters to the initial values of an actuator
@@ -3364,14 +3294,6 @@ class InitializeParametersResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, InitializeParametersResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "InitializeParametersResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -3424,48 +3346,58 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     Source: 9.6.3 L1108-1114, 1106.
     """
 
-    __slots__ = ("actuator_type",)
+    __slots__ = ("_held_actuator_type",)
     __match_args__ = ("actuator_type",)
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x72
     _RESPONSE = InitializeParametersResponse
 
     def __init__(self, actuator_type: ActuatorType | int) -> None:
-        self.actuator_type = actuator_type
+        self._held_actuator_type: ActuatorType | int = actuator_type
+
+    @property
+    def actuator_type(self) -> ActuatorType | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_actuator_type
+        return _ACTUATOR_TYPE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @actuator_type.setter
+    def actuator_type(self, value: ActuatorType | int) -> None:
+        self._held_actuator_type = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_request", len(data), 2, 2) from None
-        record.actuator_type = _ACTUATOR_TYPE_MEMBERS.get(raw_actuator_type, raw_actuator_type)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_REQUEST_STRUCT.pack(self.actuator_type)
+            return _INITIALIZE_PARAMETERS_REQUEST_STRUCT.pack(self._held_actuator_type)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("actuator_type", "H", 0, order="little"),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("actuator_type", self.actuator_type, 0, 65535)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, InitializeParametersRequest):
-            return NotImplemented
-        return self.actuator_type == other.actuator_type
-
-    def __repr__(self) -> str:
-        return f"InitializeParametersRequest(actuator_type={self.actuator_type!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
-                data = _INITIALIZE_PARAMETERS_SERIAL_REQUEST.pack(6, station, 0x72, self.actuator_type)
+                data = _INITIALIZE_PARAMETERS_SERIAL_REQUEST.pack(6, station, 0x72, self._held_actuator_type)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3483,14 +3415,13 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
                 part_length,
                 station,
                 _,
-                raw_actuator_type,
+                message._held_actuator_type,
                 check,
             ) = _INITIALIZE_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
             return None
-        message.actuator_type = _ACTUATOR_TYPE_MEMBERS.get(raw_actuator_type, raw_actuator_type)
         frame = _new(_Request)
         frame.station = station
         frame.message = message
@@ -3502,7 +3433,7 @@ _CLEAR_ALARM_HISTORY_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _CLEAR_ALARM_HISTORY_RESPONSE_STRUCT = _Struct(">")
 
 
-class ClearAlarmHistoryResponse:
+class ClearAlarmHistoryResponse(_Record):
     """Delete the alarm history: the response (清除警报记录). 0 bytes.
 
     Code 0x73. Group data initialization. Deletes all entries of the alarm history.
@@ -3534,14 +3465,6 @@ class ClearAlarmHistoryResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ClearAlarmHistoryResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ClearAlarmHistoryResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -3617,14 +3540,6 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ClearAlarmHistoryRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ClearAlarmHistoryRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -3658,7 +3573,7 @@ _CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT = _Struct(">")
 
 
-class ClearAccumulatedTimeResponse:
+class ClearAccumulatedTimeResponse(_Record):
     """Set the accumulated time to zero: the response (清除累计时间). 0 bytes.
 
     Code 0x74. Group data initialization. Sets the accumulated time to zero.
@@ -3690,14 +3605,6 @@ class ClearAccumulatedTimeResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ClearAccumulatedTimeResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ClearAccumulatedTimeResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -3773,14 +3680,6 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ClearAccumulatedTimeRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ClearAccumulatedTimeRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -3814,7 +3713,7 @@ _STOP_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _STOP_RESPONSE_STRUCT = _Struct(">")
 
 
-class StopResponse:
+class StopResponse(_Record):
     """Stop: the response (停止). 0 bytes.
 
     Code 0x10. Group movement. Stops a move that is going on.
@@ -3846,14 +3745,6 @@ class StopResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, StopResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "StopResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -3924,14 +3815,6 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, StopRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "StopRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -3965,7 +3848,7 @@ _START_HOMING_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _START_HOMING_RESPONSE_STRUCT = _Struct(">")
 
 
-class StartHomingResponse:
+class StartHomingResponse(_Record):
     """Start homing: the response (原点复位). 0 bytes.
 
     Code 0x11. Group movement. Starts the homing run.
@@ -3997,14 +3880,6 @@ class StartHomingResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, StartHomingResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "StartHomingResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -4075,14 +3950,6 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, StartHomingRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "StartHomingRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -4116,7 +3983,7 @@ _MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT = _Struct(">")
 
 
-class MovePositiveDistanceResponse:
+class MovePositiveDistanceResponse(_Record):
     """Move a distance in the positive direction: the response (+指定量移动). 0 bytes.
 
     Code 0x12. Group movement. Moves a short distance from the current position in the positive
@@ -4149,14 +4016,6 @@ class MovePositiveDistanceResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MovePositiveDistanceResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MovePositiveDistanceResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -4214,6 +4073,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     __slots__ = ("distance", "speed", "force")
     __match_args__ = ("distance", "speed", "force")
+    _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x12
     _RESPONSE = MovePositiveDistanceResponse
 
@@ -4244,24 +4104,21 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
             pass
         raise self._refused() or _unfit("move_positive_distance_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("distance", "B", 0, ratio=(1, 0, 100)),
+            Column("speed", "B", 1),
+            Column("force", "B", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("distance", self.distance, 0, 255, ((1, 255),))
             or _refused_number("speed", self.speed, 0, 255, ((1, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MovePositiveDistanceRequest):
-            return NotImplemented
-        return self.distance == other.distance and self.speed == other.speed and self.force == other.force
-
-    def __repr__(self) -> str:
-        return (
-            f"MovePositiveDistanceRequest("
-            f"distance={self.distance!r}, "
-            f"speed={self.speed!r}, "
-            f"force={self.force!r})"
         )
 
     @property
@@ -4326,7 +4183,7 @@ _MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT = _Struct(">")
 
 
-class MoveNegativeDistanceResponse:
+class MoveNegativeDistanceResponse(_Record):
     """Move a distance in the negative direction: the response (-指定量移动). 0 bytes.
 
     Code 0x13. Group movement. Moves a short distance from the current position in the negative
@@ -4359,14 +4216,6 @@ class MoveNegativeDistanceResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveNegativeDistanceResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MoveNegativeDistanceResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -4424,6 +4273,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     __slots__ = ("distance", "speed", "force")
     __match_args__ = ("distance", "speed", "force")
+    _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x13
     _RESPONSE = MoveNegativeDistanceResponse
 
@@ -4454,24 +4304,21 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
             pass
         raise self._refused() or _unfit("move_negative_distance_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("distance", "B", 0, ratio=(1, 0, 100)),
+            Column("speed", "B", 1),
+            Column("force", "B", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("distance", self.distance, 0, 255, ((1, 255),))
             or _refused_number("speed", self.speed, 0, 255, ((1, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveNegativeDistanceRequest):
-            return NotImplemented
-        return self.distance == other.distance and self.speed == other.speed and self.force == other.force
-
-    def __repr__(self) -> str:
-        return (
-            f"MoveNegativeDistanceRequest("
-            f"distance={self.distance!r}, "
-            f"speed={self.speed!r}, "
-            f"force={self.force!r})"
         )
 
     @property
@@ -4536,7 +4383,7 @@ _MOVE_OPEN_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_OPEN_RESPONSE_STRUCT = _Struct(">")
 
 
-class MoveOpenResponse:
+class MoveOpenResponse(_Record):
     """Move in the opening direction at constant speed: the response (匀速移动 (开)). 0 bytes.
 
     Code 0x14. Group movement. Moves in the opening direction at constant speed; the figure shows the
@@ -4569,14 +4416,6 @@ class MoveOpenResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveOpenResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MoveOpenResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -4626,6 +4465,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
 
     __slots__ = ("speed",)
     __match_args__ = ("speed",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x14
     _RESPONSE = MoveOpenResponse
 
@@ -4652,16 +4492,16 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
             pass
         raise self._refused() or _unfit("move_open_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("speed", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveOpenRequest):
-            return NotImplemented
-        return self.speed == other.speed
-
-    def __repr__(self) -> str:
-        return f"MoveOpenRequest(speed={self.speed!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -4697,7 +4537,7 @@ _MOVE_CLOSE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_CLOSE_RESPONSE_STRUCT = _Struct(">")
 
 
-class MoveCloseResponse:
+class MoveCloseResponse(_Record):
     """Move in the closing direction at constant speed: the response (匀速移动（关）). 0 bytes.
 
     Code 0x15. Group movement. Moves in the closing direction at constant speed.
@@ -4729,14 +4569,6 @@ class MoveCloseResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveCloseResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MoveCloseResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -4785,6 +4617,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
 
     __slots__ = ("speed",)
     __match_args__ = ("speed",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x15
     _RESPONSE = MoveCloseResponse
 
@@ -4811,16 +4644,16 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
             pass
         raise self._refused() or _unfit("move_close_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("speed", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveCloseRequest):
-            return NotImplemented
-        return self.speed == other.speed
-
-    def __repr__(self) -> str:
-        return f"MoveCloseRequest(speed={self.speed!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -4856,7 +4689,7 @@ _MOVE_RELATIVE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_RELATIVE_RESPONSE_STRUCT = _Struct(">")
 
 
-class MoveRelativeResponse:
+class MoveRelativeResponse(_Record):
     """Move to a relative position: the response (相对位置移动). 0 bytes.
 
     Code 0x16. Group movement. Moves by a signed distance from the current position.
@@ -4888,14 +4721,6 @@ class MoveRelativeResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveRelativeResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MoveRelativeResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -4946,6 +4771,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     __slots__ = ("distance", "speed")
     __match_args__ = ("distance", "speed")
+    _SIZE: _ClassVar[int] = 5
     CODE: _ClassVar[int | None] = 0x16
     _RESPONSE = MoveRelativeResponse
 
@@ -4974,19 +4800,20 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
             pass
         raise self._refused() or _unfit("move_relative_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("distance", "i", 0, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 4),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("distance", self.distance, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveRelativeRequest):
-            return NotImplemented
-        return self.distance == other.distance and self.speed == other.speed
-
-    def __repr__(self) -> str:
-        return f"MoveRelativeRequest(distance={self.distance!r}, speed={self.speed!r})"
 
     @property
     def distance_mm(self) -> float:
@@ -5041,7 +4868,7 @@ _MOVE_ABSOLUTE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_ABSOLUTE_RESPONSE_STRUCT = _Struct(">")
 
 
-class MoveAbsoluteResponse:
+class MoveAbsoluteResponse(_Record):
     """Move to an absolute position: the response (绝对位置移动). 0 bytes.
 
     Code 0x17. Group movement. Moves to a position that is counted from the home position.
@@ -5073,14 +4900,6 @@ class MoveAbsoluteResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveAbsoluteResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MoveAbsoluteResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -5131,6 +4950,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     __slots__ = ("position", "speed")
     __match_args__ = ("position", "speed")
+    _SIZE: _ClassVar[int] = 5
     CODE: _ClassVar[int | None] = 0x17
     _RESPONSE = MoveAbsoluteResponse
 
@@ -5159,19 +4979,20 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
             pass
         raise self._refused() or _unfit("move_absolute_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("position", "i", 0, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 4),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("position", self.position, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveAbsoluteRequest):
-            return NotImplemented
-        return self.position == other.position and self.speed == other.speed
-
-    def __repr__(self) -> str:
-        return f"MoveAbsoluteRequest(position={self.position!r}, speed={self.speed!r})"
 
     @property
     def position_mm(self) -> float:
@@ -5226,7 +5047,7 @@ _MOVE_TO_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _MOVE_TO_POINT_RESPONSE_STRUCT = _Struct(">")
 
 
-class MoveToPointResponse:
+class MoveToPointResponse(_Record):
     """Move as a point says: the response (点移动). 0 bytes.
 
     Code 0x1a. Group movement. Carries out the move or the grip that is stored under a point number.
@@ -5258,14 +5079,6 @@ class MoveToPointResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveToPointResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "MoveToPointResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -5316,6 +5129,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
 
     __slots__ = ("point_number", "speed")
     __match_args__ = ("point_number", "speed")
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x1a
     _RESPONSE = MoveToPointResponse
 
@@ -5344,19 +5158,20 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
             pass
         raise self._refused() or _unfit("move_to_point_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("point_number", "B", 0),
+            Column("speed", "B", 1),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, MoveToPointRequest):
-            return NotImplemented
-        return self.point_number == other.point_number and self.speed == other.speed
-
-    def __repr__(self) -> str:
-        return f"MoveToPointRequest(point_number={self.point_number!r}, speed={self.speed!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -5400,7 +5215,7 @@ _GRIP_OPEN_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _GRIP_OPEN_RESPONSE_STRUCT = _Struct(">")
 
 
-class GripOpenResponse:
+class GripOpenResponse(_Record):
     """Move in the opening direction at constant speed and grip: the response (匀速移动夹持（开）). 0 bytes.
 
     Code 0x20. Group movement. Moves in the opening direction at constant speed and grips with the
@@ -5433,14 +5248,6 @@ class GripOpenResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripOpenResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "GripOpenResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -5491,6 +5298,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
 
     __slots__ = ("speed", "force")
     __match_args__ = ("speed", "force")
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x20
     _RESPONSE = GripOpenResponse
 
@@ -5519,19 +5327,20 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
             pass
         raise self._refused() or _unfit("grip_open_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("speed", "B", 0),
+            Column("force", "B", 1),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripOpenRequest):
-            return NotImplemented
-        return self.speed == other.speed and self.force == other.force
-
-    def __repr__(self) -> str:
-        return f"GripOpenRequest(speed={self.speed!r}, force={self.force!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -5575,7 +5384,7 @@ _GRIP_CLOSE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _GRIP_CLOSE_RESPONSE_STRUCT = _Struct(">")
 
 
-class GripCloseResponse:
+class GripCloseResponse(_Record):
     """Move in the closing direction at constant speed and grip: the response (匀速移动夹持（关）). 0 bytes.
 
     Code 0x21. Group movement. Moves in the closing direction at constant speed and grips with the
@@ -5608,14 +5417,6 @@ class GripCloseResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripCloseResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "GripCloseResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -5666,6 +5467,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
 
     __slots__ = ("speed", "force")
     __match_args__ = ("speed", "force")
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x21
     _RESPONSE = GripCloseResponse
 
@@ -5694,19 +5496,20 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
             pass
         raise self._refused() or _unfit("grip_close_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("speed", "B", 0),
+            Column("force", "B", 1),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripCloseRequest):
-            return NotImplemented
-        return self.speed == other.speed and self.force == other.force
-
-    def __repr__(self) -> str:
-        return f"GripCloseRequest(speed={self.speed!r}, force={self.force!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -5750,7 +5553,7 @@ _GRIP_RELATIVE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _GRIP_RELATIVE_RESPONSE_STRUCT = _Struct(">")
 
 
-class GripRelativeResponse:
+class GripRelativeResponse(_Record):
     """Move to a relative position and grip: the response (加减速相对位置移动及夹持). 0 bytes.
 
     Code 0x22. Group movement. Moves by a signed distance from the current position, with acceleration
@@ -5783,14 +5586,6 @@ class GripRelativeResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripRelativeResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "GripRelativeResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -5843,6 +5638,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     __slots__ = ("distance", "speed", "force")
     __match_args__ = ("distance", "speed", "force")
+    _SIZE: _ClassVar[int] = 6
     CODE: _ClassVar[int | None] = 0x22
     _RESPONSE = GripRelativeResponse
 
@@ -5873,20 +5669,22 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
             pass
         raise self._refused() or _unfit("grip_relative_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("distance", "i", 0, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 4),
+            Column("force", "B", 5),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("distance", self.distance, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripRelativeRequest):
-            return NotImplemented
-        return self.distance == other.distance and self.speed == other.speed and self.force == other.force
-
-    def __repr__(self) -> str:
-        return f"GripRelativeRequest(distance={self.distance!r}, speed={self.speed!r}, force={self.force!r})"
 
     @property
     def distance_mm(self) -> float:
@@ -5950,7 +5748,7 @@ _GRIP_ABSOLUTE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _GRIP_ABSOLUTE_RESPONSE_STRUCT = _Struct(">")
 
 
-class GripAbsoluteResponse:
+class GripAbsoluteResponse(_Record):
     """Move to an absolute position and grip: the response (加减速绝对位置移动及夹持). 0 bytes.
 
     Code 0x23. Group movement. Moves to a position that is counted from the home position, with
@@ -5983,14 +5781,6 @@ class GripAbsoluteResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripAbsoluteResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "GripAbsoluteResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -6043,6 +5833,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     __slots__ = ("position", "speed", "force")
     __match_args__ = ("position", "speed", "force")
+    _SIZE: _ClassVar[int] = 6
     CODE: _ClassVar[int | None] = 0x23
     _RESPONSE = GripAbsoluteResponse
 
@@ -6073,20 +5864,22 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
             pass
         raise self._refused() or _unfit("grip_absolute_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("position", "i", 0, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 4),
+            Column("force", "B", 5),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("position", self.position, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripAbsoluteRequest):
-            return NotImplemented
-        return self.position == other.position and self.speed == other.speed and self.force == other.force
-
-    def __repr__(self) -> str:
-        return f"GripAbsoluteRequest(position={self.position!r}, speed={self.speed!r}, force={self.force!r})"
 
     @property
     def position_mm(self) -> float:
@@ -6150,7 +5943,7 @@ _GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT = _Struct(">")
 
 
-class GripOpenWithZoneResponse:
+class GripOpenWithZoneResponse(_Record):
     """Move in the opening direction at constant speed and grip, with a zone: the response
     (带ZON匀速移动及夹持（开）). 0 bytes.
 
@@ -6184,14 +5977,6 @@ class GripOpenWithZoneResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripOpenWithZoneResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "GripOpenWithZoneResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -6252,6 +6037,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     __slots__ = ("zone_limit_1", "zone_limit_2", "speed", "force")
     __match_args__ = ("zone_limit_1", "zone_limit_2", "speed", "force")
+    _SIZE: _ClassVar[int] = 10
     CODE: _ClassVar[int | None] = 0x24
     _RESPONSE = GripOpenWithZoneResponse
 
@@ -6296,31 +6082,23 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
             pass
         raise self._refused() or _unfit("grip_open_with_zone_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("zone_limit_1", "i", 0, order="little", ratio=(1, 0, 100)),
+            Column("zone_limit_2", "i", 4, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 8),
+            Column("force", "B", 9),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("zone_limit_1", self.zone_limit_1, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("zone_limit_2", self.zone_limit_2, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripOpenWithZoneRequest):
-            return NotImplemented
-        return (
-            self.zone_limit_1 == other.zone_limit_1
-            and self.zone_limit_2 == other.zone_limit_2
-            and self.speed == other.speed
-            and self.force == other.force
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"GripOpenWithZoneRequest("
-            f"zone_limit_1={self.zone_limit_1!r}, "
-            f"zone_limit_2={self.zone_limit_2!r}, "
-            f"speed={self.speed!r}, "
-            f"force={self.force!r})"
         )
 
     @property
@@ -6399,7 +6177,7 @@ _GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT = _Struct(">")
 
 
-class GripCloseWithZoneResponse:
+class GripCloseWithZoneResponse(_Record):
     """Move in the closing direction at constant speed and grip, with a zone: the response
     (带ZON匀速移动及夹持（关）). 0 bytes.
 
@@ -6433,14 +6211,6 @@ class GripCloseWithZoneResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripCloseWithZoneResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "GripCloseWithZoneResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -6501,6 +6271,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     __slots__ = ("zone_limit_1", "zone_limit_2", "speed", "force")
     __match_args__ = ("zone_limit_1", "zone_limit_2", "speed", "force")
+    _SIZE: _ClassVar[int] = 10
     CODE: _ClassVar[int | None] = 0x25
     _RESPONSE = GripCloseWithZoneResponse
 
@@ -6545,31 +6316,23 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
             pass
         raise self._refused() or _unfit("grip_close_with_zone_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("zone_limit_1", "i", 0, order="little", ratio=(1, 0, 100)),
+            Column("zone_limit_2", "i", 4, order="little", ratio=(1, 0, 100)),
+            Column("speed", "B", 8),
+            Column("force", "B", 9),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("zone_limit_1", self.zone_limit_1, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("zone_limit_2", self.zone_limit_2, -2147483648, 2147483647, ((-134217727, 134217727),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, GripCloseWithZoneRequest):
-            return NotImplemented
-        return (
-            self.zone_limit_1 == other.zone_limit_1
-            and self.zone_limit_2 == other.zone_limit_2
-            and self.speed == other.speed
-            and self.force == other.force
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"GripCloseWithZoneRequest("
-            f"zone_limit_1={self.zone_limit_1!r}, "
-            f"zone_limit_2={self.zone_limit_2!r}, "
-            f"speed={self.speed!r}, "
-            f"force={self.force!r})"
         )
 
     @property
@@ -6648,7 +6411,7 @@ _NO_OPERATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _NO_OPERATION_RESPONSE_STRUCT = _Struct(">")
 
 
-class NoOperationResponse:
+class NoOperationResponse(_Record):
     """No operation: the response (NOP). 0 bytes.
 
     Code 0x30. Group control. Does nothing, and is answered with the status.
@@ -6680,14 +6443,6 @@ class NoOperationResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, NoOperationResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "NoOperationResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -6758,14 +6513,6 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, NoOperationRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "NoOperationRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -6799,7 +6546,7 @@ _SET_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
 _SET_MOTOR_EXCITATION_RESPONSE_STRUCT = _Struct(">")
 
 
-class SetMotorExcitationResponse:
+class SetMotorExcitationResponse(_Record):
     """Switch the motor's excitation: the response (电机励磁). 0 bytes.
 
     Code 0x31. Group control. Excites the motor, or releases it.
@@ -6831,14 +6578,6 @@ class SetMotorExcitationResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, SetMotorExcitationResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "SetMotorExcitationResponse()"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -6893,6 +6632,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
 
     __slots__ = ("excited",)
     __match_args__ = ("excited",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x31
     _RESPONSE = SetMotorExcitationResponse
 
@@ -6922,16 +6662,16 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
             pass
         raise self._refused() or _unfit("set_motor_excitation_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("excited", "B", 0, tests=((0, 1),)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, SetMotorExcitationRequest):
-            return NotImplemented
-        return self.excited == other.excited
-
-    def __repr__(self) -> str:
-        return f"SetMotorExcitationRequest(excited={self.excited!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -6976,7 +6716,7 @@ _READ_VERSION_SERIAL_RESPONSE_CHECKED = _Struct(">BBB6sB")
 _READ_VERSION_RESPONSE_STRUCT = _Struct(">6s")
 
 
-class ReadVersionResponse:
+class ReadVersionResponse(_Record):
     """Read the version: the response (读取版本). 6 bytes.
 
     Code 0x40. Group status read. Gives the version of the controller.
@@ -6989,6 +6729,7 @@ class ReadVersionResponse:
 
     __slots__ = ("version",)
     __match_args__ = ("version",)
+    _SIZE: _ClassVar[int] = 6
     CODE: _ClassVar[int | None] = 0x40
 
     def __init__(self, version: str) -> None:
@@ -7015,16 +6756,16 @@ class ReadVersionResponse:
             pass
         raise self._refused() or _unfit("read_version_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("version", "s", 0, size=6, text=True, order="little"),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_text("version", self.version, 6)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadVersionResponse):
-            return NotImplemented
-        return self.version == other.version
-
-    def __repr__(self) -> str:
-        return f"ReadVersionResponse(version={self.version!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -7105,14 +6846,6 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadVersionRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadVersionRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -7146,7 +6879,7 @@ _READ_CURRENT_POSITION_SERIAL_RESPONSE_CHECKED = _Struct("<BBBiB")
 _READ_CURRENT_POSITION_RESPONSE_STRUCT = _Struct("<i")
 
 
-class ReadCurrentPositionResponse:
+class ReadCurrentPositionResponse(_Record):
     """Read the current position: the response (读取当前位置). 4 bytes.
 
     Code 0x41. Group status read. Gives the position.
@@ -7159,6 +6892,7 @@ class ReadCurrentPositionResponse:
 
     __slots__ = ("position",)
     __match_args__ = ("position",)
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x41
 
     def __init__(self, position: int) -> None:
@@ -7184,16 +6918,16 @@ class ReadCurrentPositionResponse:
             pass
         raise self._refused() or _unfit("read_current_position_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("position", "i", 0, order="little", ratio=(1, 0, 100)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("position", self.position, -2147483648, 2147483647, ((-134217727, 134217727),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadCurrentPositionResponse):
-            return NotImplemented
-        return self.position == other.position
-
-    def __repr__(self) -> str:
-        return f"ReadCurrentPositionResponse(position={self.position!r})"
 
     @property
     def position_mm(self) -> float:
@@ -7282,14 +7016,6 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadCurrentPositionRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadCurrentPositionRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -7323,7 +7049,7 @@ _READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
 _READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT = _Struct(">B")
 
 
-class ReadCurrentPointNumberResponse:
+class ReadCurrentPointNumberResponse(_Record):
     """Read the current point's number: the response (读取当前点编号). 1 byte.
 
     Code 0x42. Group status read. Gives the number of the point that was carried out last.
@@ -7336,6 +7062,7 @@ class ReadCurrentPointNumberResponse:
 
     __slots__ = ("point_number",)
     __match_args__ = ("point_number",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x42
 
     def __init__(self, point_number: int) -> None:
@@ -7361,16 +7088,16 @@ class ReadCurrentPointNumberResponse:
             pass
         raise self._refused() or _unfit("read_current_point_number_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("point_number", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadCurrentPointNumberResponse):
-            return NotImplemented
-        return self.point_number == other.point_number
-
-    def __repr__(self) -> str:
-        return f"ReadCurrentPointNumberResponse(point_number={self.point_number!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -7450,14 +7177,6 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadCurrentPointNumberRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadCurrentPointNumberRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -7491,7 +7210,7 @@ _READ_PARAMETER_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHB")
 _READ_PARAMETER_RESPONSE_STRUCT = _Struct("<H")
 
 
-class ReadParameterResponse:
+class ReadParameterResponse(_Record):
     """Read one parameter: the response (读取指定参数). 2 bytes.
 
     Code 0x43. Group status read. Gives the value of one parameter.
@@ -7503,6 +7222,7 @@ class ReadParameterResponse:
 
     __slots__ = ("value",)
     __match_args__ = ("value",)
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x43
 
     def __init__(self, value: int) -> None:
@@ -7526,16 +7246,16 @@ class ReadParameterResponse:
             pass
         raise self._refused() or _unfit("read_parameter_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("value", "H", 0, order="little"),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("value", self.value, 0, 65535)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadParameterResponse):
-            return NotImplemented
-        return self.value == other.value
-
-    def __repr__(self) -> str:
-        return f"ReadParameterResponse(value={self.value!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -7590,6 +7310,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     __slots__ = ("parameter_number",)
     __match_args__ = ("parameter_number",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x43
     _RESPONSE = ReadParameterResponse
 
@@ -7616,16 +7337,16 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
             pass
         raise self._refused() or _unfit("read_parameter_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("parameter_number", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("parameter_number", self.parameter_number, 0, 255, ((0, 31),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadParameterRequest):
-            return NotImplemented
-        return self.parameter_number == other.parameter_number
-
-    def __repr__(self) -> str:
-        return f"ReadParameterRequest(parameter_number={self.parameter_number!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -7667,7 +7388,7 @@ _READ_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBB16sB")
 _READ_POINT_RESPONSE_STRUCT = _Struct(">16s")
 
 
-class ReadPointResponse:
+class ReadPointResponse(_Record):
     """Read one point: the response (读取指定点). 16 bytes.
 
     Code 0x44. Group status read. Gives the data of one point.
@@ -7679,6 +7400,7 @@ class ReadPointResponse:
 
     __slots__ = ("point",)
     __match_args__ = ("point",)
+    _SIZE: _ClassVar[int] = 16
     CODE: _ClassVar[int | None] = 0x44
 
     def __init__(self, point: Point) -> None:
@@ -7703,16 +7425,16 @@ class ReadPointResponse:
             pass
         raise self._refused() or _unfit("read_point_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("point", "", 0, record=Point, size=16),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_record("point", self.point, Point)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadPointResponse):
-            return NotImplemented
-        return self.point == other.point
-
-    def __repr__(self) -> str:
-        return f"ReadPointResponse(point={self.point!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -7768,6 +7490,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
 
     __slots__ = ("point_number",)
     __match_args__ = ("point_number",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x44
     _RESPONSE = ReadPointResponse
 
@@ -7794,16 +7517,16 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
             pass
         raise self._refused() or _unfit("read_point_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("point_number", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadPointRequest):
-            return NotImplemented
-        return self.point_number == other.point_number
-
-    def __repr__(self) -> str:
-        return f"ReadPointRequest(point_number={self.point_number!r})"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -7845,7 +7568,7 @@ _READ_HOMING_STATE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
 _READ_HOMING_STATE_RESPONSE_STRUCT = _Struct(">B")
 
 
-class ReadHomingStateResponse:
+class ReadHomingStateResponse(_Record):
     """Read whether homing is complete: the response (查看原点复位状态). 1 byte.
 
     Code 0x45. Group status read. Tells whether homing has been completed.
@@ -7857,6 +7580,7 @@ class ReadHomingStateResponse:
 
     __slots__ = ("homing_complete",)
     __match_args__ = ("homing_complete",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x45
 
     def __init__(self, homing_complete: bool) -> None:
@@ -7885,16 +7609,16 @@ class ReadHomingStateResponse:
             pass
         raise self._refused() or _unfit("read_homing_state_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("homing_complete", "B", 0, tests=((0, 1),)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("homing_complete", self.homing_complete, 0, 1)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadHomingStateResponse):
-            return NotImplemented
-        return self.homing_complete == other.homing_complete
-
-    def __repr__(self) -> str:
-        return f"ReadHomingStateResponse(homing_complete={self.homing_complete!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -7977,14 +7701,6 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadHomingStateRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadHomingStateRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -8018,7 +7734,7 @@ _READ_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
 _READ_MOTOR_EXCITATION_RESPONSE_STRUCT = _Struct(">B")
 
 
-class ReadMotorExcitationResponse:
+class ReadMotorExcitationResponse(_Record):
     """Read whether the motor is excited: the response (查看电机励磁状态). 1 byte.
 
     Code 0x46. Group status read. Tells whether the motor is excited.
@@ -8032,6 +7748,7 @@ class ReadMotorExcitationResponse:
 
     __slots__ = ("excited",)
     __match_args__ = ("excited",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x46
 
     def __init__(self, excited: bool) -> None:
@@ -8060,16 +7777,16 @@ class ReadMotorExcitationResponse:
             pass
         raise self._refused() or _unfit("read_motor_excitation_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("excited", "B", 0, tests=((0, 1),)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("excited", self.excited, 0, 1)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadMotorExcitationResponse):
-            return NotImplemented
-        return self.excited == other.excited
-
-    def __repr__(self) -> str:
-        return f"ReadMotorExcitationResponse(excited={self.excited!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -8150,14 +7867,6 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadMotorExcitationRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadMotorExcitationRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -8191,7 +7900,7 @@ _READ_ALARM_CODE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
 _READ_ALARM_CODE_RESPONSE_STRUCT = _Struct(">B")
 
 
-class ReadAlarmCodeResponse:
+class ReadAlarmCodeResponse(_Record):
     """Read the alarm or error: the response (读取警报错误编号). 1 byte.
 
     Code 0x47. Group status read. Gives the number of the alarm or error that stands.
@@ -8202,47 +7911,59 @@ class ReadAlarmCodeResponse:
     Source: 9.3.8 L853-856, 851.
     """
 
-    __slots__ = ("alarm_code",)
+    __slots__ = ("_held_alarm_code",)
     __match_args__ = ("alarm_code",)
+    _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x47
 
     def __init__(self, alarm_code: AlarmCode | int) -> None:
-        self.alarm_code = alarm_code
+        self._held_alarm_code: AlarmCode | int = alarm_code
+
+    @property
+    def alarm_code(self) -> AlarmCode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_alarm_code
+        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @alarm_code.setter
+    def alarm_code(self, value: AlarmCode | int) -> None:
+        self._held_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_alarm_code,) = _READ_ALARM_CODE_RESPONSE_STRUCT.unpack(data)
+            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_response", len(data), 1, 1) from None
-        record.alarm_code = _ALARM_CODE_MEMBERS.get(raw_alarm_code, raw_alarm_code)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_CODE_RESPONSE_STRUCT.pack(self.alarm_code)
+            return _READ_ALARM_CODE_RESPONSE_STRUCT.pack(self._held_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("alarm_code", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("alarm_code", self.alarm_code, 0, 255)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadAlarmCodeResponse):
-            return NotImplemented
-        return self.alarm_code == other.alarm_code
-
-    def __repr__(self) -> str:
-        return f"ReadAlarmCodeResponse(alarm_code={self.alarm_code!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             if 0 <= station <= 15:
-                data = _READ_ALARM_CODE_SERIAL_RESPONSE.pack(5, station, part_status.raw, self.alarm_code)
+                data = _READ_ALARM_CODE_SERIAL_RESPONSE.pack(
+                    5, station, part_status.raw, self._held_alarm_code,
+                )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8261,14 +7982,13 @@ class ReadAlarmCodeResponse:
                 part_length,
                 station,
                 part_status,
-                raw_alarm_code,
+                message._held_alarm_code,
                 check,
             ) = _READ_ALARM_CODE_SERIAL_RESPONSE_CHECKED.unpack(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
             return None
-        message.alarm_code = _ALARM_CODE_MEMBERS.get(raw_alarm_code, raw_alarm_code)
         frame = _new(SerialResponse)
         frame.station = station
         frame.message = message
@@ -8315,14 +8035,6 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _refused(self) -> _CodecError | None:
         return None
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadAlarmCodeRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadAlarmCodeRequest()"
-
     def _to_serial(self, station: int) -> bytes:
         try:
             if 0 <= station <= 15:
@@ -8356,7 +8068,7 @@ _READ_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHBB")
 _READ_ACCUMULATED_TIME_RESPONSE_STRUCT = _Struct("<HB")
 
 
-class ReadAccumulatedTimeResponse:
+class ReadAccumulatedTimeResponse(_Record):
     """Read the accumulated time: the response (读取累计时间). 3 bytes.
 
     Code 0x48. Group status read. Gives how long the controller has been powered, all times together.
@@ -8370,6 +8082,7 @@ class ReadAccumulatedTimeResponse:
 
     __slots__ = ("hours", "minutes")
     __match_args__ = ("hours", "minutes")
+    _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x48
 
     def __init__(self, hours: int, minutes: int) -> None:
@@ -8396,19 +8109,20 @@ class ReadAccumulatedTimeResponse:
             pass
         raise self._refused() or _unfit("read_accumulated_time_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("hours", "H", 0, order="little"),
+            Column("minutes", "B", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("hours", self.hours, 0, 65535)
             or _refused_number("minutes", self.minutes, 0, 255, ((0, 60),))
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadAccumulatedTimeResponse):
-            return NotImplemented
-        return self.hours == other.hours and self.minutes == other.minutes
-
-    def __repr__(self) -> str:
-        return f"ReadAccumulatedTimeResponse(hours={self.hours!r}, minutes={self.minutes!r})"
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
@@ -8488,14 +8202,6 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadAccumulatedTimeRequest):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "ReadAccumulatedTimeRequest()"
 
     def _to_serial(self, station: int) -> bytes:
         try:
@@ -8875,11 +8581,12 @@ class SerialLink:
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
         """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
         data = frame
-        quick = _SERIAL_QUICK_REQUESTS.get(data[2]) if len(data) > 2 else None
-        if quick is not None:
-            request: _Request[AnySerialRequest] | None = quick(data)
-            if request is not None:
-                return request
+        try:
+            request: _Request[AnySerialRequest] | None = _SERIAL_QUICK_REQUESTS[data[2]](data)
+        except LookupError:
+            request = None
+        if request is not None:
+            return request
         head, body = _SERIAL_REQUESTS.split(data)
         message: AnySerialRequest = _SERIAL_REQUESTS.message(_SERIAL_REQUEST_CLASSES, head[2], body)
         return _Request(head[1], message)

@@ -23,11 +23,13 @@ from .._codes import by_number as _by_number
 from .._codes import by_printed_name as _by_printed_name
 from .._conversions import UNFIT as _UNFIT
 from .._conversions import counts as _counts
+from .._conversions import new as _new
 from .._error import CodecError as _CodecError
 from .._error import unknown_member as _unknown_member
 from .._error import wrong_const as _wrong_const
 from .._error import wrong_length as _wrong_length
 from .._error import wrong_measure as _wrong_measure
+from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import CodeFramer as _CodeFramer
 from .._frames import ErrorReply as _ErrorReply
@@ -35,7 +37,6 @@ from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
 from .._frames import Response as _Response
-from .._frames import new as _new
 from .._parameters import Parameter as _Parameter
 from .._parameters import ParameterSet as _ParameterSet
 from .._parameters import ParameterSpace as _ParameterSpace
@@ -43,6 +44,7 @@ from .._parameters import Subindex as _Subindex
 from .._parameters import selected as _selected
 from .._parameters import single as _single
 from .._quantities import Conversion as _Conversion
+from .._record import Record as _Record
 from .._refusals import refused_flags as _refused_flags
 from .._refusals import refused_number as _refused_number
 from .._refusals import unfit as _unfit
@@ -71,6 +73,7 @@ if TYPE_CHECKING:
     from .._typing import Data as _Data
     from .._typing import R as _R
     from .._typing import T as _T
+    from ..many import Column as _Column
 
 __all__ = [
     "AbsoluteEncoderInitialization",
@@ -2340,12 +2343,13 @@ class DigitalOutputControl(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        output_1, output_2, output_3, output_4, output_5, _, _, _ = _BITS_OF[raw & 255]
         return {
-            "output_1": raw & 0x1 != 0,
-            "output_2": raw & 0x2 != 0,
-            "output_3": raw & 0x4 != 0,
-            "output_4": raw & 0x8 != 0,
-            "output_5": raw & 0x10 != 0,
+            "output_1": output_1,
+            "output_2": output_2,
+            "output_3": output_3,
+            "output_4": output_4,
+            "output_5": output_5,
         }
 
     @property
@@ -2355,7 +2359,7 @@ class DigitalOutputControl(_Flags):
             0 = on while its condition holds
             1 = always on
 
-        Source: 6.10 L1771-1772.
+        Source: 6.10 L1770-1772.
         """
         return self.raw & 0x1 != 0
 
@@ -2366,7 +2370,7 @@ class DigitalOutputControl(_Flags):
             0 = on while its condition holds
             1 = always on
 
-        Source: 6.10 L1771-1772.
+        Source: 6.10 L1770-1772.
         """
         return self.raw & 0x2 != 0
 
@@ -2377,7 +2381,7 @@ class DigitalOutputControl(_Flags):
             0 = on while its condition holds
             1 = always on
 
-        Source: 6.10 L1771-1772.
+        Source: 6.10 L1770-1772.
         """
         return self.raw & 0x4 != 0
 
@@ -2388,7 +2392,7 @@ class DigitalOutputControl(_Flags):
             0 = on while its condition holds
             1 = always on
 
-        Source: 6.10 L1771-1772.
+        Source: 6.10 L1770-1772.
         """
         return self.raw & 0x8 != 0
 
@@ -2399,7 +2403,7 @@ class DigitalOutputControl(_Flags):
             0 = on while its condition holds
             1 = always on
 
-        Source: 6.10 L1771-1772.
+        Source: 6.10 L1770-1772.
         """
         return self.raw & 0x10 != 0
 
@@ -2440,12 +2444,13 @@ class DigitalOutputStates(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        output_1, output_2, output_3, output_4, output_5, _, _, _ = _BITS_OF[raw & 255]
         return {
-            "output_1": raw & 0x1 != 0,
-            "output_2": raw & 0x2 != 0,
-            "output_3": raw & 0x4 != 0,
-            "output_4": raw & 0x8 != 0,
-            "output_5": raw & 0x10 != 0,
+            "output_1": output_1,
+            "output_2": output_2,
+            "output_3": output_3,
+            "output_4": output_4,
+            "output_5": output_5,
         }
 
     @property
@@ -2457,7 +2462,7 @@ class DigitalOutputStates(_Flags):
             0 = off
             1 = on
 
-        Source: 6.10 L1779-1781.
+        Source: 6.10 L1778-1781.
         """
         return self.raw & 0x1 != 0
 
@@ -2470,7 +2475,7 @@ class DigitalOutputStates(_Flags):
             0 = off
             1 = on
 
-        Source: 6.10 L1779-1781.
+        Source: 6.10 L1778-1781.
         """
         return self.raw & 0x2 != 0
 
@@ -2483,7 +2488,7 @@ class DigitalOutputStates(_Flags):
             0 = off
             1 = on
 
-        Source: 6.10 L1779-1781.
+        Source: 6.10 L1778-1781.
         """
         return self.raw & 0x4 != 0
 
@@ -2496,7 +2501,7 @@ class DigitalOutputStates(_Flags):
             0 = off
             1 = on
 
-        Source: 6.10 L1779-1781.
+        Source: 6.10 L1778-1781.
         """
         return self.raw & 0x8 != 0
 
@@ -2509,7 +2514,7 @@ class DigitalOutputStates(_Flags):
             0 = off
             1 = on
 
-        Source: 6.10 L1779-1781.
+        Source: 6.10 L1778-1781.
         """
         return self.raw & 0x10 != 0
 
@@ -2559,18 +2564,20 @@ class SoftwareState(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        _, _, _, homing, position_trigger_active, gantry_communicating, yaw_motor_energized, yaw_alarm = _BITS_OF[raw & 255]
+        gantry_active, yaw_homed, yaw_near_home, yaw_calibrated, yaw_in_position, yaw_ready, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "homing": raw & 0x8 != 0,
-            "position_trigger_active": raw & 0x10 != 0,
-            "gantry_communicating": raw & 0x20 != 0,
-            "yaw_motor_energized": raw & 0x40 != 0,
-            "yaw_alarm": raw & 0x80 != 0,
-            "gantry_active": raw & 0x100 != 0,
-            "yaw_homed": raw & 0x200 != 0,
-            "yaw_near_home": raw & 0x400 != 0,
-            "yaw_calibrated": raw & 0x800 != 0,
-            "yaw_in_position": raw & 0x1000 != 0,
-            "yaw_ready": raw & 0x2000 != 0,
+            "homing": homing,
+            "position_trigger_active": position_trigger_active,
+            "gantry_communicating": gantry_communicating,
+            "yaw_motor_energized": yaw_motor_energized,
+            "yaw_alarm": yaw_alarm,
+            "gantry_active": gantry_active,
+            "yaw_homed": yaw_homed,
+            "yaw_near_home": yaw_near_home,
+            "yaw_calibrated": yaw_calibrated,
+            "yaw_in_position": yaw_in_position,
+            "yaw_ready": yaw_ready,
         }
 
     @property
@@ -2791,14 +2798,16 @@ class PositionTriggerError(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        mode_without_arrays, wrong_array_index, undefined_command, _, _, _, _, _ = _BITS_OF[raw & 255]
+        encoder_not_supported, not_homed, wrong_parameter, end_position_passed, _, _, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "mode_without_arrays": raw & 0x1 != 0,
-            "wrong_array_index": raw & 0x2 != 0,
-            "undefined_command": raw & 0x4 != 0,
-            "encoder_not_supported": raw & 0x100 != 0,
-            "not_homed": raw & 0x200 != 0,
-            "wrong_parameter": raw & 0x400 != 0,
-            "end_position_passed": raw & 0x800 != 0,
+            "mode_without_arrays": mode_without_arrays,
+            "wrong_array_index": wrong_array_index,
+            "undefined_command": undefined_command,
+            "encoder_not_supported": encoder_not_supported,
+            "not_homed": not_homed,
+            "wrong_parameter": wrong_parameter,
+            "end_position_passed": end_position_passed,
         }
 
     @property
@@ -2948,16 +2957,18 @@ class DriveWarnings1(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        position_deviation_too_large, _, overload, _, _, _, _, internal_fan_stopped = _BITS_OF[raw & 255]
+        encoder_battery_fault, restart_required, undervoltage, overtravel_servo_on, positive_overtravel_servo_off, negative_overtravel_servo_off, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "position_deviation_too_large": raw & 0x1 != 0,
-            "overload": raw & 0x4 != 0,
-            "internal_fan_stopped": raw & 0x80 != 0,
-            "encoder_battery_fault": raw & 0x100 != 0,
-            "restart_required": raw & 0x200 != 0,
-            "undervoltage": raw & 0x400 != 0,
-            "overtravel_servo_on": raw & 0x800 != 0,
-            "positive_overtravel_servo_off": raw & 0x1000 != 0,
-            "negative_overtravel_servo_off": raw & 0x2000 != 0,
+            "position_deviation_too_large": position_deviation_too_large,
+            "overload": overload,
+            "internal_fan_stopped": internal_fan_stopped,
+            "encoder_battery_fault": encoder_battery_fault,
+            "restart_required": restart_required,
+            "undervoltage": undervoltage,
+            "overtravel_servo_on": overtravel_servo_on,
+            "positive_overtravel_servo_off": positive_overtravel_servo_off,
+            "negative_overtravel_servo_off": negative_overtravel_servo_off,
         }
 
     @property
@@ -3074,14 +3085,15 @@ class DriveWarnings2(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        overvoltage, fieldbus_synchronization_time, system_warning, torque_limit, encoder_communication, multi_station_function_disabled, i2t, _ = _BITS_OF[raw & 255]
         return {
-            "overvoltage": raw & 0x1 != 0,
-            "fieldbus_synchronization_time": raw & 0x2 != 0,
-            "system_warning": raw & 0x4 != 0,
-            "torque_limit": raw & 0x8 != 0,
-            "encoder_communication": raw & 0x10 != 0,
-            "multi_station_function_disabled": raw & 0x20 != 0,
-            "i2t": raw & 0x40 != 0,
+            "overvoltage": overvoltage,
+            "fieldbus_synchronization_time": fieldbus_synchronization_time,
+            "system_warning": system_warning,
+            "torque_limit": torque_limit,
+            "encoder_communication": encoder_communication,
+            "multi_station_function_disabled": multi_station_function_disabled,
+            "i2t": i2t,
         }
 
     @property
@@ -3178,13 +3190,14 @@ class OperationWarnings(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        _, _, _, _, lower_limit_positive, upper_limit_negative, range_too_large, range_locked = _BITS_OF[raw >> 8 & 255]
         return {
             "relative_move_rejected": raw & 0x40 != 0,
             "absolute_move_rejected": raw & 0x80 != 0,
-            "lower_limit_positive": raw & 0x1000 != 0,
-            "upper_limit_negative": raw & 0x2000 != 0,
-            "range_too_large": raw & 0x4000 != 0,
-            "range_locked": raw & 0x8000 != 0,
+            "lower_limit_positive": lower_limit_positive,
+            "upper_limit_negative": upper_limit_negative,
+            "range_too_large": range_too_large,
+            "range_locked": range_locked,
         }
 
     @property
@@ -3286,12 +3299,13 @@ class ControlWord1(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        on, no_off2, no_off3, enable_operation, _, _, _, acknowledge_alarm = _BITS_OF[raw & 255]
         return {
-            "on": raw & 0x1 != 0,
-            "no_off2": raw & 0x2 != 0,
-            "no_off3": raw & 0x4 != 0,
-            "enable_operation": raw & 0x8 != 0,
-            "acknowledge_alarm": raw & 0x80 != 0,
+            "on": on,
+            "no_off2": no_off2,
+            "no_off3": no_off3,
+            "enable_operation": enable_operation,
+            "acknowledge_alarm": acknowledge_alarm,
             "control_by_plc": raw & 0x400 != 0,
         }
 
@@ -3376,7 +3390,7 @@ class ControlWord1Positioning(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.3.2 L598-615.
+    Source: 3.3.2 L598-615; 3.3 L577.
     """
 
     __slots__ = ()
@@ -3418,19 +3432,21 @@ class ControlWord1Positioning(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        on, no_off2, no_off3, enable_operation, enable_traversing_task, no_intermediate_stop, start_traversing_task, acknowledge_alarm = _BITS_OF[raw & 255]
+        jog_1, jog_2, control_by_plc, start_homing, _, _, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "on": raw & 0x1 != 0,
-            "no_off2": raw & 0x2 != 0,
-            "no_off3": raw & 0x4 != 0,
-            "enable_operation": raw & 0x8 != 0,
-            "enable_traversing_task": raw & 0x10 != 0,
-            "no_intermediate_stop": raw & 0x20 != 0,
-            "start_traversing_task": raw & 0x40 != 0,
-            "acknowledge_alarm": raw & 0x80 != 0,
-            "jog_1": raw & 0x100 != 0,
-            "jog_2": raw & 0x200 != 0,
-            "control_by_plc": raw & 0x400 != 0,
-            "start_homing": raw & 0x800 != 0,
+            "on": on,
+            "no_off2": no_off2,
+            "no_off3": no_off3,
+            "enable_operation": enable_operation,
+            "enable_traversing_task": enable_traversing_task,
+            "no_intermediate_stop": no_intermediate_stop,
+            "start_traversing_task": start_traversing_task,
+            "acknowledge_alarm": acknowledge_alarm,
+            "jog_1": jog_1,
+            "jog_2": jog_2,
+            "control_by_plc": control_by_plc,
+            "start_homing": start_homing,
         }
 
     @property
@@ -3587,7 +3603,7 @@ class ControlWord2(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.4.1 L628-634.
+    Source: 3.4.1 L628-634; 3.4 L626.
     """
 
     __slots__ = ()
@@ -3626,7 +3642,7 @@ class ControlWord2FixedStop(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.4.2 L636-644.
+    Source: 3.4.2 L636-644; 3.4 L626.
     """
 
     __slots__ = ()
@@ -3726,7 +3742,7 @@ class StatusWord1(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.5.1 L648-665.
+    Source: 3.5.1 L648-665; 3.5 L646.
     """
 
     __slots__ = ()
@@ -3772,18 +3788,20 @@ class StatusWord1(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        ready_to_switch_on, ready_to_operate, operation_enabled, alarm, no_off2, no_off3, switching_on_inhibited, warning = _BITS_OF[raw & 255]
+        speed_within_tolerance, control_requested, speed_reached, _, _, _, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "ready_to_switch_on": raw & 0x1 != 0,
-            "ready_to_operate": raw & 0x2 != 0,
-            "operation_enabled": raw & 0x4 != 0,
-            "alarm": raw & 0x8 != 0,
-            "no_off2": raw & 0x10 != 0,
-            "no_off3": raw & 0x20 != 0,
-            "switching_on_inhibited": raw & 0x40 != 0,
-            "warning": raw & 0x80 != 0,
-            "speed_within_tolerance": raw & 0x100 != 0,
-            "control_requested": raw & 0x200 != 0,
-            "speed_reached": raw & 0x400 != 0,
+            "ready_to_switch_on": ready_to_switch_on,
+            "ready_to_operate": ready_to_operate,
+            "operation_enabled": operation_enabled,
+            "alarm": alarm,
+            "no_off2": no_off2,
+            "no_off3": no_off3,
+            "switching_on_inhibited": switching_on_inhibited,
+            "warning": warning,
+            "speed_within_tolerance": speed_within_tolerance,
+            "control_requested": control_requested,
+            "speed_reached": speed_reached,
         }
 
     @property
@@ -3962,7 +3980,7 @@ class StatusWord1Positioning(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.5.2 L667-686.
+    Source: 3.5.2 L667-686; 3.5 L646.
     """
 
     __slots__ = ()
@@ -4014,21 +4032,23 @@ class StatusWord1Positioning(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        ready_to_switch_on, ready_to_operate, operation_enabled, alarm, no_off2, no_off3, switching_on_inhibited, warning = _BITS_OF[raw & 255]
+        position_within_tolerance, control_requested, target_reached, homing_complete, traversing_task_acknowledged, motor_stopped, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "ready_to_switch_on": raw & 0x1 != 0,
-            "ready_to_operate": raw & 0x2 != 0,
-            "operation_enabled": raw & 0x4 != 0,
-            "alarm": raw & 0x8 != 0,
-            "no_off2": raw & 0x10 != 0,
-            "no_off3": raw & 0x20 != 0,
-            "switching_on_inhibited": raw & 0x40 != 0,
-            "warning": raw & 0x80 != 0,
-            "position_within_tolerance": raw & 0x100 != 0,
-            "control_requested": raw & 0x200 != 0,
-            "target_reached": raw & 0x400 != 0,
-            "homing_complete": raw & 0x800 != 0,
-            "traversing_task_acknowledged": raw & 0x1000 != 0,
-            "motor_stopped": raw & 0x2000 != 0,
+            "ready_to_switch_on": ready_to_switch_on,
+            "ready_to_operate": ready_to_operate,
+            "operation_enabled": operation_enabled,
+            "alarm": alarm,
+            "no_off2": no_off2,
+            "no_off3": no_off3,
+            "switching_on_inhibited": switching_on_inhibited,
+            "warning": warning,
+            "position_within_tolerance": position_within_tolerance,
+            "control_requested": control_requested,
+            "target_reached": target_reached,
+            "homing_complete": homing_complete,
+            "traversing_task_acknowledged": traversing_task_acknowledged,
+            "motor_stopped": motor_stopped,
         }
 
     @property
@@ -4207,7 +4227,7 @@ class StatusWord2(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.6.1 L690-696.
+    Source: 3.6.1 L690-696; 3.6 L688.
     """
 
     __slots__ = ()
@@ -4244,7 +4264,7 @@ class StatusWord2PulseCommand(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.6.2 L698-705.
+    Source: 3.6.2 L698-705; 3.6 L688.
     """
 
     __slots__ = ()
@@ -4297,7 +4317,7 @@ class StatusWord2FixedStop(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.6.3 L707-715.
+    Source: 3.6.3 L707-715; 3.6 L688.
     """
 
     __slots__ = ()
@@ -4356,7 +4376,7 @@ class StatusWord2Positioning(_Flags):
 
     16 bits; those without a name are kept in `raw`.
 
-    Source: 3.6.4 L717-726.
+    Source: 3.6.4 L717-726; 3.6 L688.
     """
 
     __slots__ = ()
@@ -4470,13 +4490,14 @@ class Encoder1ControlWord(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        function_1, function_2, function_3, function_4, _, _, _, no_reference_mark_search = _BITS_OF[raw & 255]
         return {
-            "function_1": raw & 0x1 != 0,
-            "function_2": raw & 0x2 != 0,
-            "function_3": raw & 0x4 != 0,
-            "function_4": raw & 0x8 != 0,
+            "function_1": function_1,
+            "function_2": function_2,
+            "function_3": function_3,
+            "function_4": function_4,
             "command": _ENCODER_COMMAND_MEMBERS.get(raw >> 4 & 0x7, raw >> 4 & 0x7),
-            "no_reference_mark_search": raw & 0x80 != 0,
+            "no_reference_mark_search": no_reference_mark_search,
             "parking_sensor": raw & 0x4000 != 0,
             "acknowledge_alarm": raw & 0x8000 != 0,
         }
@@ -4615,18 +4636,20 @@ class Encoder1StatusWord(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        function_1_active, function_2_active, function_3_active, function_4_active, value_1_available, value_2_available, value_3_available, value_4_available = _BITS_OF[raw & 255]
+        _, _, _, acknowledging_alarm, _, _, sensor_parked, alarm = _BITS_OF[raw >> 8 & 255]
         return {
-            "function_1_active": raw & 0x1 != 0,
-            "function_2_active": raw & 0x2 != 0,
-            "function_3_active": raw & 0x4 != 0,
-            "function_4_active": raw & 0x8 != 0,
-            "value_1_available": raw & 0x10 != 0,
-            "value_2_available": raw & 0x20 != 0,
-            "value_3_available": raw & 0x40 != 0,
-            "value_4_available": raw & 0x80 != 0,
-            "acknowledging_alarm": raw & 0x800 != 0,
-            "sensor_parked": raw & 0x4000 != 0,
-            "alarm": raw & 0x8000 != 0,
+            "function_1_active": function_1_active,
+            "function_2_active": function_2_active,
+            "function_3_active": function_3_active,
+            "function_4_active": function_4_active,
+            "value_1_available": value_1_available,
+            "value_2_available": value_2_available,
+            "value_3_available": value_3_available,
+            "value_4_available": value_4_available,
+            "acknowledging_alarm": acknowledging_alarm,
+            "sensor_parked": sensor_parked,
+            "alarm": alarm,
         }
 
     @property
@@ -4883,12 +4906,13 @@ class PositioningControlWord1(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        absolute, _, _, _, continuous, _, mdi_setup, mdi = _BITS_OF[raw >> 8 & 255]
         return {
-            "absolute": raw & 0x100 != 0,
+            "absolute": absolute,
             "path": _POSITIONING_PATH_MEMBERS.get(raw >> 9 & 0x3, raw >> 9 & 0x3),
-            "continuous": raw & 0x1000 != 0,
-            "mdi_setup": raw & 0x4000 != 0,
-            "mdi": raw & 0x8000 != 0,
+            "continuous": continuous,
+            "mdi_setup": mdi_setup,
+            "mdi": mdi,
         }
 
     @property
@@ -5061,13 +5085,14 @@ class PositioningStatusWord1(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        negative_overtravel, positive_overtravel, jogging, homing, _, _, mdi_setup, mdi = _BITS_OF[raw >> 8 & 255]
         return {
-            "negative_overtravel": raw & 0x100 != 0,
-            "positive_overtravel": raw & 0x200 != 0,
-            "jogging": raw & 0x400 != 0,
-            "homing": raw & 0x800 != 0,
-            "mdi_setup": raw & 0x4000 != 0,
-            "mdi": raw & 0x8000 != 0,
+            "negative_overtravel": negative_overtravel,
+            "positive_overtravel": positive_overtravel,
+            "jogging": jogging,
+            "homing": homing,
+            "mdi_setup": mdi_setup,
+            "mdi": mdi,
         }
 
     @property
@@ -5170,14 +5195,16 @@ class PositioningStatusWord2(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        _, _, ready_for_command, _, moving_forward, moving_backward, _, _ = _BITS_OF[raw & 255]
+        _, _, _, _, fixed_stop_reached, fixed_stop_torque_reached, traverse_to_fixed_stop_enabled, traversing_command_active = _BITS_OF[raw >> 8 & 255]
         return {
-            "ready_for_command": raw & 0x4 != 0,
-            "moving_forward": raw & 0x10 != 0,
-            "moving_backward": raw & 0x20 != 0,
-            "fixed_stop_reached": raw & 0x1000 != 0,
-            "fixed_stop_torque_reached": raw & 0x2000 != 0,
-            "traverse_to_fixed_stop_enabled": raw & 0x4000 != 0,
-            "traversing_command_active": raw & 0x8000 != 0,
+            "ready_for_command": ready_for_command,
+            "moving_forward": moving_forward,
+            "moving_backward": moving_backward,
+            "fixed_stop_reached": fixed_stop_reached,
+            "fixed_stop_torque_reached": fixed_stop_torque_reached,
+            "traverse_to_fixed_stop_enabled": traverse_to_fixed_stop_enabled,
+            "traversing_command_active": traversing_command_active,
         }
 
     @property
@@ -5302,14 +5329,16 @@ class MessageWord(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        _, torque_limit_not_active, _, _, _, _, no_motor_overload_warning, no_i2t_warning = _BITS_OF[raw & 255]
+        speed_within_tolerance, _, _, controlled_by_plc, drive_ready, pulses_enabled, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "torque_limit_not_active": raw & 0x2 != 0,
-            "no_motor_overload_warning": raw & 0x40 != 0,
-            "no_i2t_warning": raw & 0x80 != 0,
-            "speed_within_tolerance": raw & 0x100 != 0,
-            "controlled_by_plc": raw & 0x800 != 0,
-            "drive_ready": raw & 0x1000 != 0,
-            "pulses_enabled": raw & 0x2000 != 0,
+            "torque_limit_not_active": torque_limit_not_active,
+            "no_motor_overload_warning": no_motor_overload_warning,
+            "no_i2t_warning": no_i2t_warning,
+            "speed_within_tolerance": speed_within_tolerance,
+            "controlled_by_plc": controlled_by_plc,
+            "drive_ready": drive_ready,
+            "pulses_enabled": pulses_enabled,
         }
 
     @property
@@ -5391,7 +5420,7 @@ class MessageWord(_Flags):
 _PARAMETER_ERROR_STRUCT = _Struct(">BBH")
 
 
-class ParameterError:
+class ParameterError(_Record):
     """Parameter error (參數回應-發生錯誤). 4 bytes.
 
     What a refused request is answered with. Reading and writing print the same table.
@@ -5401,45 +5430,57 @@ class ParameterError:
     Source: 4.3.1 L1267-1277.
     """
 
-    __slots__ = ("error_number",)
+    __slots__ = ("_held_error_number",)
     __match_args__ = ("error_number",)
+    _SIZE: _ClassVar[int] = 4
 
     def __init__(self, error_number: ParameterErrorNumber | int) -> None:
-        self.error_number = error_number
+        self._held_error_number: ParameterErrorNumber | int = error_number
+
+    @property
+    def error_number(self) -> ParameterErrorNumber | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_error_number
+        return _PARAMETER_ERROR_NUMBER_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @error_number.setter
+    def error_number(self, value: ParameterErrorNumber | int) -> None:
+        self._held_error_number = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            raw_format, raw_value_count, raw_error_number = _PARAMETER_ERROR_STRUCT.unpack(data)
+            raw_format, raw_value_count, record._held_error_number = _PARAMETER_ERROR_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("parameter_error", len(data), 4, 4) from None
         if raw_format != 68:
             raise _wrong_const("format", raw_format, 68, 0)
         if raw_value_count != 1:
             raise _wrong_const("value_count", raw_value_count, 1, 1)
-        record.error_number = _PARAMETER_ERROR_NUMBER_MEMBERS.get(raw_error_number, raw_error_number)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _PARAMETER_ERROR_STRUCT.pack(68, 1, self.error_number)
+            return _PARAMETER_ERROR_STRUCT.pack(68, 1, self._held_error_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("parameter_error")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("", "B", 0, tests=((68, 68),)),
+            Column("", "B", 1, tests=((1, 1),)),
+            Column("error_number", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("error_number", self.error_number, 0, 65535)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ParameterError):
-            return NotImplemented
-        return self.error_number == other.error_number
-
-    def __repr__(self) -> str:
-        return f"ParameterError(error_number={self.error_number!r})"
 
 
 _READ_PARAMETER_RESPONSE_STRUCT = _Choice(
@@ -5456,7 +5497,7 @@ _READ_PARAMETER_RESPONSE_STRUCT = _Choice(
 )
 
 
-class ReadParameterResponse:
+class ReadParameterResponse(_Record):
     """Read a parameter: the response (讀取一個值的結構). 3 to 1022 bytes.
 
     Code 0x01. Reads one value (4.3.1) or several elements of an array (4.3.3): the two differ in the
@@ -5482,10 +5523,10 @@ class ReadParameterResponse:
         record = _new(cls)
         case, raws = _READ_PARAMETER_RESPONSE_STRUCT.unpack(data)
         raw_format, raw_value_count, *raw_values = raws
-        format__member = _PARAMETER_FORMAT_MEMBERS.get(raw_format)
-        if format__member is None:
-            raise _unknown_member("format", raw_format, "parameter_format", 0)
-        record.format = format__member
+        try:
+            record.format = _PARAMETER_FORMAT_MEMBERS[raw_format]
+        except KeyError:
+            raise _unknown_member("format", raw_format, "parameter_format", 0) from None
         record.values = case.values("values", raw_values, 2)
         if raw_value_count != len(record.values):
             raise _wrong_measure("value_count", raw_value_count, len(record.values), 1)
@@ -5512,14 +5553,6 @@ class ReadParameterResponse:
             or _READ_PARAMETER_RESPONSE_STRUCT.refused("values", self.format, self.values)
             or _refused_number("value_count", len(self.values), 0, 255)
         )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadParameterResponse):
-            return NotImplemented
-        return self.format == other.format and self.values == other.values
-
-    def __repr__(self) -> str:
-        return f"ReadParameterResponse(format={self.format!r}, values={self.values!r})"
 
     def _to_parameter_channel(self, part_request_reference: int) -> bytes:
         body = self.encode()
@@ -5548,6 +5581,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     __slots__ = ("element_count", "parameter_number", "subindex")
     __match_args__ = ("element_count", "parameter_number", "subindex")
+    _SIZE: _ClassVar[int] = 6
     CODE: _ClassVar[int | None] = 0x01
     _RESPONSE = ReadParameterResponse
 
@@ -5583,28 +5617,22 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
             pass
         raise self._refused() or _unfit("read_parameter_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("", "B", 0, tests=((16, 16),)),
+            Column("element_count", "B", 1),
+            Column("parameter_number", "H", 2),
+            Column("subindex", "H", 4),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("element_count", self.element_count, 0, 255)
             or _refused_number("parameter_number", self.parameter_number, 0, 65535)
             or _refused_number("subindex", self.subindex, 0, 65535)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadParameterRequest):
-            return NotImplemented
-        return (
-            self.element_count == other.element_count
-            and self.parameter_number == other.parameter_number
-            and self.subindex == other.subindex
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"ReadParameterRequest("
-            f"element_count={self.element_count!r}, "
-            f"parameter_number={self.parameter_number!r}, "
-            f"subindex={self.subindex!r})"
         )
 
     def _to_parameter_channel(self, part_request_reference: int) -> bytes:
@@ -5653,7 +5681,7 @@ _WRITE_PARAMETER_PARAMETER_CHANNEL_RESPONSE = _Struct(">BBBB")
 _WRITE_PARAMETER_RESPONSE_STRUCT = _Struct(">")
 
 
-class WriteParameterResponse:
+class WriteParameterResponse(_Record):
     """Write a parameter: the response (寫入一個值的結構). 0 bytes.
 
     Code 0x02. Writes one value (4.3.2) or several elements of an array (4.3.4): the two differ in the
@@ -5686,14 +5714,6 @@ class WriteParameterResponse:
 
     def _refused(self) -> _CodecError | None:
         return None
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteParameterResponse):
-            return NotImplemented
-        return True
-
-    def __repr__(self) -> str:
-        return "WriteParameterResponse()"
 
     def _to_parameter_channel(self, part_request_reference: int) -> bytes:
         try:
@@ -5793,10 +5813,10 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         ) = raws
         if raw_attribute != 16:
             raise _wrong_const("attribute", raw_attribute, 16, 0)
-        format__member = _PARAMETER_FORMAT_MEMBERS.get(raw_format)
-        if format__member is None:
-            raise _unknown_member("format", raw_format, "parameter_format", 6)
-        record.format = format__member
+        try:
+            record.format = _PARAMETER_FORMAT_MEMBERS[raw_format]
+        except KeyError:
+            raise _unknown_member("format", raw_format, "parameter_format", 6) from None
         record.values = case.values("values", raw_values, 8)
         if raw_value_count != len(record.values):
             raise _wrong_measure("value_count", raw_value_count, len(record.values), 7)
@@ -5828,27 +5848,6 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
             or _refused_number("value_count", len(self.values), 0, 255)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteParameterRequest):
-            return NotImplemented
-        return (
-            self.element_count == other.element_count
-            and self.parameter_number == other.parameter_number
-            and self.subindex == other.subindex
-            and self.format == other.format
-            and self.values == other.values
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"WriteParameterRequest("
-            f"element_count={self.element_count!r}, "
-            f"parameter_number={self.parameter_number!r}, "
-            f"subindex={self.subindex!r}, "
-            f"format={self.format!r}, "
-            f"values={self.values!r})"
-        )
-
     def _to_parameter_channel(self, part_request_reference: int) -> bytes:
         body = self.encode()
         error = _refused_number("request_reference", part_request_reference, 0, 255, ((1, 255),))
@@ -5861,7 +5860,7 @@ _TELEGRAM_3_CYCLIC_RESPONSE = _Struct(">HiHHii")
 _TELEGRAM3_RESPONSE_STRUCT = _Struct(">HiHHii")
 
 
-class Telegram3Response:
+class Telegram3Response(_Record):
     """Speed and encoder (standard telegram 3): the response (sent) (標準報文 3). 18 bytes.
 
     Telegram 3.
@@ -5880,31 +5879,68 @@ class Telegram3Response:
     """
 
     __slots__ = (
-        "status_word_1", "speed_actual_b", "status_word_2", "encoder_1_status_word", "encoder_1_position_1",
-        "encoder_1_position_2",
+        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_encoder_1_status_word",
+        "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "encoder_1_status_word", "encoder_1_position_1",
         "encoder_1_position_2",
     )
+    _SIZE: _ClassVar[int] = 18
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 3
 
     def __init__(
         self,
-        status_word_1: StatusWord1,
+        status_word_1: StatusWord1 | int,
         speed_actual_b: int,
-        status_word_2: StatusWord2,
-        encoder_1_status_word: Encoder1StatusWord,
+        status_word_2: StatusWord2 | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self.status_word_1 = status_word_1
+        self._held_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self.status_word_2 = status_word_2
-        self.encoder_1_status_word = encoder_1_status_word
+        self._held_status_word_2: StatusWord2 | int = status_word_2
+        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
+
+    @property
+    def status_word_1(self) -> StatusWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_1
+        if isinstance(held, int):
+            held = self._held_status_word_1 = StatusWord1(held)
+        return held
+
+    @status_word_1.setter
+    def status_word_1(self, value: StatusWord1 | int) -> None:
+        self._held_status_word_1 = value
+
+    @property
+    def status_word_2(self) -> StatusWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_2
+        if isinstance(held, int):
+            held = self._held_status_word_2 = StatusWord2(held)
+        return held
+
+    @status_word_2.setter
+    def status_word_2(self, value: StatusWord2 | int) -> None:
+        self._held_status_word_2 = value
+
+    @property
+    def encoder_1_status_word(self) -> Encoder1StatusWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_status_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
+        return held
+
+    @encoder_1_status_word.setter
+    def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
+        self._held_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -5912,30 +5948,40 @@ class Telegram3Response:
         record = _new(cls)
         try:
             (
-                raw_status_word_1,
+                record._held_status_word_1,
                 record.speed_actual_b,
-                raw_status_word_2,
-                raw_encoder_1_status_word,
+                record._held_status_word_2,
+                record._held_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM3_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_3_response", len(data), 18, 18) from None
-        record.status_word_1 = StatusWord1(raw_status_word_1)
-        record.status_word_2 = StatusWord2(raw_status_word_2)
-        record.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM3_RESPONSE_STRUCT.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_3_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("status_word_1", "H", 0),
+            Column("speed_actual_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("status_word_2", "H", 6),
+            Column("encoder_1_status_word", "H", 8),
+            Column("encoder_1_position_1", "i", 10),
+            Column("encoder_1_position_2", "i", 14),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -5945,29 +5991,6 @@ class Telegram3Response:
             or _refused_flags("encoder_1_status_word", self.encoder_1_status_word, 65535)
             or _refused_number("encoder_1_position_1", self.encoder_1_position_1, -2147483648, 2147483647)
             or _refused_number("encoder_1_position_2", self.encoder_1_position_2, -2147483648, 2147483647)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram3Response):
-            return NotImplemented
-        return (
-            self.status_word_1 == other.status_word_1
-            and self.speed_actual_b == other.speed_actual_b
-            and self.status_word_2 == other.status_word_2
-            and self.encoder_1_status_word == other.encoder_1_status_word
-            and self.encoder_1_position_1 == other.encoder_1_position_1
-            and self.encoder_1_position_2 == other.encoder_1_position_2
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram3Response("
-            f"status_word_1={self.status_word_1!r}, "
-            f"speed_actual_b={self.speed_actual_b!r}, "
-            f"status_word_2={self.status_word_2!r}, "
-            f"encoder_1_status_word={self.encoder_1_status_word!r}, "
-            f"encoder_1_position_1={self.encoder_1_position_1!r}, "
-            f"encoder_1_position_2={self.encoder_1_position_2!r})"
         )
 
     @property
@@ -5984,8 +6007,8 @@ class Telegram3Response:
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_3_CYCLIC_RESPONSE.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -5996,18 +6019,15 @@ class Telegram3Response:
         message = _new(Telegram3Response)
         try:
             (
-                raw_status_word_1,
+                message._held_status_word_1,
                 message.speed_actual_b,
-                raw_status_word_2,
-                raw_encoder_1_status_word,
+                message._held_status_word_2,
+                message._held_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _TELEGRAM_3_CYCLIC_RESPONSE.unpack(data)
         except _StructError:
             return None
-        message.status_word_1 = StatusWord1(raw_status_word_1)
-        message.status_word_2 = StatusWord2(raw_status_word_2)
-        message.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         frame = _new(_Response)
         frame.station = 0
         frame.message = message
@@ -6035,23 +6055,62 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     Source: 3.2 L522, 536-546.
     """
 
-    __slots__ = ("control_word_1", "speed_setpoint_b", "control_word_2", "encoder_1_control_word")
+    __slots__ = (
+        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "_held_encoder_1_control_word",
+    )
     __match_args__ = ("control_word_1", "speed_setpoint_b", "control_word_2", "encoder_1_control_word")
+    _SIZE: _ClassVar[int] = 10
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 3
     _RESPONSE = Telegram3Response
 
     def __init__(
         self,
-        control_word_1: ControlWord1,
+        control_word_1: ControlWord1 | int,
         speed_setpoint_b: int,
-        control_word_2: ControlWord2,
-        encoder_1_control_word: Encoder1ControlWord,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
     ) -> None:
-        self.control_word_1 = control_word_1
+        self._held_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self.control_word_2 = control_word_2
-        self.encoder_1_control_word = encoder_1_control_word
+        self._held_control_word_2: ControlWord2 | int = control_word_2
+        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+
+    @property
+    def control_word_1(self) -> ControlWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_1
+        if isinstance(held, int):
+            held = self._held_control_word_1 = ControlWord1(held)
+        return held
+
+    @control_word_1.setter
+    def control_word_1(self, value: ControlWord1 | int) -> None:
+        self._held_control_word_1 = value
+
+    @property
+    def control_word_2(self) -> ControlWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_2
+        if isinstance(held, int):
+            held = self._held_control_word_2 = ControlWord2(held)
+        return held
+
+    @control_word_2.setter
+    def control_word_2(self, value: ControlWord2 | int) -> None:
+        self._held_control_word_2 = value
+
+    @property
+    def encoder_1_control_word(self) -> Encoder1ControlWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_control_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
+        return held
+
+    @encoder_1_control_word.setter
+    def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
+        self._held_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6059,28 +6118,36 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         record = _new(cls)
         try:
             (
-                raw_control_word_1,
+                record._held_control_word_1,
                 record.speed_setpoint_b,
-                raw_control_word_2,
-                raw_encoder_1_control_word,
+                record._held_control_word_2,
+                record._held_encoder_1_control_word,
             ) = _TELEGRAM3_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_3_request", len(data), 10, 10) from None
-        record.control_word_1 = ControlWord1(raw_control_word_1)
-        record.control_word_2 = ControlWord2(raw_control_word_2)
-        record.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM3_REQUEST_STRUCT.pack(
-                self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                self.encoder_1_control_word.raw,
+                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                self._held_encoder_1_control_word,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_3_request")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("control_word_1", "H", 0),
+            Column("speed_setpoint_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("control_word_2", "H", 6),
+            Column("encoder_1_control_word", "H", 8),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -6088,25 +6155,6 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
             or _refused_number("speed_setpoint_b", self.speed_setpoint_b, -2147483648, 2147483647)
             or _refused_flags("control_word_2", self.control_word_2, 65535)
             or _refused_flags("encoder_1_control_word", self.encoder_1_control_word, 65535)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram3Request):
-            return NotImplemented
-        return (
-            self.control_word_1 == other.control_word_1
-            and self.speed_setpoint_b == other.speed_setpoint_b
-            and self.control_word_2 == other.control_word_2
-            and self.encoder_1_control_word == other.encoder_1_control_word
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram3Request("
-            f"control_word_1={self.control_word_1!r}, "
-            f"speed_setpoint_b={self.speed_setpoint_b!r}, "
-            f"control_word_2={self.control_word_2!r}, "
-            f"encoder_1_control_word={self.encoder_1_control_word!r})"
         )
 
     @property
@@ -6123,8 +6171,8 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_3_CYCLIC_REQUEST.pack(
-                self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                self.encoder_1_control_word.raw,
+                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                self._held_encoder_1_control_word,
             )
         except _UNFIT:
             pass
@@ -6135,16 +6183,13 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         message = _new(Telegram3Request)
         try:
             (
-                raw_control_word_1,
+                message._held_control_word_1,
                 message.speed_setpoint_b,
-                raw_control_word_2,
-                raw_encoder_1_control_word,
+                message._held_control_word_2,
+                message._held_encoder_1_control_word,
             ) = _TELEGRAM_3_CYCLIC_REQUEST.unpack(data)
         except _StructError:
             return None
-        message.control_word_1 = ControlWord1(raw_control_word_1)
-        message.control_word_2 = ControlWord2(raw_control_word_2)
-        message.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         frame = _new(_Request)
         frame.station = 0
         frame.message = message
@@ -6155,7 +6200,7 @@ _TELEGRAM_5_CYCLIC_RESPONSE = _Struct(">HiHHii")
 _TELEGRAM5_RESPONSE_STRUCT = _Struct(">HiHHii")
 
 
-class Telegram5Response:
+class Telegram5Response(_Record):
     """Speed, encoder and position controller (standard telegram 5): the response (sent) (標準報文 5). 18
     bytes.
 
@@ -6175,31 +6220,68 @@ class Telegram5Response:
     """
 
     __slots__ = (
-        "status_word_1", "speed_actual_b", "status_word_2", "encoder_1_status_word", "encoder_1_position_1",
-        "encoder_1_position_2",
+        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_encoder_1_status_word",
+        "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "encoder_1_status_word", "encoder_1_position_1",
         "encoder_1_position_2",
     )
+    _SIZE: _ClassVar[int] = 18
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 5
 
     def __init__(
         self,
-        status_word_1: StatusWord1,
+        status_word_1: StatusWord1 | int,
         speed_actual_b: int,
-        status_word_2: StatusWord2,
-        encoder_1_status_word: Encoder1StatusWord,
+        status_word_2: StatusWord2 | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self.status_word_1 = status_word_1
+        self._held_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self.status_word_2 = status_word_2
-        self.encoder_1_status_word = encoder_1_status_word
+        self._held_status_word_2: StatusWord2 | int = status_word_2
+        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
+
+    @property
+    def status_word_1(self) -> StatusWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_1
+        if isinstance(held, int):
+            held = self._held_status_word_1 = StatusWord1(held)
+        return held
+
+    @status_word_1.setter
+    def status_word_1(self, value: StatusWord1 | int) -> None:
+        self._held_status_word_1 = value
+
+    @property
+    def status_word_2(self) -> StatusWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_2
+        if isinstance(held, int):
+            held = self._held_status_word_2 = StatusWord2(held)
+        return held
+
+    @status_word_2.setter
+    def status_word_2(self, value: StatusWord2 | int) -> None:
+        self._held_status_word_2 = value
+
+    @property
+    def encoder_1_status_word(self) -> Encoder1StatusWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_status_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
+        return held
+
+    @encoder_1_status_word.setter
+    def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
+        self._held_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6207,30 +6289,40 @@ class Telegram5Response:
         record = _new(cls)
         try:
             (
-                raw_status_word_1,
+                record._held_status_word_1,
                 record.speed_actual_b,
-                raw_status_word_2,
-                raw_encoder_1_status_word,
+                record._held_status_word_2,
+                record._held_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM5_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_5_response", len(data), 18, 18) from None
-        record.status_word_1 = StatusWord1(raw_status_word_1)
-        record.status_word_2 = StatusWord2(raw_status_word_2)
-        record.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM5_RESPONSE_STRUCT.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_5_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("status_word_1", "H", 0),
+            Column("speed_actual_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("status_word_2", "H", 6),
+            Column("encoder_1_status_word", "H", 8),
+            Column("encoder_1_position_1", "i", 10),
+            Column("encoder_1_position_2", "i", 14),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -6240,29 +6332,6 @@ class Telegram5Response:
             or _refused_flags("encoder_1_status_word", self.encoder_1_status_word, 65535)
             or _refused_number("encoder_1_position_1", self.encoder_1_position_1, -2147483648, 2147483647)
             or _refused_number("encoder_1_position_2", self.encoder_1_position_2, -2147483648, 2147483647)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram5Response):
-            return NotImplemented
-        return (
-            self.status_word_1 == other.status_word_1
-            and self.speed_actual_b == other.speed_actual_b
-            and self.status_word_2 == other.status_word_2
-            and self.encoder_1_status_word == other.encoder_1_status_word
-            and self.encoder_1_position_1 == other.encoder_1_position_1
-            and self.encoder_1_position_2 == other.encoder_1_position_2
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram5Response("
-            f"status_word_1={self.status_word_1!r}, "
-            f"speed_actual_b={self.speed_actual_b!r}, "
-            f"status_word_2={self.status_word_2!r}, "
-            f"encoder_1_status_word={self.encoder_1_status_word!r}, "
-            f"encoder_1_position_1={self.encoder_1_position_1!r}, "
-            f"encoder_1_position_2={self.encoder_1_position_2!r})"
         )
 
     @property
@@ -6279,8 +6348,8 @@ class Telegram5Response:
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_5_CYCLIC_RESPONSE.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6291,18 +6360,15 @@ class Telegram5Response:
         message = _new(Telegram5Response)
         try:
             (
-                raw_status_word_1,
+                message._held_status_word_1,
                 message.speed_actual_b,
-                raw_status_word_2,
-                raw_encoder_1_status_word,
+                message._held_status_word_2,
+                message._held_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _TELEGRAM_5_CYCLIC_RESPONSE.unpack(data)
         except _StructError:
             return None
-        message.status_word_1 = StatusWord1(raw_status_word_1)
-        message.status_word_2 = StatusWord2(raw_status_word_2)
-        message.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         frame = _new(_Response)
         frame.station = 0
         frame.message = message
@@ -6336,32 +6402,69 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     """
 
     __slots__ = (
-        "control_word_1", "speed_setpoint_b", "control_word_2", "encoder_1_control_word", "position_error",
-        "position_controller_gain",
+        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "_held_encoder_1_control_word",
+        "position_error", "position_controller_gain",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "encoder_1_control_word", "position_error",
         "position_controller_gain",
     )
+    _SIZE: _ClassVar[int] = 18
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 5
     _RESPONSE = Telegram5Response
 
     def __init__(
         self,
-        control_word_1: ControlWord1,
+        control_word_1: ControlWord1 | int,
         speed_setpoint_b: int,
-        control_word_2: ControlWord2,
-        encoder_1_control_word: Encoder1ControlWord,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
         position_error: int,
         position_controller_gain: int,
     ) -> None:
-        self.control_word_1 = control_word_1
+        self._held_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self.control_word_2 = control_word_2
-        self.encoder_1_control_word = encoder_1_control_word
+        self._held_control_word_2: ControlWord2 | int = control_word_2
+        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
         self.position_error = position_error
         self.position_controller_gain = position_controller_gain
+
+    @property
+    def control_word_1(self) -> ControlWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_1
+        if isinstance(held, int):
+            held = self._held_control_word_1 = ControlWord1(held)
+        return held
+
+    @control_word_1.setter
+    def control_word_1(self, value: ControlWord1 | int) -> None:
+        self._held_control_word_1 = value
+
+    @property
+    def control_word_2(self) -> ControlWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_2
+        if isinstance(held, int):
+            held = self._held_control_word_2 = ControlWord2(held)
+        return held
+
+    @control_word_2.setter
+    def control_word_2(self, value: ControlWord2 | int) -> None:
+        self._held_control_word_2 = value
+
+    @property
+    def encoder_1_control_word(self) -> Encoder1ControlWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_control_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
+        return held
+
+    @encoder_1_control_word.setter
+    def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
+        self._held_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6369,30 +6472,40 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         record = _new(cls)
         try:
             (
-                raw_control_word_1,
+                record._held_control_word_1,
                 record.speed_setpoint_b,
-                raw_control_word_2,
-                raw_encoder_1_control_word,
+                record._held_control_word_2,
+                record._held_encoder_1_control_word,
                 record.position_error,
                 record.position_controller_gain,
             ) = _TELEGRAM5_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_5_request", len(data), 18, 18) from None
-        record.control_word_1 = ControlWord1(raw_control_word_1)
-        record.control_word_2 = ControlWord2(raw_control_word_2)
-        record.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM5_REQUEST_STRUCT.pack(
-                self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                self.encoder_1_control_word.raw, self.position_error, self.position_controller_gain,
+                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                self._held_encoder_1_control_word, self.position_error, self.position_controller_gain,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_5_request")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("control_word_1", "H", 0),
+            Column("speed_setpoint_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("control_word_2", "H", 6),
+            Column("encoder_1_control_word", "H", 8),
+            Column("position_error", "i", 10),
+            Column("position_controller_gain", "i", 14, ratio=(1, 0, 1000)),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -6402,29 +6515,6 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
             or _refused_flags("encoder_1_control_word", self.encoder_1_control_word, 65535)
             or _refused_number("position_error", self.position_error, -2147483648, 2147483647)
             or _refused_number("position_controller_gain", self.position_controller_gain, -2147483648, 2147483647)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram5Request):
-            return NotImplemented
-        return (
-            self.control_word_1 == other.control_word_1
-            and self.speed_setpoint_b == other.speed_setpoint_b
-            and self.control_word_2 == other.control_word_2
-            and self.encoder_1_control_word == other.encoder_1_control_word
-            and self.position_error == other.position_error
-            and self.position_controller_gain == other.position_controller_gain
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram5Request("
-            f"control_word_1={self.control_word_1!r}, "
-            f"speed_setpoint_b={self.speed_setpoint_b!r}, "
-            f"control_word_2={self.control_word_2!r}, "
-            f"encoder_1_control_word={self.encoder_1_control_word!r}, "
-            f"position_error={self.position_error!r}, "
-            f"position_controller_gain={self.position_controller_gain!r})"
         )
 
     @property
@@ -6452,8 +6542,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_5_CYCLIC_REQUEST.pack(
-                self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                self.encoder_1_control_word.raw, self.position_error, self.position_controller_gain,
+                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                self._held_encoder_1_control_word, self.position_error, self.position_controller_gain,
             )
         except _UNFIT:
             pass
@@ -6464,18 +6554,15 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         message = _new(Telegram5Request)
         try:
             (
-                raw_control_word_1,
+                message._held_control_word_1,
                 message.speed_setpoint_b,
-                raw_control_word_2,
-                raw_encoder_1_control_word,
+                message._held_control_word_2,
+                message._held_encoder_1_control_word,
                 message.position_error,
                 message.position_controller_gain,
             ) = _TELEGRAM_5_CYCLIC_REQUEST.unpack(data)
         except _StructError:
             return None
-        message.control_word_1 = ControlWord1(raw_control_word_1)
-        message.control_word_2 = ControlWord2(raw_control_word_2)
-        message.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         frame = _new(_Request)
         frame.station = 0
         frame.message = message
@@ -6486,7 +6573,7 @@ _TELEGRAM_9_CYCLIC_RESPONSE = _Struct(">HHHi")
 _TELEGRAM9_RESPONSE_STRUCT = _Struct(">HHHi")
 
 
-class Telegram9Response:
+class Telegram9Response(_Record):
     """Positioning by MDI commands (standard telegram 9): the response (sent) (標準報文 9). 10 bytes.
 
     Telegram 9.
@@ -6501,22 +6588,59 @@ class Telegram9Response:
     Source: 3.2 L524, 549-560.
     """
 
-    __slots__ = ("status_word_1", "selected_block", "status_word_2", "position_actual_a")
+    __slots__ = ("_held_status_word_1", "_held_selected_block", "_held_status_word_2", "position_actual_a")
     __match_args__ = ("status_word_1", "selected_block", "status_word_2", "position_actual_a")
+    _SIZE: _ClassVar[int] = 10
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 9
 
     def __init__(
         self,
-        status_word_1: StatusWord1Positioning,
-        selected_block: SelectedBlock,
-        status_word_2: StatusWord2PulseCommand,
+        status_word_1: StatusWord1Positioning | int,
+        selected_block: SelectedBlock | int,
+        status_word_2: StatusWord2PulseCommand | int,
         position_actual_a: int,
     ) -> None:
-        self.status_word_1 = status_word_1
-        self.selected_block = selected_block
-        self.status_word_2 = status_word_2
+        self._held_status_word_1: StatusWord1Positioning | int = status_word_1
+        self._held_selected_block: SelectedBlock | int = selected_block
+        self._held_status_word_2: StatusWord2PulseCommand | int = status_word_2
         self.position_actual_a = position_actual_a
+
+    @property
+    def status_word_1(self) -> StatusWord1Positioning:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_1
+        if isinstance(held, int):
+            held = self._held_status_word_1 = StatusWord1Positioning(held)
+        return held
+
+    @status_word_1.setter
+    def status_word_1(self, value: StatusWord1Positioning | int) -> None:
+        self._held_status_word_1 = value
+
+    @property
+    def selected_block(self) -> SelectedBlock:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_selected_block
+        if isinstance(held, int):
+            held = self._held_selected_block = SelectedBlock(held)
+        return held
+
+    @selected_block.setter
+    def selected_block(self, value: SelectedBlock | int) -> None:
+        self._held_selected_block = value
+
+    @property
+    def status_word_2(self) -> StatusWord2PulseCommand:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_2
+        if isinstance(held, int):
+            held = self._held_status_word_2 = StatusWord2PulseCommand(held)
+        return held
+
+    @status_word_2.setter
+    def status_word_2(self, value: StatusWord2PulseCommand | int) -> None:
+        self._held_status_word_2 = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6524,28 +6648,36 @@ class Telegram9Response:
         record = _new(cls)
         try:
             (
-                raw_status_word_1,
-                raw_selected_block,
-                raw_status_word_2,
+                record._held_status_word_1,
+                record._held_selected_block,
+                record._held_status_word_2,
                 record.position_actual_a,
             ) = _TELEGRAM9_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_9_response", len(data), 10, 10) from None
-        record.status_word_1 = StatusWord1Positioning(raw_status_word_1)
-        record.selected_block = SelectedBlock(raw_selected_block)
-        record.status_word_2 = StatusWord2PulseCommand(raw_status_word_2)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM9_RESPONSE_STRUCT.pack(
-                self.status_word_1.raw, self.selected_block.raw, self.status_word_2.raw,
+                self._held_status_word_1, self._held_selected_block, self._held_status_word_2,
                 self.position_actual_a,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_9_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("status_word_1", "H", 0),
+            Column("selected_block", "H", 2),
+            Column("status_word_2", "H", 4),
+            Column("position_actual_a", "i", 6),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -6555,29 +6687,10 @@ class Telegram9Response:
             or _refused_number("position_actual_a", self.position_actual_a, -2147483648, 2147483647)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram9Response):
-            return NotImplemented
-        return (
-            self.status_word_1 == other.status_word_1
-            and self.selected_block == other.selected_block
-            and self.status_word_2 == other.status_word_2
-            and self.position_actual_a == other.position_actual_a
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram9Response("
-            f"status_word_1={self.status_word_1!r}, "
-            f"selected_block={self.selected_block!r}, "
-            f"status_word_2={self.status_word_2!r}, "
-            f"position_actual_a={self.position_actual_a!r})"
-        )
-
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_9_CYCLIC_RESPONSE.pack(
-                self.status_word_1.raw, self.selected_block.raw, self.status_word_2.raw,
+                self._held_status_word_1, self._held_selected_block, self._held_status_word_2,
                 self.position_actual_a,
             )
         except _UNFIT:
@@ -6589,16 +6702,13 @@ class Telegram9Response:
         message = _new(Telegram9Response)
         try:
             (
-                raw_status_word_1,
-                raw_selected_block,
-                raw_status_word_2,
+                message._held_status_word_1,
+                message._held_selected_block,
+                message._held_status_word_2,
                 message.position_actual_a,
             ) = _TELEGRAM_9_CYCLIC_RESPONSE.unpack(data)
         except _StructError:
             return None
-        message.status_word_1 = StatusWord1Positioning(raw_status_word_1)
-        message.selected_block = SelectedBlock(raw_selected_block)
-        message.status_word_2 = StatusWord2PulseCommand(raw_status_word_2)
         frame = _new(_Response)
         frame.station = 0
         frame.message = message
@@ -6635,36 +6745,85 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
     """
 
     __slots__ = (
-        "control_word_1", "block_selection", "control_word_2", "mdi_target_position", "mdi_velocity",
-        "mdi_acceleration", "mdi_deceleration", "mdi_mode",
+        "_held_control_word_1", "_held_block_selection", "_held_control_word_2", "mdi_target_position",
+        "mdi_velocity", "mdi_acceleration", "mdi_deceleration", "_held_mdi_mode",
     )
     __match_args__ = (
         "control_word_1", "block_selection", "control_word_2", "mdi_target_position", "mdi_velocity",
         "mdi_acceleration", "mdi_deceleration", "mdi_mode",
     )
+    _SIZE: _ClassVar[int] = 20
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 9
     _RESPONSE = Telegram9Response
 
     def __init__(
         self,
-        control_word_1: ControlWord1Positioning,
-        block_selection: BlockSelection,
-        control_word_2: ControlWord2,
+        control_word_1: ControlWord1Positioning | int,
+        block_selection: BlockSelection | int,
+        control_word_2: ControlWord2 | int,
         mdi_target_position: int,
         mdi_velocity: int,
         mdi_acceleration: int,
         mdi_deceleration: int,
-        mdi_mode: MdiMode,
+        mdi_mode: MdiMode | int,
     ) -> None:
-        self.control_word_1 = control_word_1
-        self.block_selection = block_selection
-        self.control_word_2 = control_word_2
+        self._held_control_word_1: ControlWord1Positioning | int = control_word_1
+        self._held_block_selection: BlockSelection | int = block_selection
+        self._held_control_word_2: ControlWord2 | int = control_word_2
         self.mdi_target_position = mdi_target_position
         self.mdi_velocity = mdi_velocity
         self.mdi_acceleration = mdi_acceleration
         self.mdi_deceleration = mdi_deceleration
-        self.mdi_mode = mdi_mode
+        self._held_mdi_mode: MdiMode | int = mdi_mode
+
+    @property
+    def control_word_1(self) -> ControlWord1Positioning:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_1
+        if isinstance(held, int):
+            held = self._held_control_word_1 = ControlWord1Positioning(held)
+        return held
+
+    @control_word_1.setter
+    def control_word_1(self, value: ControlWord1Positioning | int) -> None:
+        self._held_control_word_1 = value
+
+    @property
+    def block_selection(self) -> BlockSelection:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_block_selection
+        if isinstance(held, int):
+            held = self._held_block_selection = BlockSelection(held)
+        return held
+
+    @block_selection.setter
+    def block_selection(self, value: BlockSelection | int) -> None:
+        self._held_block_selection = value
+
+    @property
+    def control_word_2(self) -> ControlWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_2
+        if isinstance(held, int):
+            held = self._held_control_word_2 = ControlWord2(held)
+        return held
+
+    @control_word_2.setter
+    def control_word_2(self, value: ControlWord2 | int) -> None:
+        self._held_control_word_2 = value
+
+    @property
+    def mdi_mode(self) -> MdiMode:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_mdi_mode
+        if isinstance(held, int):
+            held = self._held_mdi_mode = MdiMode(held)
+        return held
+
+    @mdi_mode.setter
+    def mdi_mode(self, value: MdiMode | int) -> None:
+        self._held_mdi_mode = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6672,21 +6831,17 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         record = _new(cls)
         try:
             (
-                raw_control_word_1,
-                raw_block_selection,
-                raw_control_word_2,
+                record._held_control_word_1,
+                record._held_block_selection,
+                record._held_control_word_2,
                 record.mdi_target_position,
                 record.mdi_velocity,
                 record.mdi_acceleration,
                 record.mdi_deceleration,
-                raw_mdi_mode,
+                record._held_mdi_mode,
             ) = _TELEGRAM9_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_9_request", len(data), 20, 20) from None
-        record.control_word_1 = ControlWord1Positioning(raw_control_word_1)
-        record.block_selection = BlockSelection(raw_block_selection)
-        record.control_word_2 = ControlWord2(raw_control_word_2)
-        record.mdi_mode = MdiMode(raw_mdi_mode)
         return record
 
     def encode(self) -> bytes:
@@ -6701,13 +6856,28 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
                 and 0 <= raw_mdi_deceleration <= 16384
             ):
                 return _TELEGRAM9_REQUEST_STRUCT.pack(
-                    self.control_word_1.raw, self.block_selection.raw, self.control_word_2.raw,
+                    self._held_control_word_1, self._held_block_selection, self._held_control_word_2,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
-                    self.mdi_mode.raw,
+                    self._held_mdi_mode,
                 )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_9_request")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("control_word_1", "H", 0),
+            Column("block_selection", "H", 2),
+            Column("control_word_2", "H", 4),
+            Column("mdi_target_position", "i", 6),
+            Column("mdi_velocity", "i", 10, ratio=(1000, 0, 1)),
+            Column("mdi_acceleration", "H", 14, ratio=(25, 0, 4096)),
+            Column("mdi_deceleration", "H", 16, ratio=(25, 0, 4096)),
+            Column("mdi_mode", "H", 18),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -6719,33 +6889,6 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
             or _refused_number("mdi_acceleration", self.mdi_acceleration, 0, 65535, ((0, 16384),))
             or _refused_number("mdi_deceleration", self.mdi_deceleration, 0, 65535, ((0, 16384),))
             or _refused_flags("mdi_mode", self.mdi_mode, 65535)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram9Request):
-            return NotImplemented
-        return (
-            self.control_word_1 == other.control_word_1
-            and self.block_selection == other.block_selection
-            and self.control_word_2 == other.control_word_2
-            and self.mdi_target_position == other.mdi_target_position
-            and self.mdi_velocity == other.mdi_velocity
-            and self.mdi_acceleration == other.mdi_acceleration
-            and self.mdi_deceleration == other.mdi_deceleration
-            and self.mdi_mode == other.mdi_mode
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram9Request("
-            f"control_word_1={self.control_word_1!r}, "
-            f"block_selection={self.block_selection!r}, "
-            f"control_word_2={self.control_word_2!r}, "
-            f"mdi_target_position={self.mdi_target_position!r}, "
-            f"mdi_velocity={self.mdi_velocity!r}, "
-            f"mdi_acceleration={self.mdi_acceleration!r}, "
-            f"mdi_deceleration={self.mdi_deceleration!r}, "
-            f"mdi_mode={self.mdi_mode!r})"
         )
 
     @property
@@ -6792,9 +6935,9 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
                 and 0 <= raw_mdi_deceleration <= 16384
             ):
                 return _TELEGRAM_9_CYCLIC_REQUEST.pack(
-                    self.control_word_1.raw, self.block_selection.raw, self.control_word_2.raw,
+                    self._held_control_word_1, self._held_block_selection, self._held_control_word_2,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
-                    self.mdi_mode.raw,
+                    self._held_mdi_mode,
                 )
         except _UNFIT:
             pass
@@ -6805,21 +6948,17 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         message = _new(Telegram9Request)
         try:
             (
-                raw_control_word_1,
-                raw_block_selection,
-                raw_control_word_2,
+                message._held_control_word_1,
+                message._held_block_selection,
+                message._held_control_word_2,
                 message.mdi_target_position,
                 message.mdi_velocity,
                 message.mdi_acceleration,
                 message.mdi_deceleration,
-                raw_mdi_mode,
+                message._held_mdi_mode,
             ) = _TELEGRAM_9_CYCLIC_REQUEST.unpack(data)
         except _StructError:
             return None
-        message.control_word_1 = ControlWord1Positioning(raw_control_word_1)
-        message.block_selection = BlockSelection(raw_block_selection)
-        message.control_word_2 = ControlWord2(raw_control_word_2)
-        message.mdi_mode = MdiMode(raw_mdi_mode)
         frame = _new(_Request)
         frame.station = 0
         frame.message = message
@@ -6830,7 +6969,7 @@ _TELEGRAM_102_CYCLIC_RESPONSE = _Struct(">HiHHHii")
 _TELEGRAM102_RESPONSE_STRUCT = _Struct(">HiHHHii")
 
 
-class Telegram102Response:
+class Telegram102Response(_Record):
     """Speed with torque reduction (HIWIN telegram 102): the response (sent) (HIWIN 報文 102). 20 bytes.
 
     Telegram 102.
@@ -6851,33 +6990,82 @@ class Telegram102Response:
     """
 
     __slots__ = (
-        "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
-        "encoder_1_position_1", "encoder_1_position_2",
+        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_message_word",
+        "_held_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
         "encoder_1_position_1", "encoder_1_position_2",
     )
+    _SIZE: _ClassVar[int] = 20
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 102
 
     def __init__(
         self,
-        status_word_1: StatusWord1,
+        status_word_1: StatusWord1 | int,
         speed_actual_b: int,
-        status_word_2: StatusWord2FixedStop,
-        message_word: MessageWord,
-        encoder_1_status_word: Encoder1StatusWord,
+        status_word_2: StatusWord2FixedStop | int,
+        message_word: MessageWord | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self.status_word_1 = status_word_1
+        self._held_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self.status_word_2 = status_word_2
-        self.message_word = message_word
-        self.encoder_1_status_word = encoder_1_status_word
+        self._held_status_word_2: StatusWord2FixedStop | int = status_word_2
+        self._held_message_word: MessageWord | int = message_word
+        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
+
+    @property
+    def status_word_1(self) -> StatusWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_1
+        if isinstance(held, int):
+            held = self._held_status_word_1 = StatusWord1(held)
+        return held
+
+    @status_word_1.setter
+    def status_word_1(self, value: StatusWord1 | int) -> None:
+        self._held_status_word_1 = value
+
+    @property
+    def status_word_2(self) -> StatusWord2FixedStop:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_2
+        if isinstance(held, int):
+            held = self._held_status_word_2 = StatusWord2FixedStop(held)
+        return held
+
+    @status_word_2.setter
+    def status_word_2(self, value: StatusWord2FixedStop | int) -> None:
+        self._held_status_word_2 = value
+
+    @property
+    def message_word(self) -> MessageWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_message_word
+        if isinstance(held, int):
+            held = self._held_message_word = MessageWord(held)
+        return held
+
+    @message_word.setter
+    def message_word(self, value: MessageWord | int) -> None:
+        self._held_message_word = value
+
+    @property
+    def encoder_1_status_word(self) -> Encoder1StatusWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_status_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
+        return held
+
+    @encoder_1_status_word.setter
+    def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
+        self._held_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6885,32 +7073,43 @@ class Telegram102Response:
         record = _new(cls)
         try:
             (
-                raw_status_word_1,
+                record._held_status_word_1,
                 record.speed_actual_b,
-                raw_status_word_2,
-                raw_message_word,
-                raw_encoder_1_status_word,
+                record._held_status_word_2,
+                record._held_message_word,
+                record._held_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM102_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_102_response", len(data), 20, 20) from None
-        record.status_word_1 = StatusWord1(raw_status_word_1)
-        record.status_word_2 = StatusWord2FixedStop(raw_status_word_2)
-        record.message_word = MessageWord(raw_message_word)
-        record.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM102_RESPONSE_STRUCT.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw, self.message_word.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_102_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("status_word_1", "H", 0),
+            Column("speed_actual_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("status_word_2", "H", 6),
+            Column("message_word", "H", 8),
+            Column("encoder_1_status_word", "H", 10),
+            Column("encoder_1_position_1", "i", 12),
+            Column("encoder_1_position_2", "i", 16),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -6921,31 +7120,6 @@ class Telegram102Response:
             or _refused_flags("encoder_1_status_word", self.encoder_1_status_word, 65535)
             or _refused_number("encoder_1_position_1", self.encoder_1_position_1, -2147483648, 2147483647)
             or _refused_number("encoder_1_position_2", self.encoder_1_position_2, -2147483648, 2147483647)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram102Response):
-            return NotImplemented
-        return (
-            self.status_word_1 == other.status_word_1
-            and self.speed_actual_b == other.speed_actual_b
-            and self.status_word_2 == other.status_word_2
-            and self.message_word == other.message_word
-            and self.encoder_1_status_word == other.encoder_1_status_word
-            and self.encoder_1_position_1 == other.encoder_1_position_1
-            and self.encoder_1_position_2 == other.encoder_1_position_2
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram102Response("
-            f"status_word_1={self.status_word_1!r}, "
-            f"speed_actual_b={self.speed_actual_b!r}, "
-            f"status_word_2={self.status_word_2!r}, "
-            f"message_word={self.message_word!r}, "
-            f"encoder_1_status_word={self.encoder_1_status_word!r}, "
-            f"encoder_1_position_1={self.encoder_1_position_1!r}, "
-            f"encoder_1_position_2={self.encoder_1_position_2!r})"
         )
 
     @property
@@ -6962,8 +7136,9 @@ class Telegram102Response:
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_102_CYCLIC_RESPONSE.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw, self.message_word.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6974,20 +7149,16 @@ class Telegram102Response:
         message = _new(Telegram102Response)
         try:
             (
-                raw_status_word_1,
+                message._held_status_word_1,
                 message.speed_actual_b,
-                raw_status_word_2,
-                raw_message_word,
-                raw_encoder_1_status_word,
+                message._held_status_word_2,
+                message._held_message_word,
+                message._held_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _TELEGRAM_102_CYCLIC_RESPONSE.unpack(data)
         except _StructError:
             return None
-        message.status_word_1 = StatusWord1(raw_status_word_1)
-        message.status_word_2 = StatusWord2FixedStop(raw_status_word_2)
-        message.message_word = MessageWord(raw_message_word)
-        message.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         frame = _new(_Response)
         frame.station = 0
         frame.message = message
@@ -7019,28 +7190,66 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
     """
 
     __slots__ = (
-        "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
+        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "torque_reduction",
+        "_held_encoder_1_control_word",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
     )
+    _SIZE: _ClassVar[int] = 12
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 102
     _RESPONSE = Telegram102Response
 
     def __init__(
         self,
-        control_word_1: ControlWord1,
+        control_word_1: ControlWord1 | int,
         speed_setpoint_b: int,
-        control_word_2: ControlWord2FixedStop,
+        control_word_2: ControlWord2FixedStop | int,
         torque_reduction: int,
-        encoder_1_control_word: Encoder1ControlWord,
+        encoder_1_control_word: Encoder1ControlWord | int,
     ) -> None:
-        self.control_word_1 = control_word_1
+        self._held_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self.control_word_2 = control_word_2
+        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.torque_reduction = torque_reduction
-        self.encoder_1_control_word = encoder_1_control_word
+        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+
+    @property
+    def control_word_1(self) -> ControlWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_1
+        if isinstance(held, int):
+            held = self._held_control_word_1 = ControlWord1(held)
+        return held
+
+    @control_word_1.setter
+    def control_word_1(self, value: ControlWord1 | int) -> None:
+        self._held_control_word_1 = value
+
+    @property
+    def control_word_2(self) -> ControlWord2FixedStop:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_2
+        if isinstance(held, int):
+            held = self._held_control_word_2 = ControlWord2FixedStop(held)
+        return held
+
+    @control_word_2.setter
+    def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
+        self._held_control_word_2 = value
+
+    @property
+    def encoder_1_control_word(self) -> Encoder1ControlWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_control_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
+        return held
+
+    @encoder_1_control_word.setter
+    def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
+        self._held_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7048,17 +7257,14 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         record = _new(cls)
         try:
             (
-                raw_control_word_1,
+                record._held_control_word_1,
                 record.speed_setpoint_b,
-                raw_control_word_2,
+                record._held_control_word_2,
                 record.torque_reduction,
-                raw_encoder_1_control_word,
+                record._held_encoder_1_control_word,
             ) = _TELEGRAM102_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_102_request", len(data), 12, 12) from None
-        record.control_word_1 = ControlWord1(raw_control_word_1)
-        record.control_word_2 = ControlWord2FixedStop(raw_control_word_2)
-        record.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         return record
 
     def encode(self) -> bytes:
@@ -7067,12 +7273,24 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
             raw_torque_reduction = self.torque_reduction
             if 0 <= raw_torque_reduction <= 16384:
                 return _TELEGRAM102_REQUEST_STRUCT.pack(
-                    self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                    raw_torque_reduction, self.encoder_1_control_word.raw,
+                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                    raw_torque_reduction, self._held_encoder_1_control_word,
                 )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_102_request")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("control_word_1", "H", 0),
+            Column("speed_setpoint_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("control_word_2", "H", 6),
+            Column("torque_reduction", "H", 8, ratio=(25, 0, 4096)),
+            Column("encoder_1_control_word", "H", 10),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -7081,27 +7299,6 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
             or _refused_flags("control_word_2", self.control_word_2, 65535)
             or _refused_number("torque_reduction", self.torque_reduction, 0, 65535, ((0, 16384),))
             or _refused_flags("encoder_1_control_word", self.encoder_1_control_word, 65535)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram102Request):
-            return NotImplemented
-        return (
-            self.control_word_1 == other.control_word_1
-            and self.speed_setpoint_b == other.speed_setpoint_b
-            and self.control_word_2 == other.control_word_2
-            and self.torque_reduction == other.torque_reduction
-            and self.encoder_1_control_word == other.encoder_1_control_word
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram102Request("
-            f"control_word_1={self.control_word_1!r}, "
-            f"speed_setpoint_b={self.speed_setpoint_b!r}, "
-            f"control_word_2={self.control_word_2!r}, "
-            f"torque_reduction={self.torque_reduction!r}, "
-            f"encoder_1_control_word={self.encoder_1_control_word!r})"
         )
 
     @property
@@ -7131,8 +7328,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
             raw_torque_reduction = self.torque_reduction
             if 0 <= raw_torque_reduction <= 16384:
                 return _TELEGRAM_102_CYCLIC_REQUEST.pack(
-                    self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                    raw_torque_reduction, self.encoder_1_control_word.raw,
+                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                    raw_torque_reduction, self._held_encoder_1_control_word,
                 )
         except _UNFIT:
             pass
@@ -7143,17 +7340,14 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         message = _new(Telegram102Request)
         try:
             (
-                raw_control_word_1,
+                message._held_control_word_1,
                 message.speed_setpoint_b,
-                raw_control_word_2,
+                message._held_control_word_2,
                 message.torque_reduction,
-                raw_encoder_1_control_word,
+                message._held_encoder_1_control_word,
             ) = _TELEGRAM_102_CYCLIC_REQUEST.unpack(data)
         except _StructError:
             return None
-        message.control_word_1 = ControlWord1(raw_control_word_1)
-        message.control_word_2 = ControlWord2FixedStop(raw_control_word_2)
-        message.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         frame = _new(_Request)
         frame.station = 0
         frame.message = message
@@ -7164,7 +7358,7 @@ _TELEGRAM_105_CYCLIC_RESPONSE = _Struct(">HiHHHii")
 _TELEGRAM105_RESPONSE_STRUCT = _Struct(">HiHHHii")
 
 
-class Telegram105Response:
+class Telegram105Response(_Record):
     """Speed with torque reduction and position controller (HIWIN telegram 105): the response (sent)
     (HIWIN 報文 105). 20 bytes.
 
@@ -7186,33 +7380,82 @@ class Telegram105Response:
     """
 
     __slots__ = (
-        "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
-        "encoder_1_position_1", "encoder_1_position_2",
+        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_message_word",
+        "_held_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
         "encoder_1_position_1", "encoder_1_position_2",
     )
+    _SIZE: _ClassVar[int] = 20
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 105
 
     def __init__(
         self,
-        status_word_1: StatusWord1,
+        status_word_1: StatusWord1 | int,
         speed_actual_b: int,
-        status_word_2: StatusWord2FixedStop,
-        message_word: MessageWord,
-        encoder_1_status_word: Encoder1StatusWord,
+        status_word_2: StatusWord2FixedStop | int,
+        message_word: MessageWord | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self.status_word_1 = status_word_1
+        self._held_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self.status_word_2 = status_word_2
-        self.message_word = message_word
-        self.encoder_1_status_word = encoder_1_status_word
+        self._held_status_word_2: StatusWord2FixedStop | int = status_word_2
+        self._held_message_word: MessageWord | int = message_word
+        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
+
+    @property
+    def status_word_1(self) -> StatusWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_1
+        if isinstance(held, int):
+            held = self._held_status_word_1 = StatusWord1(held)
+        return held
+
+    @status_word_1.setter
+    def status_word_1(self, value: StatusWord1 | int) -> None:
+        self._held_status_word_1 = value
+
+    @property
+    def status_word_2(self) -> StatusWord2FixedStop:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_2
+        if isinstance(held, int):
+            held = self._held_status_word_2 = StatusWord2FixedStop(held)
+        return held
+
+    @status_word_2.setter
+    def status_word_2(self, value: StatusWord2FixedStop | int) -> None:
+        self._held_status_word_2 = value
+
+    @property
+    def message_word(self) -> MessageWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_message_word
+        if isinstance(held, int):
+            held = self._held_message_word = MessageWord(held)
+        return held
+
+    @message_word.setter
+    def message_word(self, value: MessageWord | int) -> None:
+        self._held_message_word = value
+
+    @property
+    def encoder_1_status_word(self) -> Encoder1StatusWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_status_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
+        return held
+
+    @encoder_1_status_word.setter
+    def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
+        self._held_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7220,32 +7463,43 @@ class Telegram105Response:
         record = _new(cls)
         try:
             (
-                raw_status_word_1,
+                record._held_status_word_1,
                 record.speed_actual_b,
-                raw_status_word_2,
-                raw_message_word,
-                raw_encoder_1_status_word,
+                record._held_status_word_2,
+                record._held_message_word,
+                record._held_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM105_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_105_response", len(data), 20, 20) from None
-        record.status_word_1 = StatusWord1(raw_status_word_1)
-        record.status_word_2 = StatusWord2FixedStop(raw_status_word_2)
-        record.message_word = MessageWord(raw_message_word)
-        record.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM105_RESPONSE_STRUCT.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw, self.message_word.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_105_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("status_word_1", "H", 0),
+            Column("speed_actual_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("status_word_2", "H", 6),
+            Column("message_word", "H", 8),
+            Column("encoder_1_status_word", "H", 10),
+            Column("encoder_1_position_1", "i", 12),
+            Column("encoder_1_position_2", "i", 16),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -7256,31 +7510,6 @@ class Telegram105Response:
             or _refused_flags("encoder_1_status_word", self.encoder_1_status_word, 65535)
             or _refused_number("encoder_1_position_1", self.encoder_1_position_1, -2147483648, 2147483647)
             or _refused_number("encoder_1_position_2", self.encoder_1_position_2, -2147483648, 2147483647)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram105Response):
-            return NotImplemented
-        return (
-            self.status_word_1 == other.status_word_1
-            and self.speed_actual_b == other.speed_actual_b
-            and self.status_word_2 == other.status_word_2
-            and self.message_word == other.message_word
-            and self.encoder_1_status_word == other.encoder_1_status_word
-            and self.encoder_1_position_1 == other.encoder_1_position_1
-            and self.encoder_1_position_2 == other.encoder_1_position_2
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram105Response("
-            f"status_word_1={self.status_word_1!r}, "
-            f"speed_actual_b={self.speed_actual_b!r}, "
-            f"status_word_2={self.status_word_2!r}, "
-            f"message_word={self.message_word!r}, "
-            f"encoder_1_status_word={self.encoder_1_status_word!r}, "
-            f"encoder_1_position_1={self.encoder_1_position_1!r}, "
-            f"encoder_1_position_2={self.encoder_1_position_2!r})"
         )
 
     @property
@@ -7297,8 +7526,9 @@ class Telegram105Response:
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_105_CYCLIC_RESPONSE.pack(
-                self.status_word_1.raw, self.speed_actual_b, self.status_word_2.raw, self.message_word.raw,
-                self.encoder_1_status_word.raw, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
+                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -7309,20 +7539,16 @@ class Telegram105Response:
         message = _new(Telegram105Response)
         try:
             (
-                raw_status_word_1,
+                message._held_status_word_1,
                 message.speed_actual_b,
-                raw_status_word_2,
-                raw_message_word,
-                raw_encoder_1_status_word,
+                message._held_status_word_2,
+                message._held_message_word,
+                message._held_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _TELEGRAM_105_CYCLIC_RESPONSE.unpack(data)
         except _StructError:
             return None
-        message.status_word_1 = StatusWord1(raw_status_word_1)
-        message.status_word_2 = StatusWord2FixedStop(raw_status_word_2)
-        message.message_word = MessageWord(raw_message_word)
-        message.encoder_1_status_word = Encoder1StatusWord(raw_encoder_1_status_word)
         frame = _new(_Response)
         frame.station = 0
         frame.message = message
@@ -7359,34 +7585,71 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
     """
 
     __slots__ = (
-        "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
-        "position_error", "position_controller_gain",
+        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "torque_reduction",
+        "_held_encoder_1_control_word", "position_error", "position_controller_gain",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
         "position_error", "position_controller_gain",
     )
+    _SIZE: _ClassVar[int] = 20
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 105
     _RESPONSE = Telegram105Response
 
     def __init__(
         self,
-        control_word_1: ControlWord1,
+        control_word_1: ControlWord1 | int,
         speed_setpoint_b: int,
-        control_word_2: ControlWord2FixedStop,
+        control_word_2: ControlWord2FixedStop | int,
         torque_reduction: int,
-        encoder_1_control_word: Encoder1ControlWord,
+        encoder_1_control_word: Encoder1ControlWord | int,
         position_error: int,
         position_controller_gain: int,
     ) -> None:
-        self.control_word_1 = control_word_1
+        self._held_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self.control_word_2 = control_word_2
+        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.torque_reduction = torque_reduction
-        self.encoder_1_control_word = encoder_1_control_word
+        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
         self.position_error = position_error
         self.position_controller_gain = position_controller_gain
+
+    @property
+    def control_word_1(self) -> ControlWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_1
+        if isinstance(held, int):
+            held = self._held_control_word_1 = ControlWord1(held)
+        return held
+
+    @control_word_1.setter
+    def control_word_1(self, value: ControlWord1 | int) -> None:
+        self._held_control_word_1 = value
+
+    @property
+    def control_word_2(self) -> ControlWord2FixedStop:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_2
+        if isinstance(held, int):
+            held = self._held_control_word_2 = ControlWord2FixedStop(held)
+        return held
+
+    @control_word_2.setter
+    def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
+        self._held_control_word_2 = value
+
+    @property
+    def encoder_1_control_word(self) -> Encoder1ControlWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_encoder_1_control_word
+        if isinstance(held, int):
+            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
+        return held
+
+    @encoder_1_control_word.setter
+    def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
+        self._held_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7394,19 +7657,16 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         record = _new(cls)
         try:
             (
-                raw_control_word_1,
+                record._held_control_word_1,
                 record.speed_setpoint_b,
-                raw_control_word_2,
+                record._held_control_word_2,
                 record.torque_reduction,
-                raw_encoder_1_control_word,
+                record._held_encoder_1_control_word,
                 record.position_error,
                 record.position_controller_gain,
             ) = _TELEGRAM105_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_105_request", len(data), 20, 20) from None
-        record.control_word_1 = ControlWord1(raw_control_word_1)
-        record.control_word_2 = ControlWord2FixedStop(raw_control_word_2)
-        record.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         return record
 
     def encode(self) -> bytes:
@@ -7415,13 +7675,27 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
             raw_torque_reduction = self.torque_reduction
             if 0 <= raw_torque_reduction <= 16384:
                 return _TELEGRAM105_REQUEST_STRUCT.pack(
-                    self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                    raw_torque_reduction, self.encoder_1_control_word.raw, self.position_error,
+                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                    raw_torque_reduction, self._held_encoder_1_control_word, self.position_error,
                     self.position_controller_gain,
                 )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_105_request")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("control_word_1", "H", 0),
+            Column("speed_setpoint_b", "i", 2, ratio=(25, 0, 268435456)),
+            Column("control_word_2", "H", 6),
+            Column("torque_reduction", "H", 8, ratio=(25, 0, 4096)),
+            Column("encoder_1_control_word", "H", 10),
+            Column("position_error", "i", 12),
+            Column("position_controller_gain", "i", 16, ratio=(1, 0, 1000)),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -7432,31 +7706,6 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
             or _refused_flags("encoder_1_control_word", self.encoder_1_control_word, 65535)
             or _refused_number("position_error", self.position_error, -2147483648, 2147483647)
             or _refused_number("position_controller_gain", self.position_controller_gain, -2147483648, 2147483647)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram105Request):
-            return NotImplemented
-        return (
-            self.control_word_1 == other.control_word_1
-            and self.speed_setpoint_b == other.speed_setpoint_b
-            and self.control_word_2 == other.control_word_2
-            and self.torque_reduction == other.torque_reduction
-            and self.encoder_1_control_word == other.encoder_1_control_word
-            and self.position_error == other.position_error
-            and self.position_controller_gain == other.position_controller_gain
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram105Request("
-            f"control_word_1={self.control_word_1!r}, "
-            f"speed_setpoint_b={self.speed_setpoint_b!r}, "
-            f"control_word_2={self.control_word_2!r}, "
-            f"torque_reduction={self.torque_reduction!r}, "
-            f"encoder_1_control_word={self.encoder_1_control_word!r}, "
-            f"position_error={self.position_error!r}, "
-            f"position_controller_gain={self.position_controller_gain!r})"
         )
 
     @property
@@ -7497,8 +7746,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
             raw_torque_reduction = self.torque_reduction
             if 0 <= raw_torque_reduction <= 16384:
                 return _TELEGRAM_105_CYCLIC_REQUEST.pack(
-                    self.control_word_1.raw, self.speed_setpoint_b, self.control_word_2.raw,
-                    raw_torque_reduction, self.encoder_1_control_word.raw, self.position_error,
+                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
+                    raw_torque_reduction, self._held_encoder_1_control_word, self.position_error,
                     self.position_controller_gain,
                 )
         except _UNFIT:
@@ -7510,19 +7759,16 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         message = _new(Telegram105Request)
         try:
             (
-                raw_control_word_1,
+                message._held_control_word_1,
                 message.speed_setpoint_b,
-                raw_control_word_2,
+                message._held_control_word_2,
                 message.torque_reduction,
-                raw_encoder_1_control_word,
+                message._held_encoder_1_control_word,
                 message.position_error,
                 message.position_controller_gain,
             ) = _TELEGRAM_105_CYCLIC_REQUEST.unpack(data)
         except _StructError:
             return None
-        message.control_word_1 = ControlWord1(raw_control_word_1)
-        message.control_word_2 = ControlWord2FixedStop(raw_control_word_2)
-        message.encoder_1_control_word = Encoder1ControlWord(raw_encoder_1_control_word)
         frame = _new(_Request)
         frame.station = 0
         frame.message = message
@@ -7533,7 +7779,7 @@ _TELEGRAM_111_CYCLIC_RESPONSE = _Struct(">HHHHHiiHH2x")
 _TELEGRAM111_RESPONSE_STRUCT = _Struct(">HHHHHiiHH2x")
 
 
-class Telegram111Response:
+class Telegram111Response(_Record):
     """Positioning with all control words (HIWIN telegram 111): the response (sent) (HIWIN 報文 111). 24
     bytes.
 
@@ -7557,37 +7803,119 @@ class Telegram111Response:
     """
 
     __slots__ = (
-        "status_word_1", "positioning_status_word_1", "positioning_status_word_2", "status_word_2",
-        "message_word", "position_actual_a", "speed_actual_b", "fault_code", "warning_code",
+        "_held_status_word_1", "_held_positioning_status_word_1", "_held_positioning_status_word_2",
+        "_held_status_word_2", "_held_message_word", "position_actual_a", "speed_actual_b",
+        "_held_fault_code", "_held_warning_code",
     )
     __match_args__ = (
         "status_word_1", "positioning_status_word_1", "positioning_status_word_2", "status_word_2",
         "message_word", "position_actual_a", "speed_actual_b", "fault_code", "warning_code",
     )
+    _SIZE: _ClassVar[int] = 24
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 111
 
     def __init__(
         self,
-        status_word_1: StatusWord1Positioning,
-        positioning_status_word_1: PositioningStatusWord1,
-        positioning_status_word_2: PositioningStatusWord2,
-        status_word_2: StatusWord2Positioning,
-        message_word: MessageWord,
+        status_word_1: StatusWord1Positioning | int,
+        positioning_status_word_1: PositioningStatusWord1 | int,
+        positioning_status_word_2: PositioningStatusWord2 | int,
+        status_word_2: StatusWord2Positioning | int,
+        message_word: MessageWord | int,
         position_actual_a: int,
         speed_actual_b: int,
         fault_code: AlarmCode | int,
         warning_code: WarningCode | int,
     ) -> None:
-        self.status_word_1 = status_word_1
-        self.positioning_status_word_1 = positioning_status_word_1
-        self.positioning_status_word_2 = positioning_status_word_2
-        self.status_word_2 = status_word_2
-        self.message_word = message_word
+        self._held_status_word_1: StatusWord1Positioning | int = status_word_1
+        self._held_positioning_status_word_1: PositioningStatusWord1 | int = positioning_status_word_1
+        self._held_positioning_status_word_2: PositioningStatusWord2 | int = positioning_status_word_2
+        self._held_status_word_2: StatusWord2Positioning | int = status_word_2
+        self._held_message_word: MessageWord | int = message_word
         self.position_actual_a = position_actual_a
         self.speed_actual_b = speed_actual_b
-        self.fault_code = fault_code
-        self.warning_code = warning_code
+        self._held_fault_code: AlarmCode | int = fault_code
+        self._held_warning_code: WarningCode | int = warning_code
+
+    @property
+    def status_word_1(self) -> StatusWord1Positioning:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_1
+        if isinstance(held, int):
+            held = self._held_status_word_1 = StatusWord1Positioning(held)
+        return held
+
+    @status_word_1.setter
+    def status_word_1(self, value: StatusWord1Positioning | int) -> None:
+        self._held_status_word_1 = value
+
+    @property
+    def positioning_status_word_1(self) -> PositioningStatusWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_positioning_status_word_1
+        if isinstance(held, int):
+            held = self._held_positioning_status_word_1 = PositioningStatusWord1(held)
+        return held
+
+    @positioning_status_word_1.setter
+    def positioning_status_word_1(self, value: PositioningStatusWord1 | int) -> None:
+        self._held_positioning_status_word_1 = value
+
+    @property
+    def positioning_status_word_2(self) -> PositioningStatusWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_positioning_status_word_2
+        if isinstance(held, int):
+            held = self._held_positioning_status_word_2 = PositioningStatusWord2(held)
+        return held
+
+    @positioning_status_word_2.setter
+    def positioning_status_word_2(self, value: PositioningStatusWord2 | int) -> None:
+        self._held_positioning_status_word_2 = value
+
+    @property
+    def status_word_2(self) -> StatusWord2Positioning:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_status_word_2
+        if isinstance(held, int):
+            held = self._held_status_word_2 = StatusWord2Positioning(held)
+        return held
+
+    @status_word_2.setter
+    def status_word_2(self, value: StatusWord2Positioning | int) -> None:
+        self._held_status_word_2 = value
+
+    @property
+    def message_word(self) -> MessageWord:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_message_word
+        if isinstance(held, int):
+            held = self._held_message_word = MessageWord(held)
+        return held
+
+    @message_word.setter
+    def message_word(self, value: MessageWord | int) -> None:
+        self._held_message_word = value
+
+    @property
+    def fault_code(self) -> AlarmCode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_fault_code
+        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @fault_code.setter
+    def fault_code(self, value: AlarmCode | int) -> None:
+        self._held_fault_code = value
+
+    @property
+    def warning_code(self) -> WarningCode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_warning_code
+        return _WARNING_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @warning_code.setter
+    def warning_code(self, value: WarningCode | int) -> None:
+        self._held_warning_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7595,38 +7923,47 @@ class Telegram111Response:
         record = _new(cls)
         try:
             (
-                raw_status_word_1,
-                raw_positioning_status_word_1,
-                raw_positioning_status_word_2,
-                raw_status_word_2,
-                raw_message_word,
+                record._held_status_word_1,
+                record._held_positioning_status_word_1,
+                record._held_positioning_status_word_2,
+                record._held_status_word_2,
+                record._held_message_word,
                 record.position_actual_a,
                 record.speed_actual_b,
-                raw_fault_code,
-                raw_warning_code,
+                record._held_fault_code,
+                record._held_warning_code,
             ) = _TELEGRAM111_RESPONSE_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_111_response", len(data), 24, 24) from None
-        record.status_word_1 = StatusWord1Positioning(raw_status_word_1)
-        record.positioning_status_word_1 = PositioningStatusWord1(raw_positioning_status_word_1)
-        record.positioning_status_word_2 = PositioningStatusWord2(raw_positioning_status_word_2)
-        record.status_word_2 = StatusWord2Positioning(raw_status_word_2)
-        record.message_word = MessageWord(raw_message_word)
-        record.fault_code = _ALARM_CODE_MEMBERS.get(raw_fault_code, raw_fault_code)
-        record.warning_code = _WARNING_CODE_MEMBERS.get(raw_warning_code, raw_warning_code)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM111_RESPONSE_STRUCT.pack(
-                self.status_word_1.raw, self.positioning_status_word_1.raw,
-                self.positioning_status_word_2.raw, self.status_word_2.raw, self.message_word.raw,
-                self.position_actual_a, self.speed_actual_b, self.fault_code, self.warning_code,
+                self._held_status_word_1, self._held_positioning_status_word_1,
+                self._held_positioning_status_word_2, self._held_status_word_2, self._held_message_word,
+                self.position_actual_a, self.speed_actual_b, self._held_fault_code, self._held_warning_code,
             )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_111_response")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("status_word_1", "H", 0),
+            Column("positioning_status_word_1", "H", 2),
+            Column("positioning_status_word_2", "H", 4),
+            Column("status_word_2", "H", 6),
+            Column("message_word", "H", 8),
+            Column("position_actual_a", "i", 10),
+            Column("speed_actual_b", "i", 14, ratio=(25, 0, 268435456)),
+            Column("fault_code", "H", 18),
+            Column("warning_code", "H", 20),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -7639,35 +7976,6 @@ class Telegram111Response:
             or _refused_number("speed_actual_b", self.speed_actual_b, -2147483648, 2147483647)
             or _refused_number("fault_code", self.fault_code, 0, 65535)
             or _refused_number("warning_code", self.warning_code, 0, 65535)
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram111Response):
-            return NotImplemented
-        return (
-            self.status_word_1 == other.status_word_1
-            and self.positioning_status_word_1 == other.positioning_status_word_1
-            and self.positioning_status_word_2 == other.positioning_status_word_2
-            and self.status_word_2 == other.status_word_2
-            and self.message_word == other.message_word
-            and self.position_actual_a == other.position_actual_a
-            and self.speed_actual_b == other.speed_actual_b
-            and self.fault_code == other.fault_code
-            and self.warning_code == other.warning_code
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram111Response("
-            f"status_word_1={self.status_word_1!r}, "
-            f"positioning_status_word_1={self.positioning_status_word_1!r}, "
-            f"positioning_status_word_2={self.positioning_status_word_2!r}, "
-            f"status_word_2={self.status_word_2!r}, "
-            f"message_word={self.message_word!r}, "
-            f"position_actual_a={self.position_actual_a!r}, "
-            f"speed_actual_b={self.speed_actual_b!r}, "
-            f"fault_code={self.fault_code!r}, "
-            f"warning_code={self.warning_code!r})"
         )
 
     @property
@@ -7684,9 +7992,9 @@ class Telegram111Response:
     def _to_cyclic(self) -> bytes:
         try:
             return _TELEGRAM_111_CYCLIC_RESPONSE.pack(
-                self.status_word_1.raw, self.positioning_status_word_1.raw,
-                self.positioning_status_word_2.raw, self.status_word_2.raw, self.message_word.raw,
-                self.position_actual_a, self.speed_actual_b, self.fault_code, self.warning_code,
+                self._held_status_word_1, self._held_positioning_status_word_1,
+                self._held_positioning_status_word_2, self._held_status_word_2, self._held_message_word,
+                self.position_actual_a, self.speed_actual_b, self._held_fault_code, self._held_warning_code,
             )
         except _UNFIT:
             pass
@@ -7697,25 +8005,18 @@ class Telegram111Response:
         message = _new(Telegram111Response)
         try:
             (
-                raw_status_word_1,
-                raw_positioning_status_word_1,
-                raw_positioning_status_word_2,
-                raw_status_word_2,
-                raw_message_word,
+                message._held_status_word_1,
+                message._held_positioning_status_word_1,
+                message._held_positioning_status_word_2,
+                message._held_status_word_2,
+                message._held_message_word,
                 message.position_actual_a,
                 message.speed_actual_b,
-                raw_fault_code,
-                raw_warning_code,
+                message._held_fault_code,
+                message._held_warning_code,
             ) = _TELEGRAM_111_CYCLIC_RESPONSE.unpack(data)
         except _StructError:
             return None
-        message.status_word_1 = StatusWord1Positioning(raw_status_word_1)
-        message.positioning_status_word_1 = PositioningStatusWord1(raw_positioning_status_word_1)
-        message.positioning_status_word_2 = PositioningStatusWord2(raw_positioning_status_word_2)
-        message.status_word_2 = StatusWord2Positioning(raw_status_word_2)
-        message.message_word = MessageWord(raw_message_word)
-        message.fault_code = _ALARM_CODE_MEMBERS.get(raw_fault_code, raw_fault_code)
-        message.warning_code = _WARNING_CODE_MEMBERS.get(raw_warning_code, raw_warning_code)
         frame = _new(_Response)
         frame.station = 0
         frame.message = message
@@ -7755,38 +8056,88 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     """
 
     __slots__ = (
-        "control_word_1", "positioning_control_word_1", "positioning_control_word_2", "control_word_2",
-        "velocity_override", "mdi_target_position", "mdi_velocity", "mdi_acceleration", "mdi_deceleration",
+        "_held_control_word_1", "_held_positioning_control_word_1", "_held_positioning_control_word_2",
+        "_held_control_word_2", "velocity_override", "mdi_target_position", "mdi_velocity",
+        "mdi_acceleration", "mdi_deceleration",
     )
     __match_args__ = (
         "control_word_1", "positioning_control_word_1", "positioning_control_word_2", "control_word_2",
         "velocity_override", "mdi_target_position", "mdi_velocity", "mdi_acceleration", "mdi_deceleration",
     )
+    _SIZE: _ClassVar[int] = 24
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 111
     _RESPONSE = Telegram111Response
 
     def __init__(
         self,
-        control_word_1: ControlWord1Positioning,
-        positioning_control_word_1: PositioningControlWord1,
-        positioning_control_word_2: PositioningControlWord2,
-        control_word_2: ControlWord2FixedStop,
+        control_word_1: ControlWord1Positioning | int,
+        positioning_control_word_1: PositioningControlWord1 | int,
+        positioning_control_word_2: PositioningControlWord2 | int,
+        control_word_2: ControlWord2FixedStop | int,
         velocity_override: int,
         mdi_target_position: int,
         mdi_velocity: int,
         mdi_acceleration: int,
         mdi_deceleration: int,
     ) -> None:
-        self.control_word_1 = control_word_1
-        self.positioning_control_word_1 = positioning_control_word_1
-        self.positioning_control_word_2 = positioning_control_word_2
-        self.control_word_2 = control_word_2
+        self._held_control_word_1: ControlWord1Positioning | int = control_word_1
+        self._held_positioning_control_word_1: PositioningControlWord1 | int = positioning_control_word_1
+        self._held_positioning_control_word_2: PositioningControlWord2 | int = positioning_control_word_2
+        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.velocity_override = velocity_override
         self.mdi_target_position = mdi_target_position
         self.mdi_velocity = mdi_velocity
         self.mdi_acceleration = mdi_acceleration
         self.mdi_deceleration = mdi_deceleration
+
+    @property
+    def control_word_1(self) -> ControlWord1Positioning:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_1
+        if isinstance(held, int):
+            held = self._held_control_word_1 = ControlWord1Positioning(held)
+        return held
+
+    @control_word_1.setter
+    def control_word_1(self, value: ControlWord1Positioning | int) -> None:
+        self._held_control_word_1 = value
+
+    @property
+    def positioning_control_word_1(self) -> PositioningControlWord1:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_positioning_control_word_1
+        if isinstance(held, int):
+            held = self._held_positioning_control_word_1 = PositioningControlWord1(held)
+        return held
+
+    @positioning_control_word_1.setter
+    def positioning_control_word_1(self, value: PositioningControlWord1 | int) -> None:
+        self._held_positioning_control_word_1 = value
+
+    @property
+    def positioning_control_word_2(self) -> PositioningControlWord2:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_positioning_control_word_2
+        if isinstance(held, int):
+            held = self._held_positioning_control_word_2 = PositioningControlWord2(held)
+        return held
+
+    @positioning_control_word_2.setter
+    def positioning_control_word_2(self, value: PositioningControlWord2 | int) -> None:
+        self._held_positioning_control_word_2 = value
+
+    @property
+    def control_word_2(self) -> ControlWord2FixedStop:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_control_word_2
+        if isinstance(held, int):
+            held = self._held_control_word_2 = ControlWord2FixedStop(held)
+        return held
+
+    @control_word_2.setter
+    def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
+        self._held_control_word_2 = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7794,10 +8145,10 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         record = _new(cls)
         try:
             (
-                raw_control_word_1,
-                raw_positioning_control_word_1,
-                raw_positioning_control_word_2,
-                raw_control_word_2,
+                record._held_control_word_1,
+                record._held_positioning_control_word_1,
+                record._held_positioning_control_word_2,
+                record._held_control_word_2,
                 record.velocity_override,
                 record.mdi_target_position,
                 record.mdi_velocity,
@@ -7806,10 +8157,6 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
             ) = _TELEGRAM111_REQUEST_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("telegram_111_request", len(data), 24, 24) from None
-        record.control_word_1 = ControlWord1Positioning(raw_control_word_1)
-        record.positioning_control_word_1 = PositioningControlWord1(raw_positioning_control_word_1)
-        record.positioning_control_word_2 = PositioningControlWord2(raw_positioning_control_word_2)
-        record.control_word_2 = ControlWord2FixedStop(raw_control_word_2)
         return record
 
     def encode(self) -> bytes:
@@ -7826,13 +8173,29 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
                 and 0 <= raw_mdi_deceleration <= 16384
             ):
                 return _TELEGRAM111_REQUEST_STRUCT.pack(
-                    self.control_word_1.raw, self.positioning_control_word_1.raw,
-                    self.positioning_control_word_2.raw, self.control_word_2.raw, raw_velocity_override,
+                    self._held_control_word_1, self._held_positioning_control_word_1,
+                    self._held_positioning_control_word_2, self._held_control_word_2, raw_velocity_override,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
                 )
         except _UNFIT:
             pass
         raise self._refused() or _unfit("telegram_111_request")
+
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("control_word_1", "H", 0),
+            Column("positioning_control_word_1", "H", 2),
+            Column("positioning_control_word_2", "H", 4),
+            Column("control_word_2", "H", 6),
+            Column("velocity_override", "H", 8, ratio=(25, 0, 4096)),
+            Column("mdi_target_position", "i", 10),
+            Column("mdi_velocity", "i", 14, ratio=(1000, 0, 1)),
+            Column("mdi_acceleration", "H", 18, ratio=(25, 0, 4096)),
+            Column("mdi_deceleration", "H", 20, ratio=(25, 0, 4096)),
+        )
 
     def _refused(self) -> _CodecError | None:
         return (
@@ -7845,35 +8208,6 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
             or _refused_number("mdi_velocity", self.mdi_velocity, -2147483648, 2147483647, ((0, 2147483647),))
             or _refused_number("mdi_acceleration", self.mdi_acceleration, 0, 65535, ((0, 16384),))
             or _refused_number("mdi_deceleration", self.mdi_deceleration, 0, 65535, ((0, 16384),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram111Request):
-            return NotImplemented
-        return (
-            self.control_word_1 == other.control_word_1
-            and self.positioning_control_word_1 == other.positioning_control_word_1
-            and self.positioning_control_word_2 == other.positioning_control_word_2
-            and self.control_word_2 == other.control_word_2
-            and self.velocity_override == other.velocity_override
-            and self.mdi_target_position == other.mdi_target_position
-            and self.mdi_velocity == other.mdi_velocity
-            and self.mdi_acceleration == other.mdi_acceleration
-            and self.mdi_deceleration == other.mdi_deceleration
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram111Request("
-            f"control_word_1={self.control_word_1!r}, "
-            f"positioning_control_word_1={self.positioning_control_word_1!r}, "
-            f"positioning_control_word_2={self.positioning_control_word_2!r}, "
-            f"control_word_2={self.control_word_2!r}, "
-            f"velocity_override={self.velocity_override!r}, "
-            f"mdi_target_position={self.mdi_target_position!r}, "
-            f"mdi_velocity={self.mdi_velocity!r}, "
-            f"mdi_acceleration={self.mdi_acceleration!r}, "
-            f"mdi_deceleration={self.mdi_deceleration!r})"
         )
 
     @property
@@ -7933,8 +8267,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
                 and 0 <= raw_mdi_deceleration <= 16384
             ):
                 return _TELEGRAM_111_CYCLIC_REQUEST.pack(
-                    self.control_word_1.raw, self.positioning_control_word_1.raw,
-                    self.positioning_control_word_2.raw, self.control_word_2.raw, raw_velocity_override,
+                    self._held_control_word_1, self._held_positioning_control_word_1,
+                    self._held_positioning_control_word_2, self._held_control_word_2, raw_velocity_override,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
                 )
         except _UNFIT:
@@ -7946,10 +8280,10 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         message = _new(Telegram111Request)
         try:
             (
-                raw_control_word_1,
-                raw_positioning_control_word_1,
-                raw_positioning_control_word_2,
-                raw_control_word_2,
+                message._held_control_word_1,
+                message._held_positioning_control_word_1,
+                message._held_positioning_control_word_2,
+                message._held_control_word_2,
                 message.velocity_override,
                 message.mdi_target_position,
                 message.mdi_velocity,
@@ -7958,10 +8292,6 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
             ) = _TELEGRAM_111_CYCLIC_REQUEST.unpack(data)
         except _StructError:
             return None
-        message.control_word_1 = ControlWord1Positioning(raw_control_word_1)
-        message.positioning_control_word_1 = PositioningControlWord1(raw_positioning_control_word_1)
-        message.positioning_control_word_2 = PositioningControlWord2(raw_positioning_control_word_2)
-        message.control_word_2 = ControlWord2FixedStop(raw_control_word_2)
         frame = _new(_Request)
         frame.station = 0
         frame.message = message
@@ -7972,7 +8302,7 @@ _TELEGRAM_750_CYCLIC_RESPONSE = _Struct(">h")
 _TELEGRAM750_RESPONSE_STRUCT = _Struct(">h")
 
 
-class Telegram750Response:
+class Telegram750Response(_Record):
     """Torque beside another telegram (HIWIN telegram 750): the response (sent) (HIWIN 報文 750). 2 bytes.
 
     Telegram 750. It is sent beside telegram_3 or telegram_5 or telegram_9 or telegram_102 or
@@ -7987,6 +8317,7 @@ class Telegram750Response:
 
     __slots__ = ("torque_actual",)
     __match_args__ = ("torque_actual",)
+    _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 750
     SUPPLEMENTS: _ClassVar[tuple[str, ...]] = ("telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111")
@@ -8012,16 +8343,16 @@ class Telegram750Response:
             pass
         raise self._refused() or _unfit("telegram_750_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("torque_actual", "h", 0, ratio=(25, 0, 4096)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("torque_actual", self.torque_actual, -32768, 32767)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram750Response):
-            return NotImplemented
-        return self.torque_actual == other.torque_actual
-
-    def __repr__(self) -> str:
-        return f"Telegram750Response(torque_actual={self.torque_actual!r})"
 
     @property
     def torque_actual_percent(self) -> float:
@@ -8079,6 +8410,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     __slots__ = ("additional_torque", "positive_torque_limit", "negative_torque_limit")
     __match_args__ = ("additional_torque", "positive_torque_limit", "negative_torque_limit")
+    _SIZE: _ClassVar[int] = 6
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 750
     SUPPLEMENTS: _ClassVar[tuple[str, ...]] = ("telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111")
@@ -8121,28 +8453,21 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
             pass
         raise self._refused() or _unfit("telegram_750_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("additional_torque", "h", 0, ratio=(25, 0, 4096)),
+            Column("positive_torque_limit", "h", 2, ratio=(25, 0, 4096)),
+            Column("negative_torque_limit", "h", 4, ratio=(25, 0, 4096)),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("additional_torque", self.additional_torque, -32768, 32767)
             or _refused_number("positive_torque_limit", self.positive_torque_limit, -32768, 32767, ((0, 32767),))
             or _refused_number("negative_torque_limit", self.negative_torque_limit, -32768, 32767, ((-32768, 0),))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Telegram750Request):
-            return NotImplemented
-        return (
-            self.additional_torque == other.additional_torque
-            and self.positive_torque_limit == other.positive_torque_limit
-            and self.negative_torque_limit == other.negative_torque_limit
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Telegram750Request("
-            f"additional_torque={self.additional_torque!r}, "
-            f"positive_torque_limit={self.positive_torque_limit!r}, "
-            f"negative_torque_limit={self.negative_torque_limit!r})"
         )
 
     @property
@@ -8586,11 +8911,12 @@ class ParameterChannelLink:
     def decode_request(self, frame: _Data) -> ParameterChannelRequest[AnyParameterChannelRequest]:
         """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
         data = frame
-        quick = _PARAMETER_CHANNEL_QUICK_REQUESTS.get(data[1]) if len(data) > 1 else None
-        if quick is not None:
-            request: ParameterChannelRequest[AnyParameterChannelRequest] | None = quick(data)
-            if request is not None:
-                return request
+        try:
+            request: ParameterChannelRequest[AnyParameterChannelRequest] | None = _PARAMETER_CHANNEL_QUICK_REQUESTS[data[1]](data)
+        except LookupError:
+            request = None
+        if request is not None:
+            return request
         head, body = _PARAMETER_CHANNEL_REQUESTS.split(data)
         message: AnyParameterChannelRequest = _PARAMETER_CHANNEL_REQUESTS.message(_PARAMETER_CHANNEL_REQUEST_CLASSES, head[1], body)
         return ParameterChannelRequest(0, message, head[0])
@@ -9533,7 +9859,7 @@ class DriveParametersSet(_ParameterSet):
         GENERAL_FLOAT_0: _Parameter[float]
         """General float 0 (3210h, General object f0).
 
-        For the user's own use.
+        A floating-point number for the user's own use.
 
         Number 0x3210, f32, read and write.
 
@@ -9544,7 +9870,7 @@ class DriveParametersSet(_ParameterSet):
         GENERAL_FLOAT_1: _Parameter[float]
         """General float 1 (3211h, General object f1).
 
-        For the user's own use.
+        A floating-point number for the user's own use.
 
         Number 0x3211, f32, read and write.
 
@@ -9553,7 +9879,7 @@ class DriveParametersSet(_ParameterSet):
         GENERAL_FLOAT_2: _Parameter[float]
         """General float 2 (3212h, General object f2).
 
-        For the user's own use.
+        A floating-point number for the user's own use.
 
         Number 0x3212, f32, read and write.
 
@@ -9562,7 +9888,7 @@ class DriveParametersSet(_ParameterSet):
         GENERAL_FLOAT_3: _Parameter[float]
         """General float 3 (3213h, General object f3).
 
-        For the user's own use.
+        A floating-point number for the user's own use.
 
         Number 0x3213, f32, read and write.
 
@@ -9571,7 +9897,7 @@ class DriveParametersSet(_ParameterSet):
         GENERAL_FLOAT_4: _Parameter[float]
         """General float 4 (3214h, General object f4).
 
-        For the user's own use.
+        A floating-point number for the user's own use.
 
         Number 0x3214, f32, read and write.
 

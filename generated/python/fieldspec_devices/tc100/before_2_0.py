@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from enum import IntEnum as _IntEnum
 from struct import Struct as _Struct
+from operator import index as _index
 from struct import error as _StructError
 
 from .._checks import BYTES as _BYTES
@@ -24,9 +25,11 @@ from .._checks import CRC_EXCHANGED as _CRC_EXCHANGED
 from .._conversions import Repeated as _Repeated
 from .._conversions import UNFIT as _UNFIT
 from .._conversions import counts as _counts
+from .._conversions import new as _new
 from .._error import CodecError as _CodecError
 from .._error import wrong_length as _wrong_length
 from .._error import wrong_measure as _wrong_measure
+from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import CodeFramer as _CodeFramer
 from .._framers import MarkFramer as _MarkFramer
@@ -35,7 +38,7 @@ from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
 from .._frames import Response as _Response
-from .._frames import new as _new
+from .._record import Record as _Record
 from .._refusals import refused_list as _refused_list
 from .._refusals import refused_number as _refused_number
 from .._refusals import unfit as _unfit
@@ -71,6 +74,7 @@ if TYPE_CHECKING:
     from .._typing import Data as _Data
     from .._typing import R as _R
     from .._typing import T as _T
+    from ..many import Column as _Column
 
 __all__ = [
     "ABSOLUTE_POSITION",
@@ -244,7 +248,7 @@ class ExceptionCode(_IntEnum):
 
     Exception codes. Other values are passed on as numbers.
 
-    Note: Where several exceptions apply, the one with the lowest code is sent.
+    Note: Where several exceptions apply, the one with the lowest code is sent (L1780-1782).
 
     Source: 8.3 L1772-1776.
     """
@@ -1259,21 +1263,23 @@ class SimulatedInputWord(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        simulated_input_1, simulated_input_2, simulated_input_3, simulated_input_4, simulated_input_5, simulated_input_6, simulated_input_7, simulated_input_8 = _BITS_OF[raw & 255]
+        simulated_input_9, simulated_input_10, simulated_input_11, simulated_input_12, simulated_input_13, simulated_input_14, _, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "simulated_input_1": raw & 0x1 != 0,
-            "simulated_input_2": raw & 0x2 != 0,
-            "simulated_input_3": raw & 0x4 != 0,
-            "simulated_input_4": raw & 0x8 != 0,
-            "simulated_input_5": raw & 0x10 != 0,
-            "simulated_input_6": raw & 0x20 != 0,
-            "simulated_input_7": raw & 0x40 != 0,
-            "simulated_input_8": raw & 0x80 != 0,
-            "simulated_input_9": raw & 0x100 != 0,
-            "simulated_input_10": raw & 0x200 != 0,
-            "simulated_input_11": raw & 0x400 != 0,
-            "simulated_input_12": raw & 0x800 != 0,
-            "simulated_input_13": raw & 0x1000 != 0,
-            "simulated_input_14": raw & 0x2000 != 0,
+            "simulated_input_1": simulated_input_1,
+            "simulated_input_2": simulated_input_2,
+            "simulated_input_3": simulated_input_3,
+            "simulated_input_4": simulated_input_4,
+            "simulated_input_5": simulated_input_5,
+            "simulated_input_6": simulated_input_6,
+            "simulated_input_7": simulated_input_7,
+            "simulated_input_8": simulated_input_8,
+            "simulated_input_9": simulated_input_9,
+            "simulated_input_10": simulated_input_10,
+            "simulated_input_11": simulated_input_11,
+            "simulated_input_12": simulated_input_12,
+            "simulated_input_13": simulated_input_13,
+            "simulated_input_14": simulated_input_14,
         }
 
     @property
@@ -1434,15 +1440,16 @@ class OutputWord(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        output_1, output_2, output_3, output_4, output_5, output_6, output_7, output_8 = _BITS_OF[raw & 255]
         return {
-            "output_1": raw & 0x1 != 0,
-            "output_2": raw & 0x2 != 0,
-            "output_3": raw & 0x4 != 0,
-            "output_4": raw & 0x8 != 0,
-            "output_5": raw & 0x10 != 0,
-            "output_6": raw & 0x20 != 0,
-            "output_7": raw & 0x40 != 0,
-            "output_8": raw & 0x80 != 0,
+            "output_1": output_1,
+            "output_2": output_2,
+            "output_3": output_3,
+            "output_4": output_4,
+            "output_5": output_5,
+            "output_6": output_6,
+            "output_7": output_7,
+            "output_8": output_8,
             "output_9": raw & 0x100 != 0,
             "output_10": raw & 0x200 != 0,
         }
@@ -1583,22 +1590,24 @@ class InputWord(_Flags):
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""
         raw = self.raw
+        input_1, input_2, input_3, input_4, input_5, input_6, input_7, input_8 = _BITS_OF[raw & 255]
+        input_9, input_10, input_11, input_12, input_13, input_14, z_phase, _ = _BITS_OF[raw >> 8 & 255]
         return {
-            "input_1": raw & 0x1 != 0,
-            "input_2": raw & 0x2 != 0,
-            "input_3": raw & 0x4 != 0,
-            "input_4": raw & 0x8 != 0,
-            "input_5": raw & 0x10 != 0,
-            "input_6": raw & 0x20 != 0,
-            "input_7": raw & 0x40 != 0,
-            "input_8": raw & 0x80 != 0,
-            "input_9": raw & 0x100 != 0,
-            "input_10": raw & 0x200 != 0,
-            "input_11": raw & 0x400 != 0,
-            "input_12": raw & 0x800 != 0,
-            "input_13": raw & 0x1000 != 0,
-            "input_14": raw & 0x2000 != 0,
-            "z_phase": raw & 0x4000 != 0,
+            "input_1": input_1,
+            "input_2": input_2,
+            "input_3": input_3,
+            "input_4": input_4,
+            "input_5": input_5,
+            "input_6": input_6,
+            "input_7": input_7,
+            "input_8": input_8,
+            "input_9": input_9,
+            "input_10": input_10,
+            "input_11": input_11,
+            "input_12": input_12,
+            "input_13": input_13,
+            "input_14": input_14,
+            "z_phase": z_phase,
         }
 
     @property
@@ -1725,7 +1734,7 @@ class InputWord(_Flags):
 _EXCEPTION_RECORD_STRUCT = _Struct(">B")
 
 
-class ExceptionRecord:
+class ExceptionRecord(_Record):
     """Exception. 1 byte.
 
     The body of a reply that refuses a request.
@@ -1735,49 +1744,59 @@ class ExceptionRecord:
     Source: 8.3 L1748-1752.
     """
 
-    __slots__ = ("exception_code",)
+    __slots__ = ("_held_exception_code",)
     __match_args__ = ("exception_code",)
+    _SIZE: _ClassVar[int] = 1
 
     def __init__(self, exception_code: ExceptionCode | int) -> None:
-        self.exception_code = exception_code
+        self._held_exception_code: ExceptionCode | int = exception_code
+
+    @property
+    def exception_code(self) -> ExceptionCode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_exception_code
+        return _EXCEPTION_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @exception_code.setter
+    def exception_code(self, value: ExceptionCode | int) -> None:
+        self._held_exception_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_exception_code,) = _EXCEPTION_RECORD_STRUCT.unpack(data)
+            (record._held_exception_code,) = _EXCEPTION_RECORD_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
-        record.exception_code = _EXCEPTION_CODE_MEMBERS.get(raw_exception_code, raw_exception_code)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            raw_exception_code = self.exception_code
+            raw_exception_code = _index(self._held_exception_code)
             if 1 <= raw_exception_code <= 3:
                 return _EXCEPTION_RECORD_STRUCT.pack(raw_exception_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("exception")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("exception_code", "B", 0),
+        )
+
     def _refused(self) -> _CodecError | None:
         return _refused_number("exception_code", self.exception_code, 0, 255, ((1, 3),))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ExceptionRecord):
-            return NotImplemented
-        return self.exception_code == other.exception_code
-
-    def __repr__(self) -> str:
-        return f"ExceptionRecord(exception_code={self.exception_code!r})"
 
 
 _POINT_STRUCT = _Struct(">HiHH2xii2x2xHh")
 
 
-class Point:
+class Point(_Record):
     """Point (步序). 28 bytes.
 
     One point, which the manual also calls step and program.
@@ -1811,13 +1830,14 @@ class Point:
     """
 
     __slots__ = (
-        "mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit", "wait_time",
-        "next_point",
+        "_held_mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit",
+        "wait_time", "next_point",
     )
     __match_args__ = (
         "mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit", "wait_time",
         "next_point",
     )
+    _SIZE: _ClassVar[int] = 28
     SPEED_START_SPEED: _Final = 0
     """`speed`: The start speed 0800H."""
     NEXT_POINT_END: _Final = -1
@@ -1834,7 +1854,7 @@ class Point:
         wait_time: int,
         next_point: int,
     ) -> None:
-        self.mode = mode
+        self._held_mode: PointMode | int = mode
         self.position = position
         self.speed = speed
         self.torque_limit = torque_limit
@@ -1843,13 +1863,23 @@ class Point:
         self.wait_time = wait_time
         self.next_point = next_point
 
+    @property
+    def mode(self) -> PointMode | int:
+        """Made of the number from the wire when it is asked for; the class says what it is."""
+        held = self._held_mode
+        return _POINT_MODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+
+    @mode.setter
+    def mode(self, value: PointMode | int) -> None:
+        self._held_mode = value
+
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
-                raw_mode,
+                record._held_mode,
                 record.position,
                 record.speed,
                 record.torque_limit,
@@ -1860,13 +1890,12 @@ class Point:
             ) = _POINT_STRUCT.unpack(data)
         except _StructError:
             raise _wrong_length("point", len(data), 28, 28) from None
-        record.mode = _POINT_MODE_MEMBERS.get(raw_mode, raw_mode)
         return record
 
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            raw_mode = self.mode
+            raw_mode = _index(self._held_mode)
             raw_speed = self.speed
             raw_torque_limit = self.torque_limit
             raw_wait_time = self.wait_time
@@ -1886,6 +1915,22 @@ class Point:
             pass
         raise self._refused() or _unfit("point")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("mode", "H", 0),
+            Column("position", "i", 2),
+            Column("speed", "H", 6),
+            Column("torque_limit", "H", 8, ratio=(1, 0, 10)),
+            Column("", "H", 10, tests=((0, 0),)),
+            Column("zone_lower_limit", "i", 12),
+            Column("zone_upper_limit", "i", 16),
+            Column("wait_time", "H", 24),
+            Column("next_point", "h", 26),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("mode", self.mode, 0, 65535, ((0, 16),))
@@ -1896,33 +1941,6 @@ class Point:
             or _refused_number("zone_upper_limit", self.zone_upper_limit, -2147483648, 2147483647)
             or _refused_number("wait_time", self.wait_time, 0, 65535, ((0, 30000),))
             or _refused_number("next_point", self.next_point, -32768, 32767, ((-1, -1), (1, 127)), (-1,))
-        )
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Point):
-            return NotImplemented
-        return (
-            self.mode == other.mode
-            and self.position == other.position
-            and self.speed == other.speed
-            and self.torque_limit == other.torque_limit
-            and self.zone_lower_limit == other.zone_lower_limit
-            and self.zone_upper_limit == other.zone_upper_limit
-            and self.wait_time == other.wait_time
-            and self.next_point == other.next_point
-        )
-
-    def __repr__(self) -> str:
-        return (
-            f"Point("
-            f"mode={self.mode!r}, "
-            f"position={self.position!r}, "
-            f"speed={self.speed!r}, "
-            f"torque_limit={self.torque_limit!r}, "
-            f"zone_lower_limit={self.zone_lower_limit!r}, "
-            f"zone_upper_limit={self.zone_upper_limit!r}, "
-            f"wait_time={self.wait_time!r}, "
-            f"next_point={self.next_point!r})"
         )
 
     @property
@@ -1940,7 +1958,7 @@ class Point:
 _READ_REGISTERS_RESPONSE_STRUCT = _Repeated(">B", "H")
 
 
-class ReadRegistersResponse:
+class ReadRegistersResponse(_Record):
     """Read holding registers: the response (03 H, 資料讀取). 3 to 121 bytes.
 
     Code 0x03. Reads neighbouring registers.
@@ -1984,14 +2002,6 @@ class ReadRegistersResponse:
             or _refused_number("byte_count", len(self.values) * 2, 0, 255, ((2, 120),))
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadRegistersResponse):
-            return NotImplemented
-        return self.values == other.values
-
-    def __repr__(self) -> str:
-        return f"ReadRegistersResponse(values={self.values!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         body = self.encode()
         error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -2026,6 +2036,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
     __slots__ = ("address", "word_count")
     __match_args__ = ("address", "word_count")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x03
     _RESPONSE = ReadRegistersResponse
 
@@ -2053,25 +2064,26 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
             pass
         raise self._refused() or _unfit("read_registers_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("word_count", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 60),))
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ReadRegistersRequest):
-            return NotImplemented
-        return self.address == other.address and self.word_count == other.word_count
-
-    def __repr__(self) -> str:
-        return f"ReadRegistersRequest(address={self.address!r}, word_count={self.word_count!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 60:
+            if 0 <= station <= 16 and 1 <= raw_word_count <= 60:
                 check = (
                     17435
                     ^ _X5[station]
@@ -2116,7 +2128,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 60:
+            if 0 <= station <= 16 and 1 <= raw_word_count <= 60:
                 data = _READ_REGISTERS_ASCII_REQUEST.pack(station, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -2153,7 +2165,7 @@ _WRITE_REGISTER_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
 _WRITE_REGISTER_RESPONSE_STRUCT = _Struct(">HH")
 
 
-class WriteRegisterResponse:
+class WriteRegisterResponse(_Record):
     """Write one register: the response (06 H, 資料寫入 (1Word)). 4 bytes.
 
     Code 0x06. Writes one register. The response repeats the request.
@@ -2166,6 +2178,7 @@ class WriteRegisterResponse:
 
     __slots__ = ("address", "value")
     __match_args__ = ("address", "value")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x06
 
     def __init__(self, address: int, value: int) -> None:
@@ -2190,25 +2203,26 @@ class WriteRegisterResponse:
             pass
         raise self._refused() or _unfit("write_register_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("value", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegisterResponse):
-            return NotImplemented
-        return self.address == other.address and self.value == other.value
-
-    def __repr__(self) -> str:
-        return f"WriteRegisterResponse(address={self.address!r}, value={self.value!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = (
                     34843
                     ^ _X5[station]
@@ -2252,7 +2266,7 @@ class WriteRegisterResponse:
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _WRITE_REGISTER_ASCII_RESPONSE.pack(station, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -2298,6 +2312,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     __slots__ = ("address", "value")
     __match_args__ = ("address", "value")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x06
     _RESPONSE = WriteRegisterResponse
 
@@ -2323,25 +2338,26 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
             pass
         raise self._refused() or _unfit("write_register_request")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("value", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("value", self.value, 0, 65535)
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegisterRequest):
-            return NotImplemented
-        return self.address == other.address and self.value == other.value
-
-    def __repr__(self) -> str:
-        return f"WriteRegisterRequest(address={self.address!r}, value={self.value!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_value = self.value
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 check = (
                     34843
                     ^ _X5[station]
@@ -2385,7 +2401,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if (1 <= station <= 16 or station == 0):
+            if 0 <= station <= 16:
                 data = _WRITE_REGISTER_ASCII_REQUEST.pack(station, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -2417,7 +2433,7 @@ _WRITE_REGISTERS_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
 _WRITE_REGISTERS_RESPONSE_STRUCT = _Struct(">HH")
 
 
-class WriteRegistersResponse:
+class WriteRegistersResponse(_Record):
     """Write several registers: the response (10 H, 連續資料寫入 (1Word 以上)). 4 bytes.
 
     Code 0x10. Writes neighbouring registers. The response repeats the address and the number.
@@ -2431,6 +2447,7 @@ class WriteRegistersResponse:
 
     __slots__ = ("address", "word_count")
     __match_args__ = ("address", "word_count")
+    _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x10
 
     def __init__(self, address: int, word_count: int) -> None:
@@ -2457,25 +2474,26 @@ class WriteRegistersResponse:
             pass
         raise self._refused() or _unfit("write_registers_response")
 
+    @staticmethod
+    def _columns() -> tuple[_Column, ...]:
+        from ..many import Column
+
+        return (
+            Column("address", "H", 0),
+            Column("word_count", "H", 2),
+        )
+
     def _refused(self) -> _CodecError | None:
         return (
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 59),))
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegistersResponse):
-            return NotImplemented
-        return self.address == other.address and self.word_count == other.word_count
-
-    def __repr__(self) -> str:
-        return f"WriteRegistersResponse(address={self.address!r}, word_count={self.word_count!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 59:
+            if 0 <= station <= 16 and 1 <= raw_word_count <= 59:
                 check = (
                     49624
                     ^ _X5[station]
@@ -2520,7 +2538,7 @@ class WriteRegistersResponse:
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if (1 <= station <= 16 or station == 0) and 1 <= raw_word_count <= 59:
+            if 0 <= station <= 16 and 1 <= raw_word_count <= 59:
                 data = _WRITE_REGISTERS_ASCII_RESPONSE.pack(station, 0x10, self.address, raw_word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
@@ -2612,14 +2630,6 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
             or _refused_number("byte_count", len(self.values) * 2, 0, 255, ((2, 118),))
         )
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, WriteRegistersRequest):
-            return NotImplemented
-        return self.address == other.address and self.values == other.values
-
-    def __repr__(self) -> str:
-        return f"WriteRegistersRequest(address={self.address!r}, values={self.values!r})"
-
     def _to_rtu(self, station: int) -> bytes:
         body = self.encode()
         error = _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -2700,11 +2710,12 @@ class RtuLink:
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
         """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
         data = frame
-        quick = _RTU_QUICK_REQUESTS.get(data[1]) if len(data) > 1 else None
-        if quick is not None:
-            request: _Request[AnyRtuRequest] | None = quick(data)
-            if request is not None:
-                return request
+        try:
+            request: _Request[AnyRtuRequest] | None = _RTU_QUICK_REQUESTS[data[1]](data)
+        except LookupError:
+            request = None
+        if request is not None:
+            return request
         head, body = _RTU_REQUESTS.split(data)
         message: AnyRtuRequest = _RTU_REQUESTS.message(_RTU_REQUEST_CLASSES, head[1], body)
         return _Request(head[0], message)
@@ -2872,11 +2883,12 @@ class AsciiLink:
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
         """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
         data = _ASCII_REQUESTS.unmarked(frame)
-        quick = _ASCII_QUICK_REQUESTS.get(data[1]) if len(data) > 1 else None
-        if quick is not None:
-            request: _Request[AnyAsciiRequest] | None = quick(data)
-            if request is not None:
-                return request
+        try:
+            request: _Request[AnyAsciiRequest] | None = _ASCII_QUICK_REQUESTS[data[1]](data)
+        except LookupError:
+            request = None
+        if request is not None:
+            return request
         head, body = _ASCII_REQUESTS.split(data)
         message: AnyAsciiRequest = _ASCII_REQUESTS.message(_ASCII_REQUEST_CLASSES, head[1], body)
         return _Request(head[0], message)
@@ -3654,6 +3666,8 @@ Note: Which parameters and whether points too are stored is not printed, nor whe
 default values or brings them back, nor how long it takes, nor what reading gives.
 
 Inferred (trigger): The register is an action (store), and its values say what is stored.
+
+Inferred (memory): Its label says that parameters are stored.
 
 Inferred (type): The manual prints the number of words alone.
 

@@ -1,0 +1,335 @@
+"""Many records at once: a buffer of frames or log entries of a fixed size, as one column a field.
+
+`arrays` needs nothing but Python. `decode_many`, `records`, `view`, `dtype`, `bits` and `in_unit` need NumPy.
+
+    columns = decode_many(Telegram111Response, captured)
+    speed = in_unit(Telegram111Response, "speed_actual_b", columns["speed_actual_b"])
+    enabled = bits(StatusWord1Positioning, columns["status_word_1"])["operation_enabled"]
+
+A column holds what is on the wire: numbers of enums, words of flags, counts. A field that is a list has a second
+dimension, a record within the record has columns of its own.
+"""
+
+from __future__ import annotations
+
+from array import array
+from sys import byteorder
+
+from ._error import CodecError
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Any, ClassVar, Protocol, TypeAlias
+
+    import numpy as np
+
+    from ._flags import Flags
+    from ._typing import Data
+
+    class Record(Protocol):
+        """A generated class whose records have all the same size."""
+
+        _SIZE: ClassVar[int]
+
+        @staticmethod
+        def _columns() -> tuple[Column, ...]: ...
+
+        @classmethod
+        def decode(cls, data: Data) -> object: ...
+
+    Columns: TypeAlias = dict[str, Any]
+    Arrays: TypeAlias = dict[str, "array[Any] | list[bytes] | Arrays"]
+
+BLOCK = 16384
+"""Records that are taken at once, so that they stay in the processor's cache."""
+
+_WIDTHS = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "q": 8, "Q": 8, "f": 4, "d": 8}
+_TYPES = {"b": "i1", "B": "u1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "q": "i8", "Q": "u8", "f": "f4", "d": "f8"}
+
+
+class Column:
+    """Where a field lies: the letter of `struct` for one element, and its offset in bytes.
+
+    `count` is the number of elements of a list, 0 for a single one. `swapped` says that the 16-bit words lie in the
+    other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is
+    (a, b, c) of value = (count * a + b) / c in the unit. A field without a name is tested only.
+    """
+
+    __slots__ = ("count", "letter", "name", "offset", "order", "ratio", "record", "size", "swapped", "tests", "text")
+
+    def __init__(
+        self,
+        name: str,
+        letter: str,
+        offset: int,
+        *,
+        size: int = 0,
+        count: int = 0,
+        order: str = "big",
+        swapped: bool = False,
+        record: type[Record] | None = None,
+        tests: tuple[tuple[int, int], ...] = (),
+        text: bool = False,
+        ratio: tuple[int, int, int] | None = None,
+    ) -> None:
+        self.name, self.letter, self.offset, self.count = name, letter, offset, count
+        self.size = size or _WIDTHS[letter]
+        self.order, self.swapped, self.record = order, swapped, record
+        self.tests, self.text, self.ratio = tests, text, ratio
+
+    def places(self, element: int = 0) -> list[int]:
+        """The offsets of the bytes of an element, the least significant first."""
+        width = self.size
+        places = list(range(width))
+        if self.order == "big":
+            places.reverse()
+        if self.swapped:
+            places = [place for at in range(0, width, 2) for place in places[width - 2 - at : width - at]]
+        return [self.offset + element * width + place for place in places]
+
+
+def arrays(record: type[Record], data: Data) -> Arrays:
+    """The columns of all records as `array.array`, with nothing but Python; bytes and texts as lists of bytes.
+
+    The elements of a list follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
+    """
+    number = _number(record, data)
+    held = data if isinstance(data, bytes) else bytes(data)
+    return _arrays(record, held, 0, record._SIZE, number, record)
+
+
+def _arrays(record: type[Record], data: bytes, base: int, size: int, number: int, whole: type[Record]) -> Arrays:
+    found: Arrays = {}
+    for column in record._columns():
+        if column.record is not None:
+            each = [
+                _arrays(column.record, data, base + column.offset + element * column.size, size, number, whole)
+                for element in range(column.count or 1)
+            ]
+            found[column.name] = each[0] if not column.count else _interleaved(each, number)
+            continue
+        held = _array(column, data, base, size, number)
+        if column.tests or column.text:
+            _test_each(column, held, data, size, whole)
+        if column.name:
+            found[column.name] = held
+    return found
+
+
+def _array(column: Column, data: bytes, base: int, size: int, number: int) -> array[Any] | list[bytes]:
+    """The elements of a column: its bytes are taken out one place after the other, with a step, and put together."""
+    width, count = column.size, column.count or 1
+    if column.letter == "s":
+        starts = range(base + column.offset, len(data), size)
+        return [data[at + width * item : at + width * (item + 1)] for at in starts for item in range(count)]
+    joined = bytearray(width * count * number)
+    for element in range(count):
+        places = column.places(element)
+        if byteorder == "big":
+            places.reverse()
+        for place, at in enumerate(places):
+            joined[element * width + place :: width * count] = data[base + at :: size]
+    held: array[Any] = array(column.letter)
+    held.frombytes(joined)
+    return held
+
+
+def _interleaved(each: list[Arrays], number: int) -> Arrays:
+    """The columns of records in a list, whose elements then follow each other."""
+    found: Arrays = {}
+    for name, first in each[0].items():
+        parts: list[Any] = [one[name] for one in each]
+        if isinstance(first, dict):
+            found[name] = _interleaved(parts, number)
+            continue
+        share = len(first) // number if number else 0
+        together = (item for at in range(number) for part in parts for item in part[at * share : (at + 1) * share])
+        found[name] = list(together) if isinstance(first, list) else array(first.typecode, together)
+    return found
+
+
+def _test_each(column: Column, held: array[Any] | list[bytes], data: bytes, size: int, whole: type[Record]) -> None:
+    if isinstance(held, list):
+        right = not column.text or all(map(bytes.isascii, held))
+    else:
+        right = all(any(low <= value <= high for low, high in column.tests) for value in {*held})
+    if not right:
+        _refuse(whole, data, size)
+
+
+def decode_many(record: type[Record], data: Data) -> Columns:
+    """The columns of all records as NumPy arrays in the machine's own order; bytes and texts have the type `S`.
+
+    Raises CodecError for bytes left over, and for the first record that `decode` refuses.
+    """
+    import numpy
+
+    number = _number(record, data)
+    raw = numpy.frombuffer(data, dtype(record)) if number else numpy.empty(0, dtype(record))
+    columns = _empty(record, number)
+    for start in range(0, number, BLOCK):
+        _fill(record, raw[start : start + BLOCK], columns, slice(start, start + BLOCK))
+    if not _allowed(record, columns):
+        _refuse(record, bytes(data), record._SIZE)
+    return _named(columns)
+
+
+def _empty(record: type[Record], number: int, *lists: int) -> Columns:
+    import numpy
+
+    found: Columns = {}
+    for place, column in enumerate(record._columns()):
+        shape = (number, *lists, column.count) if column.count else (number, *lists)
+        key = column.name or f" {place}"
+        if column.record is not None:
+            found[key] = _empty(column.record, number, *shape[1:])
+        else:
+            kind = f"S{column.size}" if column.letter == "s" else _TYPES[column.letter]
+            found[key] = numpy.empty(shape, kind)
+    return found
+
+
+def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, where: slice) -> None:
+    """Copies a block of records into the columns."""
+    for place, column in enumerate(record._columns()):
+        key = column.name or f" {place}"
+        if column.record is not None:
+            _fill(column.record, raw[key], columns[key], where)
+        else:
+            columns[key][where] = _straight(column, raw[key])
+
+
+def _straight(column: Column, held: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Numbers whose words lie in the other order than their bytes, as numbers; others as they are."""
+    if not column.swapped:
+        return held
+    import numpy
+
+    words = held.astype(f"u{column.size}")
+    shifts = numpy.arange(0, 8 * column.size, 16, dtype=words.dtype)
+    if column.order == "little":
+        shifts = shifts[::-1]
+    joined = numpy.bitwise_or.reduce(words << shifts, axis=-1).astype(f"u{column.size}")
+    numbers: np.ndarray[Any, Any] = joined.view(_TYPES[column.letter])
+    return numbers
+
+
+def _allowed(record: type[Record], columns: Columns) -> bool:
+    import numpy
+
+    for place, column in enumerate(record._columns()):
+        held = columns[column.name or f" {place}"]
+        if column.record is not None:
+            if not _allowed(column.record, held):
+                return False
+        elif column.text:
+            if held.size and int(numpy.ascontiguousarray(held).view("u1").max(initial=0)) > 127:
+                return False
+        elif column.tests:
+            inside = numpy.zeros(held.shape, bool)
+            for low, high in column.tests:
+                inside |= (held >= low) & (held <= high)
+            if not inside.all():
+                return False
+    return True
+
+
+def _named(columns: Columns) -> Columns:
+    return {
+        name: _named(held) if isinstance(held, dict) else held
+        for name, held in columns.items()
+        if not name.startswith(" ")
+    }
+
+
+def dtype(record: type[Record]) -> np.dtype[Any]:
+    """The type of a record as it is on the wire. Numbers whose words are exchanged are lists of words."""
+    import numpy
+
+    names, formats, offsets = [], [], []
+    for place, column in enumerate(record._columns()):
+        names.append(column.name or f" {place}")
+        offsets.append(column.offset)
+        formats.append(_format(column))
+    size = record._SIZE
+    return numpy.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": size})
+
+
+def _format(column: Column) -> Any:
+    shape: tuple[int, ...] = (column.count,) if column.count else ()
+    sign = ">" if column.order == "big" else "<"
+    if column.record is not None:
+        kind: Any = dtype(column.record)
+    elif column.letter == "s":
+        kind = f"S{column.size}"
+    elif column.swapped:
+        kind, shape = f"{sign}u2", (*shape, column.size // 2)
+    else:
+        kind = f"{sign}{_TYPES[column.letter]}"
+    return (kind, shape) if shape else kind
+
+
+def view(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
+    """The records where they are: nothing is copied and nothing is tested, in a time that does not grow with them.
+
+    Raises CodecError for bytes left over.
+    """
+    import numpy
+
+    number = _number(record, data)
+    return numpy.frombuffer(data, dtype(record)) if number else numpy.empty(0, dtype(record))
+
+
+def records(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
+    """The records one behind the other in the machine's own order, as one structured array; nothing is tested.
+
+    Raises CodecError for bytes left over.
+    """
+    held: np.ndarray[Any, Any] = view(record, data).astype(dtype(record).newbyteorder("="))
+    return held
+
+
+def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
+    """The bits of a column of words by name, as columns of booleans; fields of several bits as numbers."""
+    return {
+        name: column >> first & most if most > 1 else (column & (1 << first)) != 0
+        for name, (first, most) in word._BITS.items()
+    }
+
+
+def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """A column of counts in the unit of its field, as floating-point numbers. Raises KeyError for other fields."""
+    for one in record._columns():
+        if one.name == name and one.ratio is not None:
+            a, b, c = one.ratio
+            held = column.astype("f8")
+            if a != 1:
+                held *= a
+            if b:
+                held += b
+            if c != 1:
+                held /= c
+            return held
+    raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
+
+
+def _number(record: type[Record], data: Data) -> int:
+    """How many records there are."""
+    if not hasattr(record, "_columns"):
+        raise TypeError(f"the length of {record.__name__} varies; decode one after the other")
+    size = len(data) if isinstance(data, (bytes, bytearray)) else memoryview(data).nbytes
+    left = size % record._SIZE
+    if left:
+        detail = f"{size} bytes are {size // record._SIZE} of {record._SIZE} bytes, and {left} left over"
+        raise CodecError("incomplete", detail, size - left)
+    return size // record._SIZE
+
+
+def _refuse(record: type[Record], data: bytes, size: int) -> None:
+    """Raises what decoding the first wrong record raises."""
+    at = 0
+    try:
+        for at in range(0, len(data), size):
+            record.decode(data[at : at + size])
+    except CodecError as error:
+        raise error.shifted(at) from None
