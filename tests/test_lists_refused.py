@@ -66,6 +66,7 @@ BAD: dict[str, tuple[bytes, str]] = {
     "old Excel": (b"\xd0\xcf\x11\xe0" + b"\0" * 600, "is an old workbook of Excel; save it as .xlsx"),
     "PDF": (b"%PDF-1.7\n", "is a PDF; save its table as CSV"),
     "thousands": (b'Address,Name\n"8,192",a\n', "has the address `8,192` in row 2, with separators between thousands"),
+    "points between thousands": (b"Address;Name\n1.000;a\n", "has the address `1.000` in row 2, with separators"),
     "apostrophes": (b"Address,Name\n8'192,a\n", "with separators between thousands"),
     "words": (b"Address,Name\nfour,a\n", "has no address under Address: `four` in row 2; name the column"),
     "fractions": (b"Address,Name\n16.5,a\n", "has no address under Address: `16.5` in row 2"),

@@ -198,6 +198,8 @@ def test_a_value_of_two_words_may_be_written_in_many_ways(
         ("address,name\n16,x\n", "has no column that looks like values"),
         ("address,value\n16,\n", "has no value under value"),
         ('address;value\n16;"1,000"\n', "with separators between thousands; take them out"),
+        ("address;value\n1.000;5\n", "with separators between thousands; take them out"),
+        ("address;value\n16;1.000\n", "with separators between thousands; take them out"),
         ("address;value\n1,000;5\n", "with separators between thousands; take them out"),
         ("address,value\n16,12.5\n", "which is no whole number of counts"),
         ("address,value\n16,abc?\n", "which is no whole number of counts"),

@@ -18,7 +18,7 @@ _HEX = re.compile(r"(?:0x|&h|\$)([0-9a-f]{1,8})|([0-9a-f]{1,8})h", re.IGNORECASE
 _TABLE = re.compile(r"[34]x[ -]?([0-9]{1,5})", re.IGNORECASE)
 _DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
 _POINTLESS = re.compile(r"([0-9]+)\.0+")
-_GROUPED = re.compile(r"[0-9]{1,3}(?:[,' ][0-9]{3})+")
+_GROUPED = re.compile(r"[0-9]{1,3}(?:[,.' ][0-9]{3})+")
 _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|to)\s*", re.IGNORECASE)
 _REFERENCES = ((40001, 49999), (30001, 39999), (400001, 465536), (300001, 365536))
 

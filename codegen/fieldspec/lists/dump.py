@@ -14,7 +14,7 @@ from fieldspec.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.lists.text_sheet import decoded
 from fieldspec.spreadsheet import clean
 
-_GROUPED = re.compile(r"[-+]?[0-9]{1,3}(?:[,'][0-9]{3})+")
+_GROUPED = re.compile(r"[-+]?(?:[0-9]{1,3}(?:[,'][0-9]{3})+|[1-9][0-9]{0,2}(?:\.[0-9]{3})+)")
 _BETWEEN = re.compile(r"[\s,;]+")
 _NUMBER = re.compile(r"([-+]?)(?:(?:0x|&h|\$)([0-9a-f]{1,16})|([0-9a-f]{1,16})h|([0-9a-f]{1,20}))", re.IGNORECASE)
 _POINTLESS = re.compile(r"([-+]?[0-9]+)\.0+")

@@ -147,10 +147,7 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
 
 
 def _questions(section: Section) -> str:
-    leaves = (
-        "question that the manual leaves open" if section.questions == 1 else "questions that the manual leaves open"
-    )
-    return f"{section.questions} {leaves}"
+    return f"The manual leaves {_many(section.questions, 'question')} open"
 
 
 def _many(number: int, what: str) -> str:
