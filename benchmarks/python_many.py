@@ -37,9 +37,8 @@ def pointer(column: numpy.ndarray) -> ctypes.c_void_p:
 
 def rows() -> Iterator[Row]:
     """The rows."""
-    from fieldspec_devices.many import arrays, bits, decode_many, records, view
-
     from fieldspec_devices.hiwin_e.v2_14_4 import StatusWord1Positioning, Telegram111Response
+    from fieldspec_devices.many import arrays, bits, decode_many, records, view
 
     data, some = FRAME * NUMBER, FRAME * SOME
     library = by_hand()

@@ -181,7 +181,16 @@ def _runs(low: int, high: int, held: Iterable[Held], gaps: Iterable[tuple[int, i
     for first, last in (*((one[0], one[1]) for one in inside), *((one[0], one[1]) for one in gaps)):
         cut |= {max(first, low), min(last, high) + 1}
     bounds = sorted(bound for bound in cut if low <= bound <= high + 1)
-    pieces = [_piece(a, b - 1, inside, gaps, own) for a, b in pairwise(bounds)]
+    starting = sorted(enumerate(inside), key=lambda pair: pair[1][0], reverse=True)
+    current: list[tuple[int, Held]] = []
+    pieces = []
+    for first, behind in pairwise(bounds):
+        # Bounds are cut wherever something begins or ends, so what reaches into a piece holds all of it.
+        while starting and starting[-1][1][0] <= first:
+            current.append(starting.pop())
+        current = [pair for pair in current if pair[1][1] >= first]
+        here = [one for _, one in sorted(current, key=lambda pair: pair[0])]
+        pieces.append(_piece(first, behind - 1, here, gaps, own))
     for _, alike in groupby(pieces, key=lambda run: (run.state, run.holders, run.reason, run.own)):
         some = list(alike)
         yield replace(some[0], last=some[-1].last)

@@ -119,8 +119,9 @@ def hazards(layout: DeviceLayout) -> list[Hazard]:
 
 def _found(layout: DeviceLayout) -> Iterator[Hazard]:
     device = layout.device
+    alone = _alone(device)
     for register in device.registers():
-        yield from _of_register(device, register)
+        yield from _of_register(device, register, alone)
     for table in device.tables.values():
         yield from _handled(table, table.handling, f"{table.base:04X}h, {table.count} times", device)
     placed = {field.field.place.path for laid in layout.records.values() for field in laid.fields}
@@ -138,13 +139,13 @@ def _found(layout: DeviceLayout) -> Iterator[Hazard]:
             yield from _of_bit(device, word, bit)
 
 
-def _of_register(device: Device, register: Register) -> Iterator[Hazard]:
+def _of_register(device: Device, register: Register, alone: frozenset[str]) -> Iterator[Hazard]:
     where = f"{register.address:04X}h"
     if register.trigger:
         yield _hazard("trigger", register, where, _started(register.value), key="trigger")
     if register.access == "wo":
         yield _hazard("write_only", register, where, "access wo", key="access")
-    yield from _shared(device, register, register.value, register.access, where)
+    yield from _shared(device, register, register.value, register.access, where, alone)
     if register.same_as:
         yield _hazard("alias", register, where, f"the same as {register.same_as}", register.same_as, "same_as")
     if register.atomic and register.width > 1:
@@ -219,8 +220,10 @@ def _started(value: Value) -> str:
     return f"started by a value of {value.enum}" if value.enum else "started by writing"
 
 
-def _shared(device: Device, fact: Fact, value: Value, access: str, where: str) -> Iterator[Hazard]:
-    """A word of several named bits that is written as a whole, and another register that shows one of them alone."""
+def _shared(
+    device: Device, fact: Fact, value: Value, access: str, where: str, registers: frozenset[str] = frozenset()
+) -> Iterator[Hazard]:
+    """A word of several named bits that is written as a whole, and the `registers` that show one of them alone."""
     word = device.flags.get(value.flags)
     if word is None or access not in ("rw", "wo"):
         return
@@ -228,7 +231,7 @@ def _shared(device: Device, fact: Fact, value: Value, access: str, where: str) -
     used = sum(bit.mask for bit in named)
     spare = (8 * word.type.size) - used.bit_count()
     if len(named) > 1 or spare:
-        alone = sum(bit.name in _alone(device) for bit in named) if isinstance(fact, Register) else 0
+        alone = sum(bit.name in registers for bit in named)
         kept = f", {spare} bits without a meaning" if spare else ""
         also = f", {alone} of them with registers of their own" if alone else ""
         why = f"{len(named)} things{kept}{also}"
