@@ -185,10 +185,13 @@ def _counts(low: Decimal, high: Decimal, lowest: int, highest: int) -> bool:
 
 
 def _words(row: Listed, name: str, labels: set[str]) -> Iterator[str]:
-    """What the list calls it; a text that two rows have is allowed to stand there twice."""
+    """What the list calls it; what two rows have, and a name that a blank breaks, are allowed to stand there."""
     texts = row.texts
     printed = texts.get("printed_name", "") or texts.get("name", "")
     label = texts.get("label", "")
+    allowed = []
+    if "_" in printed and len(printed.split()) > 1 and printed != name:
+        allowed.append("printed_names_whole: The list has it so.")
     again = False
     for key, text in (("printed_name", printed), ("label", label)):
         if text and text != name:
@@ -196,7 +199,9 @@ def _words(row: Listed, name: str, labels: set[str]) -> Iterator[str]:
             labels.add(f"{key} {text}")
             yield f"{key}: {_quoted(text)}"
     if again:
-        yield "allow: {labels_unique: The list has it twice.}"
+        allowed.append("labels_unique: The list has it twice.")
+    if allowed:
+        yield f"allow: {{{', '.join(allowed)}}}"
 
 
 def _fresh(name: str, address: int, names: set[str]) -> str:
