@@ -5,6 +5,7 @@ The template has the page; the rows of its tables are written here, as a templat
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import Space
@@ -27,8 +28,11 @@ OPEN = 100
 BROAD = 8
 """A table of so many columns shares out the width, as it would else be wider than paper."""
 
-_WORD, _MOST = 16, 28
-"""How wide a column is at least whose texts are that long, and at most, when the width is shared out; in letters."""
+_WORD, _MOST, _WHOLE, _EDGES = 11, 60, 215, 3
+"""When the width is shared out, in letters: the longest word that is never broken, how long a text counts at most, how
+much there is to share, and what the edges of a cell and bold letters take."""
+
+_LETTERS = re.compile(r"[A-Za-z]+")
 
 _GOOD = {True: "good", False: "bad", None: ""}
 
@@ -197,13 +201,17 @@ def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Tabl
 
 
 def _shares(table: SectionTable, full: Sequence[int], marked: bool) -> tuple[str, ...]:
-    """How much of the width each column gets, in percent: more where there is more to read, but within bounds."""
-    weights = [4] if marked else []
+    """How much of the width each column gets, in percent: room for its words, and more where there is more to read."""
+    needs, wishes = ([_EDGES], [0]) if marked else ([], [])
     for at in full:
-        lengths = [len(cell_text(row[at])) for row in table.rows]
-        mean = sum(lengths) // len(lengths)
-        weights.append(min(max(mean, len(table.columns[at]) + 3, min(max(lengths), _WORD)), _MOST))
-    return tuple(f"{100 * weight / sum(weights):.1f}" for weight in weights)
+        texts = [table.columns[at].replace("_", " "), *(cell_text(row[at]) for row in table.rows)]
+        longest = max((len(word) for text in texts for word in _LETTERS.findall(text)), default=0)
+        room = min(longest, _WORD)
+        needs.append(room + _EDGES)
+        wishes.append(max(min(sum(map(len, texts)) // len(texts), _MOST) - room, 0))
+    spare = max(_WHOLE - sum(needs), 0) / max(sum(wishes), 1)
+    widths = [need + wish * spare for need, wish in zip(needs, wishes, strict=True)]
+    return tuple(f"{100 * width / sum(widths):.1f}" for width in widths)
 
 
 def _counts(table: SectionTable, at: int) -> bool:
