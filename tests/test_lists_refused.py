@@ -68,6 +68,7 @@ BAD: dict[str, tuple[bytes, str]] = {
     "thousands": (b'Address,Name\n"8,192",a\n', "has the address `8,192` in row 2, with separators between thousands"),
     "points between thousands": (b"Address;Name\n1.000;a\n", "has the address `1.000` in row 2, with separators"),
     "apostrophes": (b"Address,Name\n8'192,a\n", "with separators between thousands"),
+    "columns parted by blanks": (b"Address Name\n0x10 a\n", "put tabs, commas or bars between them"),
     "words": (b"Address,Name\nfour,a\n", "has no address under Address: `four` in row 2; name the column"),
     "fractions": (b"Address,Name\n16.5,a\n", "has no address under Address: `16.5` in row 2"),
     "huge numbers": (b"Address,Name\n99999999999999,a\n", "has no address under Address"),

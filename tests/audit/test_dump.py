@@ -119,7 +119,7 @@ def test_values_are_decoded_with_their_meanings(run: CommandLine) -> None:
         ("0x11,1", [("dump_value_whole", "position has more words than the dump: 0012h is missing")]),
         ("0x10,1\n0x10,2", [("dump_value_whole", "an address has two values")]),
         ("0x10,70000", [("dump_value_within_range", "percent has 1 words; 70000 is too great for what was read")]),
-        ("0x40,1", [("dump_address_known", "nothing is known of the address 0040h")]),
+        ("0x10,50\n0x40,1", [("dump_address_known", "nothing is known of the address 0040h")]),
         ("0x16,0", []),
         ("0x10,10", []),
         ("0x1A,0xFFFF", []),
@@ -129,7 +129,7 @@ def test_what_cannot_be_is_found(run: CommandLine, rows: str, expected: list[tup
     assert found(run, f"{HEAD}{rows}\n") == expected
 
 
-@pytest.mark.parametrize(("rows", "code"), [("0x10,101", 1), ("0x17,5", 0), ("0x40,1", 0), ("0x10,50", 0)])
+@pytest.mark.parametrize(("rows", "code"), [("0x10,101", 1), ("0x17,5", 0), ("0x10,50\n0x40,1", 0), ("0x10,50", 0)])
 def test_the_exit_code_is_1_where_the_device_or_the_spec_is_wrong(run: CommandLine, rows: str, code: int) -> None:
     assert dumped(run, f"{HEAD}{rows}\n").code == code
 
@@ -201,6 +201,7 @@ def test_a_value_of_two_words_may_be_written_in_many_ways(
         ("address;value\n1.000;5\n", "with separators between thousands; take them out"),
         ("address;value\n16;1.000\n", "with separators between thousands; take them out"),
         ("address;value\n1,000;5\n", "with separators between thousands; take them out"),
+        ("address,value\n0xF000,1\n0xF001,1\n", "has no address that Gadget has; if it is a dump of this device"),
         ("address,value\n16,12.5\n", "which is no whole number of counts"),
         ("address,value\n16,abc?\n", "which is no whole number of counts"),
         ("address,value\n16,99999999999999999999\n", "which is too great"),

@@ -36,6 +36,11 @@ def dumped(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple[Section
     except ListError as error:
         raise UsageError(f"{_shown(arguments.dump)} {error}") from None
     told = compared(layout, found, arguments.offset or 0)
+    if told.unknown and not (told.read or told.holes or told.too_great):
+        raise UsageError(
+            f"{_shown(arguments.dump)} has no address that {layout.device.name} has; if it is a dump of this device, "
+            "say with --base or --offset how its addresses are counted"
+        )
     wrong = tuple(in_order(judged(told, file, rows)))
     return section(told, wrong, len(found.skipped)), wrong
 

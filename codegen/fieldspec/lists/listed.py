@@ -86,7 +86,9 @@ def listing(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Listing:
         more = f"; and {len(wrong) - _SHOWN} more" if len(wrong) > _SHOWN else ""
         raise ListError(f"has no address under {heading}: {shown}{more}; name the column with --address")
     if not rows:
-        raise ListError(f"has no address under {heading}")
+        alone = len(found.headings) == 1 and len(heading.split()) > 1
+        parted = "; if blanks part its columns, put tabs, commas or bars between them" if alone else ""
+        raise ListError(f"has no address under {heading}{parted}")
     made = Listing(found, tuple(rows), tuple(skipped), _bases([held for _, held in rows], base, heading))
     for one in made.bases:
         _within(made.rows(one), heading)
