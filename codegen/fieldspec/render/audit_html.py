@@ -28,7 +28,7 @@ OPEN = 100
 BROAD = 8
 """A table of so many columns shares out the width, as it would else be wider than paper."""
 
-_WORD, _MOST, _WHOLE, _EDGES = 11, 60, 215, 3
+_WORD, _MOST, _WHOLE, _EDGES = 11, 60, 205, 4
 """When the width is shared out, in letters: the longest word that is never broken, how long a text counts at most, how
 much there is to share, and what the edges of a cell and bold letters take."""
 
