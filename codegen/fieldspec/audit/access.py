@@ -32,7 +32,7 @@ def access(subject: Subject) -> Section:
     for kind in KINDS.values():
         held = [hazard for hazard in found if hazard.kind == kind]
         if held:
-            figures.append(Figure(f"hazards: {kind.title.lower()}", len(held)))
+            figures.append(Figure(f"{'hazard' if len(held) == 1 else 'hazards'}: {kind.title.lower()}", len(held)))
             tables.append(_table(kind, held))
     return Section("access", "Access hazards", tuple(says), tuple(figures), tuple(tables))
 
