@@ -68,12 +68,12 @@ class Naming:
 
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
         key = (upper, noun, parts)
-        if key not in self._given:
-            words = self.device + Name.of(_PREFIXES.get(noun, ""))
-            for part in parts:
-                words += Name.of(part)
-            self._given[key] = self._free(words, upper)
-        return self._given[key]
+        name = self._given.get(key)
+        if name is None:
+            held = (self.device, Name.of(_PREFIXES.get(noun, "")), *map(Name.of, parts))
+            words = Name(tuple(word for one in held for word in one.words))
+            name = self._given[key] = self._free(words, upper)
+        return name
 
     def _free(self, words: Name, upper: bool) -> str:
         number, tried = 1, words

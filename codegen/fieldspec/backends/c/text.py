@@ -6,6 +6,9 @@ import re
 from collections.abc import Iterable
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t", "?": "\\?"}
+_ESCAPED = re.compile(r'[^ -~]|[\\"?]')
+_MARKS = re.compile(r"[*/?<\\@]")
+_TAG = re.compile(r"<(?=[A-Za-z/!])")
 _WIDTH = 108
 _LONGEST = 120
 
@@ -16,15 +19,12 @@ _PIECES = re.compile(r".+?(?: \|\| |$)"), re.compile(r".+?(?:, | && |$)")
 
 def string(text: str) -> str:
     """A string literal in UTF-8. Octal escapes have three digits, so that no digit behind them joins in."""
-    return '"' + "".join(_escaped(char) for char in text) + '"'
+    return f'"{_ESCAPED.sub(_escape, text)}"'
 
 
-def _escaped(char: str) -> str:
-    if char in _ESCAPES:
-        return _ESCAPES[char]
-    if " " <= char < "\x7f":
-        return char
-    return "".join(f"\\{byte:03o}" for byte in char.encode("utf-8", "replace"))
+def _escape(found: re.Match[str]) -> str:
+    char = found[0]
+    return _ESCAPES.get(char) or "".join(f"\\{byte:03o}" for byte in char.encode("utf-8", "replace"))
 
 
 def comment(*texts: str) -> list[str]:
@@ -39,20 +39,26 @@ def comment(*texts: str) -> list[str]:
 
 def plain(text: str) -> str:
     """A text that ends no comment and starts none, on one line, without trigraphs, joined lines or marks of HTML."""
-    text = "".join(char if char.isprintable() else " " for char in text)
-    text = text.replace("*/", "* /").replace("/*", "/ *").replace("//", "/ /").replace("??", "? ?")
-    text = re.sub(r"<(?=[A-Za-z/!])", "< ", text)
-    return " ".join(text.replace("\\", "\\ ").replace("@", "(at)").split())
+    if not text.isprintable():
+        text = "".join(char if char.isprintable() else " " for char in text)
+    if _MARKS.search(text):
+        text = text.replace("*/", "* /").replace("/*", "/ *").replace("//", "/ /").replace("??", "? ?")
+        text = _TAG.sub("< ", text).replace("\\", "\\ ").replace("@", "(at)")
+    return " ".join(text.split())
 
 
 def wrapped(text: str) -> list[str]:
     """A text in lines of a comment."""
-    lines = [""]
-    for word in plain(text).split(" "):
-        if lines[-1] and len(lines[-1]) + len(word) >= _WIDTH:
-            lines.append("")
-        lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
-    return lines
+    text = plain(text)
+    lines = []
+    while len(text) > _WIDTH:
+        end = text.rfind(" ", 0, _WIDTH + 1)
+        end = end if end > 0 else text.find(" ")
+        if end < 0:
+            break
+        lines.append(text[:end])
+        text = text[end + 1 :]
+    return [*lines, text]
 
 
 def integer(value: int, size: int = 4, signed: bool = True) -> str:
