@@ -12,7 +12,7 @@ import pytest
 
 from fieldspec.backends.hmi.backend import files
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.lists.workbook import packed
+from fieldspec.lists.packing import packed
 from fieldspec.model.enum import Enum
 from fieldspec.names import Name, stem
 from fieldspec.plc.texts import KINDS

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from fieldspec.backends import OUTPUTS
+from fieldspec.backends import OUTPUTS, Files
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.lists.workbook import packed
 from fieldspec.proofs.running import proven
 from fieldspec.proofs.twins import twins
 from fieldspec.reading.project import DeviceSpec, Project, read
-from fieldspec.spreadsheet import Workbook
 
 
 def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Project:
@@ -59,13 +57,22 @@ def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(
 
 def output(name: str, versions: list[DeviceLayout]) -> dict[str, bytes]:
     """The files of one output of one device, by path."""
-    return {f"{name}/{path}": _content(held) for path, held in OUTPUTS[name].files(versions).items()}
+    return _contents(name, OUTPUTS[name].files(versions))
 
 
 def shared(name: str) -> dict[str, bytes]:
     """The files of one output that belong to no device, by path."""
-    return {f"{name}/{path}": _content(held) for path, held in OUTPUTS[name].shared().items()}
+    return _contents(name, OUTPUTS[name].shared())
 
 
-def _content(held: str | Workbook) -> bytes:
-    return held.encode("utf-8") if isinstance(held, str) else packed(held)
+def _contents(name: str, files: Files) -> dict[str, bytes]:
+    """What is written of files; a workbook that is there several times is packed once."""
+    workbooks = {id(held): held for held in files.values() if not isinstance(held, str)}
+    if workbooks:
+        from fieldspec.lists.packing import packed
+
+        bytes_of = {key: packed(held) for key, held in workbooks.items()}
+    return {
+        f"{name}/{path}": held.encode("utf-8") if isinstance(held, str) else bytes_of[id(held)]
+        for path, held in files.items()
+    }

@@ -21,7 +21,7 @@ from fieldspec.backends.scl.functions import clashes
 from fieldspec.backends.scl.project import project
 from fieldspec.cli import main
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.lists.workbook import packed
+from fieldspec.lists.packing import packed
 from fieldspec.names import stem
 from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import SIEMENS

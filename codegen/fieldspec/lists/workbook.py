@@ -8,9 +8,10 @@ import zipfile
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from fieldspec.lists.shared_strings import with_shared_strings
+from fieldspec.lists.packing import zipped
+from fieldspec.lists.parts import APP, CORE
 from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Region, Sheet, SheetRow
-from fieldspec.spreadsheet import Workbook, clean
+from fieldspec.spreadsheet import clean
 
 if TYPE_CHECKING:
     from openpyxl.cell.cell import Cell, MergedCell
@@ -20,18 +21,9 @@ MAGIC = b"PK\x03\x04"
 _MOST_UNPACKED = 256 << 20
 _DECLARATIONS = (b"<!DOCTYPE", b"<!ENTITY")
 
-_APP = '<Properties xmlns="http://schemas.openxmlformats.org/officeDocument/2006/extended-properties"/>'
-_CORE = (
-    '<cp:coreProperties xmlns:cp="http://schemas.openxmlformats.org/package/2006/metadata/core-properties" '
-    'xmlns:dcterms="http://purl.org/dc/terms/" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">'
-    '<dcterms:created xsi:type="dcterms:W3CDTF">1980-01-01T00:00:00Z</dcterms:created>'
-    '<dcterms:modified xsi:type="dcterms:W3CDTF">1980-01-01T00:00:00Z</dcterms:modified></cp:coreProperties>'
-)
 # openpyxl writes its version and the time there.
-_FIXED = {"docProps/app.xml": _APP, "docProps/core.xml": _CORE}
+_FIXED = {"docProps/app.xml": APP, "docProps/core.xml": CORE}
 _WIDEST = 40
-# Stands for an empty text until the parts are settled, because openpyxl would leave such a cell without a value.
-_NOTHING = "\ue000"
 
 
 def workbook_sheet(content: bytes, named: str = "") -> Sheet:
@@ -136,28 +128,6 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
     return _settled(made.getvalue())
 
 
-def packed(held: Workbook) -> bytes:
-    """The bytes of a workbook for a program that imports it.
-
-    Every cell is there, an empty one as an empty text, and texts are in a table of their own.
-    """
-    import openpyxl
-    from openpyxl.packaging.custom import StringProperty
-
-    book = openpyxl.Workbook()
-    del book[book.sheetnames[0]]
-    for sheet in held.sheets:
-        made = book.create_sheet(sheet.title)
-        for number, row in enumerate(sheet.rows, 1):
-            for column, value in enumerate(row, 1):
-                _put(made.cell(number, column), _NOTHING if value is None or value == "" else value)
-    for name, text in held.properties.items():
-        book.custom_doc_props.append(StringProperty(name=name, value=text))  # type: ignore[attr-defined]
-    made_book = io.BytesIO()
-    book.save(made_book)
-    return _zipped(with_shared_strings(_parts(made_book.getvalue())))
-
-
 def _put(cell: Cell | MergedCell, value: object) -> object:
     """Writes a value and gives what the cell then shows. A text that begins with `=` is a text."""
     shown = clean(value) if isinstance(value, str) else value
@@ -171,22 +141,10 @@ def _put(cell: Cell | MergedCell, value: object) -> object:
 
 def _settled(content: bytes) -> bytes:
     """A workbook whose parts are in one form, without what the run has left in it."""
-    return _zipped(_parts(content))
-
-
-def _zipped(parts: Iterable[tuple[str, str]]) -> bytes:
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as packed:
-        for name, text in parts:
-            part = zipfile.ZipInfo(name)
-            part.create_system = 3
-            part.external_attr = 0o644 << 16
-            packed.writestr(part, f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n{text}')
-    return made.getvalue()
+    return zipped(_parts(content))
 
 
 def _parts(content: bytes) -> Iterator[tuple[str, str]]:
-    with zipfile.ZipFile(io.BytesIO(content)) as packed:
-        for name in packed.namelist():
-            text = _FIXED.get(name) or ElementTree.canonicalize(packed.read(name).decode("utf-8"))
-            yield name, text.replace(f"<t>{_NOTHING}</t>", "<t></t>")
+    with zipfile.ZipFile(io.BytesIO(content)) as held:
+        for name in held.namelist():
+            yield name, _FIXED.get(name) or ElementTree.canonicalize(held.read(name).decode("utf-8"))

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from fieldspec.backends.hmi import plain_list
-from fieldspec.backends.hmi.workbooks import CULTURES, ENGLISH, controller_workbook, panel_workbook
+from fieldspec.backends.hmi.workbooks import (
+    CULTURES,
+    ENGLISH,
+    TextList,
+    controller_workbook,
+    panel_workbook,
+    text_lists,
+)
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import stem
 from fieldspec.spreadsheet import BYTE_ORDER_MARK, Workbook, csv_text
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
-    """For each version of a device a table of its codes, and workbooks in English and with the manual's labels."""
+    """For each version of a device a table of its codes, and workbooks in English and with the manual's labels.
+
+    Versions with the same texts have the same workbooks, as objects too.
+    """
     made: dict[str, str | Workbook] = {}
+    known: dict[tuple[str | None, tuple[TextList, ...]], dict[str, Workbook]] = {}
     for layout in versions:
         device = layout.device
         rows = list(plain_list.rows(layout))
@@ -21,12 +32,19 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
             continue
         name = stem(device.id, device.version)
         made[f"{name}_codes.csv"] = BYTE_ORDER_MARK + csv_text([plain_list.COLUMNS, *rows])
-        culture = CULTURES.get(device.manual.language)
-        for languages in ((ENGLISH,), *(((ENGLISH, culture),) if culture else ())):
-            words = "_".join(language.replace("-", "_").lower() for language in languages)
-            made[f"{name}_tia_panel_{words}.xlsx"] = panel_workbook(device, languages)
-            made[f"{name}_tia_alarms_{words}.xlsx"] = controller_workbook(device, languages)
+        held = CULTURES.get(device.manual.language), tuple(text_lists(device))
+        if held not in known:
+            known[held] = dict(_workbooks(*held))
+        made |= {f"{name}_{ending}.xlsx": book for ending, book in known[held].items()}
     return made
+
+
+def _workbooks(culture: str | None, held: Sequence[TextList]) -> Iterator[tuple[str, Workbook]]:
+    """Workbooks by the ends of their names, in English, and in English and another language."""
+    for languages in ((ENGLISH,), *(((ENGLISH, culture),) if culture else ())):
+        words = "_".join(language.replace("-", "_").lower() for language in languages)
+        yield f"tia_panel_{words}", panel_workbook(held, languages)
+        yield f"tia_alarms_{words}", controller_workbook(held, languages)
 
 
 def shared() -> dict[str, str | Workbook]:

@@ -44,9 +44,8 @@ def text_lists(device: Device) -> Iterator[TextList]:
                 yield TextList((base + Name.of(word)).snake(), f"{title}, {word}", entries)
 
 
-def panel_workbook(device: Device, languages: Sequence[str]) -> Workbook:
+def panel_workbook(held: Sequence[TextList], languages: Sequence[str]) -> Workbook:
     """The text lists of a panel, in the languages that a project has."""
-    held = list(text_lists(device))
     texts = [f"Text [{language}]" for language in languages]
     head = ("Name", "Parent", "DefaultEntry", "Value", *texts, "FieldInfos")
     entries = [
@@ -57,9 +56,8 @@ def panel_workbook(device: Device, languages: Sequence[str]) -> Workbook:
     return Workbook((_lists(held, languages), Worksheet("TextListEntry", (head, *entries))))
 
 
-def controller_workbook(device: Device, languages: Sequence[str]) -> Workbook:
+def controller_workbook(held: Sequence[TextList], languages: Sequence[str]) -> Workbook:
     """The text lists of a controller's alarms."""
-    held = list(text_lists(device))
     head = ("Parent", "From", "To", *(f"Text [{language}]" for language in languages))
     entries = [
         (one.name, str(value), str(value), *_texts(languages, english, label))
