@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 
 from fieldspec.audit.ledger import EFFECTS, by_effect
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
@@ -14,7 +14,7 @@ from fieldspec.model.erratum import Erratum
 from fieldspec.proofs.errata import Proof, finding_key, printed_tree, put_back
 from fieldspec.proofs.running import everything
 from fieldspec.reading.building.device import built
-from fieldspec.reading.nodes import Mapping
+from fieldspec.reading.nodes import Mapping as Tree
 from fieldspec.reading.project import DeviceSpec
 
 WIRE = ("bytes", "range")
@@ -92,10 +92,16 @@ def misprint(erratum: Erratum) -> str:
     return next(kinds, OTHER if erratum.printed else WORDING)
 
 
-def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool) -> Printed:
+def as_printed(
+    spec: DeviceSpec,
+    proofs: Sequence[Proof],
+    thorough: bool,
+    known: Mapping[str, Sequence[Diagnostic]] | None = None,
+) -> Printed:
     """The findings in the print of a device that the right spec does not have.
 
     Where an erratum is proven, its proof has run one check on its print already; `thorough` runs all the others too.
+    `known` has what is found in the right spec by version, as far as somebody knows it.
     """
     of_version: dict[str, list[Proof]] = {}
     for proof in proofs:
@@ -105,7 +111,8 @@ def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool) -> Pri
     for version, proven in of_version.items():
         device, _ = spec.at(version)
         tree = spec.tree_at(version)
-        clean = {finding_key(found) for found in everything(device, ())}
+        right = known[version] if known and version in known else everything(device, ())
+        clean = {finding_key(found) for found in right}
         whole = _new(_whole(spec, tree, version, device), clean)
         findings += whole
         for proof in proven:
@@ -124,14 +131,14 @@ def _new(found: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) ->
     return [one for one in found if finding_key(one) not in clean and one.code not in OF_WRITING]
 
 
-def _alone(spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratum: Erratum) -> list[Diagnostic]:
+def _alone(spec: DeviceSpec, tree: Tree, version: str, device: Device, erratum: Erratum) -> list[Diagnostic]:
     if not erratum.printed:
         return []
     wrong, broken = put_back(spec, tree, version, device, erratum)
     return everything(wrong, broken, not TEXTS.issuperset(erratum.printed)) if wrong is not device else broken
 
 
-def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device) -> list[Diagnostic]:
+def _whole(spec: DeviceSpec, tree: Tree, version: str, device: Device) -> list[Diagnostic]:
     """What is found with all prints at once. What cannot stand in the language is found by reading, and left out."""
     refused: list[Diagnostic] = []
     for erratum in device.errata:
@@ -158,7 +165,7 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 def detection(subject: Subject) -> Section:
     """The section of the report: how many errata a check finds by itself, by class, and which ones none does."""
-    return section(as_printed(subject.spec, subject.proofs, thorough=False))
+    return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.findings))
 
 
 def section(made: Printed) -> Section:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec.audit.manual_index import ManualIndex
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, field
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.facts import Row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
@@ -19,6 +20,7 @@ class Subject:
 
     Errata are those of all versions. `layouts` are those of all versions that are built, the oldest first. `recorded`
     is the index of the manual that stands beside the spec, `manual` that of the text at hand; either may be missing.
+    `findings` are those of versions whose checks have run already.
     """
 
     spec: DeviceSpec
@@ -28,6 +30,7 @@ class Subject:
     layouts: Sequence[DeviceLayout] = ()
     recorded: ManualIndex | None = None
     manual: ManualIndex | None = None
+    findings: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)
 
     @property
     def device(self) -> Device:

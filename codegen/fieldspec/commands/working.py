@@ -13,6 +13,7 @@ from fieldspec import pipeline
 from fieldspec.audit.manual_index import ManualIndex
 from fieldspec.classes import dataclass, replace
 from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.proofs.running import outcome
 from fieldspec.reading.project import DeviceSpec, Project
 
 DOCUMENTATION = "docs"
@@ -96,7 +97,8 @@ def _processors() -> int:
 def carry_out(project: Project, task: Task) -> Done:
     """The result of one task."""
     spec = project.devices[task.device]
-    found = pipeline.findings(spec) if task.check else []
+    ran = outcome(spec) if task.check else None
+    found = ran.findings if ran is not None else []
     if has_errors(found) or not task.outputs:
         return Done(task.device, found, {}, {})
     layouts = [laid for laid in pipeline.layouts(spec) if not task.versions or laid.device.version in task.versions]
@@ -110,7 +112,7 @@ def carry_out(project: Project, task: Task) -> Done:
     if DOCUMENTATION in outputs and not task.versions:
         from fieldspec.render.audit_pages import pages
 
-        outputs[DOCUMENTATION] |= pages(spec, layouts, task.manual, outputs[DOCUMENTATION])
+        outputs[DOCUMENTATION] |= pages(spec, layouts, task.manual, outputs[DOCUMENTATION], ran)
     return Done(task.device, found, identities, outputs)
 
 

@@ -42,22 +42,6 @@ def errata_by_version(spec: DeviceSpec) -> Iterator[tuple[str, Device, list[Erra
         settled |= {erratum.id for erratum in device.errata}
 
 
-def errata_proven(
-    spec: DeviceSpec,
-    version: str,
-    device: Device,
-    errata: Iterable[Erratum],
-    findings: Findings,
-    known: frozenset[str],
-) -> Iterator[Diagnostic]:
-    """Findings of some errata of a device at one version.
-
-    `findings(device, check)` runs one check; `known` holds the names of all checks.
-    """
-    for proof in proofs(spec, version, device, errata, findings, known):
-        yield from proof.faults
-
-
 def proofs(
     spec: DeviceSpec,
     version: str,
@@ -66,7 +50,10 @@ def proofs(
     findings: Findings,
     known: frozenset[str],
 ) -> Iterator[Proof]:
-    """What becomes of some errata of a device at one version, one after the other."""
+    """What becomes of some errata of a device at one version, one after the other.
+
+    `findings(device, check)` runs one check; `known` holds the names of all checks.
+    """
     tree = spec.tree_at(version)
     clean: dict[str, set[tuple[str, str, int]]] = {}
     for erratum in errata:

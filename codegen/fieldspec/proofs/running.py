@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec import checks
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
-from fieldspec.proofs.errata import Proof, errata_by_version, errata_proven, proofs
+from fieldspec.proofs.errata import Proof, errata_by_version, proofs
 from fieldspec.proofs.twins import LAYING_OUT, lines_alike
 from fieldspec.reading.project import DeviceSpec
 
@@ -74,24 +75,49 @@ def errata_proofs(spec: DeviceSpec) -> list[Proof]:
         for version, device, errata in errata_by_version(spec)
         for proof in proofs(spec, version, device, errata, findings, known())
     ]
+    return _in_order(made)
+
+
+def _in_order(made: Sequence[Proof]) -> list[Proof]:
     return sorted(made, key=lambda proof: proof.erratum.place.whole.order())
 
 
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What running everything on a device gives: all findings, what becomes of every erratum, in the order of the spec,
+    and by version the findings without those of errata and of other versions.
+    """
+
+    findings: list[Diagnostic]
+    proofs: list[Proof]
+    by_version: Mapping[str, Sequence[Diagnostic]]
+
+
 def proven(spec: DeviceSpec) -> list[Diagnostic]:
-    """All findings of a device at all its versions. Errata are proven where all else is right."""
+    """All findings of a device at all its versions."""
+    return outcome(spec).findings
+
+
+def outcome(spec: DeviceSpec) -> Outcome:
+    """Runs everything on a device at all its versions. Errata are proven where all else is right."""
     found: list[Diagnostic] = []
+    made: list[Proof] = []
+    by_version: dict[str, Sequence[Diagnostic]] = {}
     settled: set[str] = set()
     identities: dict[str, str] = {}
     for version in reversed(spec.versions()):
         device, broken = spec.at(version)
         broken = everything(device, broken)
+        by_version[version] = broken
         found += broken
         if has_errors(broken):
             continue
         identities[version] = device_layout(device).identity
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
-        found += errata_proven(spec, version, device, errata, findings, known())
+        of_version = [*proofs(spec, version, device, errata, findings, known())]
+        found += (fault for proof in of_version for fault in proof.faults)
+        made += of_version
     if len(identities) == len(spec.versions()):
         found += lines_alike(spec, identities)
-    return [*found, *accepted(spec)]
+    return Outcome([*found, *accepted(spec)], _in_order(made), by_version)

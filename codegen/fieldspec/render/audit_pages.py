@@ -12,7 +12,7 @@ from fieldspec.backends.docs.backend import index
 from fieldspec.backends.docs.changes import page_name
 from fieldspec.facts import rows
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.proofs.running import errata_proofs
+from fieldspec.proofs.running import Outcome, errata_proofs
 from fieldspec.reading.project import DeviceSpec
 from fieldspec.render.audit_html import rendered
 
@@ -23,15 +23,22 @@ _ANCHOR = re.compile(r'\bid="([^"]+)"')
 
 
 def pages(
-    spec: DeviceSpec, layouts: Sequence[DeviceLayout], recorded: ManualIndex | None, documentation: Mapping[str, bytes]
+    spec: DeviceSpec,
+    layouts: Sequence[DeviceLayout],
+    recorded: ManualIndex | None,
+    documentation: Mapping[str, bytes],
+    known: Outcome | None = None,
 ) -> dict[str, bytes]:
     """The files by path, relative to the folder of generated files.
 
     `layouts` are those of all versions, the oldest first, `recorded` is the index of the manual. `documentation` has
-    the pages of the versions by path: the audit leads there where they have a fact.
+    the pages of the versions by path: the audit leads there where they have a fact. `known` is what running
+    everything on the device has given, where that has happened.
     """
     newest = layouts[-1]
-    subject = Subject(spec, newest, rows(newest), errata_proofs(spec), tuple(layouts), recorded)
+    proofs = known.proofs if known is not None else errata_proofs(spec)
+    found = known.by_version if known is not None else {}
+    subject = Subject(spec, newest, rows(newest), proofs, tuple(layouts), recorded, findings=found)
     page = rendered(report(subject), newest.device, _documented(newest, documentation))
     texts = {f"{spec.id}/{NAME}": page, **index(layouts, [("audit", NAME)])}
     return {f"docs/{path}": text.encode("utf-8") for path, text in texts.items()}
