@@ -19,13 +19,13 @@ from fieldspec.backends.scl.backend import files, refusals
 from fieldspec.backends.scl.blocks import string
 from fieldspec.backends.scl.functions import clashes
 from fieldspec.backends.scl.project import project
+from fieldspec.classes import replace
 from fieldspec.cli import main
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.packing import packed
 from fieldspec.names import stem
 from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import SIEMENS
-from fieldspec.plc.routines.device import routines
 from fieldspec.reference.records import encoded
 from fieldspec.spreadsheet import Workbook
 from laid_out import MADE_UP, SPECS, layouts, newest
@@ -208,9 +208,6 @@ def test_only_what_the_rules_name_is_refused(layout: DeviceLayout) -> None:
 def test_two_functions_of_one_name_are_refused() -> None:
     layout = newest(MADE_UP, "widget")
     held = project(layout)
-    twice = [*routines(held.declared.world), routines(held.declared.world)[0]]
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("fieldspec.backends.scl.functions.routines", lambda world: twice)
-        (found,) = clashes(held)
+    (found,) = clashes(replace(held, routines=(*held.routines, held.routines[0])))
     assert found.code == "plc_names_distinct"
-    assert twice[0].name in found.message
+    assert held.routines[0].name in found.message

@@ -13,7 +13,6 @@ from st_machine import Machine
 from st_syntax import parsed
 
 from fieldspec.backends.st.backend import text
-from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.program import Program, program
 from fieldspec.reference import CodecError
 from laid_out import MADE_UP, SPECS, newest
@@ -36,7 +35,7 @@ def proof(root: Path, device: str, rounding: str = "even") -> Proof:
 @cache
 def made_of(root: Path, device: str) -> Program:
     """The newest version of a device as a program."""
-    return program(newest(root, device), DIALECTS["st"])
+    return program(newest(root, device))
 
 
 def reason(error: CodecError) -> str:

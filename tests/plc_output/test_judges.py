@@ -67,7 +67,7 @@ def statement_forms() -> list[list[str]]:
     """Every form of statement in the functions of the four devices."""
     seen = Shapes()
     made = (made_of(SPECS, device) for device in REAL)
-    functions = (item for one in made for item in one.items() if item.kind == "function")
+    functions = (item for one in made for item in one.items if item.kind == "function")
     return [some for item in functions for some in seen.statements(item.implementation)]
 
 
@@ -82,7 +82,7 @@ def test_blark_parses_every_form_of_statement(part: int) -> None:
 def test_blark_parses_every_form_of_declaration() -> None:
     seen = Shapes()
     for device in REAL:
-        for item in made_of(SPECS, device).items():
+        for item in made_of(SPECS, device).items:
             head = item.kind == "function"
             lines = seen.head(item.declaration) if head else seen.listed(item.declaration)
             if lines:
@@ -91,7 +91,7 @@ def test_blark_parses_every_form_of_declaration() -> None:
 
 def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
     program = made_of(SPECS, "esc11")
-    for item in [one for one in program.items() if "PointMode" in one.name or "Grip" in one.name][:8]:
+    for item in [one for one in program.items if "PointMode" in one.name or "Grip" in one.name][:8]:
         blark_takes(item.lines)
     (text,) = (text for name, text in st_files([hostile()]).items() if name.endswith(".st"))
     assert "]] >" in text or "]]>" in text
@@ -103,7 +103,7 @@ def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
 @pytest.mark.parametrize(("root", "device"), ALL, ids=[*NAMES, "hostile"])
 def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -> None:
     parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_iec61131_3_st.language()))
-    for item in made_of(root, device).items():
+    for item in made_of(root, device).items:
         # Its grammar has neither pragmas, nor enums with a base type behind them, nor global constants by themselves.
         lines = [line for line in item.lines if not line.startswith("{")]
         if item.kind == "function" or "STRUCT" in lines:
@@ -232,6 +232,6 @@ def test_what_a_parser_takes_and_means_nothing_is_refused_by_the_machine(wrong: 
 
 def test_words_that_forms_keep_are_no_names_of_what_is_generated() -> None:
     for root, device in DEVICES:
-        for item in made_of(root, device).items():
+        for item in made_of(root, device).items:
             assert item.name.lower() not in KEYWORDS
             assert path(item).endswith((f"{item.name}.TcDUT", f"{item.name}.TcGVL", f"{item.name}.TcPOU"))

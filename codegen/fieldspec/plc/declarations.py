@@ -22,7 +22,7 @@ from fieldspec.plc.layout.placing import Placed, placed
 from fieldspec.plc.naming import Scope
 from fieldspec.plc.narrowing import narrowed
 from fieldspec.plc.routines.choices import choice_type
-from fieldspec.plc.routines.groups import register_type
+from fieldspec.plc.routines.groups import register_type, registers_of
 from fieldspec.plc.routines.records import field_type, given
 from fieldspec.plc.routines.remarks import source
 from fieldspec.plc.routines.status import BASE, STATUSES, Status
@@ -150,7 +150,7 @@ class _Declaring:
                     title = message.message.title or Name.of(message.name).title()
                     yield self._of_record(data, "telegram", message.message, title)
         for group in self.layout.device.groups:
-            laid = [one for one in self.layout.registers if one.register in group.registers]
+            laid = registers_of(self.layout, group)
             if laid:
                 scope = Scope(self.dialect, f"member of {group.name}", self.found)
                 members = []

@@ -9,10 +9,10 @@ from fieldspec.backends.plcopen.types import enum_type, struct_type, text_type
 from fieldspec.backends.plcopen.variables import constants_list, documentation, function, sizes_function, texts_list
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import Program, newest, program, stem
+from fieldspec.plc.structured.program import refusals as program_refusals
 
 NAMESPACE = "http://www.plcopen.org/xml/tc6_0201"
 GLOBALS = "http://www.3s-software.com/plcopenxml/globalvars"
@@ -23,13 +23,13 @@ CREATED = "2000-01-01T00:00:00"
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """A project with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
-    made = program(layout, DIALECTS["plcopen"])
+    made = program(layout)
     return {f"{stem(layout)}.xml": written(project(made)), f"{stem(layout)}_layout.csv": layout_table(made)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that controllers do not take, or take for one."""
-    return list(declarations(newest(versions), DIALECTS["plcopen"]).found)
+    return program_refusals(newest(versions), DIALECTS["plcopen"])
 
 
 def shared() -> dict[str, str]:
@@ -46,8 +46,7 @@ def project(made: Program) -> Element:
     if made.texts is not None:
         types.append(text_type(made.texts))
         lists.append(texts_list(made.texts_list, made.declared.texts, made.texts))
-    spelling = made.declared.dialect.spelling
-    functions = [sizes_function(made), *(function(one, spelling) for one in made.routines)]
+    functions = [sizes_function(made), *map(function, made.routines, made.functions)]
     scaling = element("scaling", x="1", y="1")
     return element(
         "project",

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from fieldspec.backends.plcopen.elements import Element, element
 from fieldspec.backends.plcopen.types import attributes, documentation, type_element, variable
 from fieldspec.plc.constants import ConstantList
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.spelling import Spelling
 from fieldspec.plc.routines.types import BOOL, StructType
-from fieldspec.plc.routines.written import implementation
+from fieldspec.plc.structured.item import Item
 from fieldspec.plc.structured.lists import LIST_ATTRIBUTES, TextForm
 from fieldspec.plc.structured.literals import number, string
 from fieldspec.plc.structured.program import Program
@@ -18,8 +19,8 @@ _SECTIONS = {"input": "inputVars", "in_out": "inOutVars", "output": "outputVars"
 _XHTML = "http://www.w3.org/1999/xhtml"
 
 
-def function(routine: Routine, spelling: Spelling) -> Element:
-    """A function in Structured Text."""
+def function(routine: Routine, text: Item) -> Element:
+    """A function and its statements in Structured Text."""
     sections = []
     for role, name in _SECTIONS.items():
         held = [
@@ -34,10 +35,10 @@ def function(routine: Routine, spelling: Spelling) -> Element:
         *sections,
         documentation(routine.remarks),
     )
-    return element("pou", interface, _body(implementation(routine, spelling)), name=routine.name, pouType="function")
+    return element("pou", interface, _body(text.implementation), name=routine.name, pouType="function")
 
 
-def _body(lines: list[str]) -> Element:
+def _body(lines: Sequence[str]) -> Element:
     return element("body", element("ST", element("xhtml", text="\n".join(lines), xmlns=_XHTML)))
 
 
@@ -55,7 +56,7 @@ def sizes_function(made: Program) -> Element:
         *([element("localVars", *held)] if held else []),
         documentation(told),
     )
-    return element("pou", interface, _body(list(made.sizes.implementation)), name=made.sizes.name, pouType="function")
+    return element("pou", interface, _body(made.sizes.implementation), name=made.sizes.name, pouType="function")
 
 
 def constants_list(listed: ConstantList) -> Element:

@@ -6,20 +6,19 @@ from collections.abc import Iterator
 
 from fieldspec.backends.scl.project import Project
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.written import written
 
 
 def functions(held: Project) -> Iterator[list[str]]:
     """All functions, each behind those that it calls."""
-    for routine in routines(held.declared.world):
+    for routine in held.routines:
         yield written(routine, held.declared.dialect.spelling)
 
 
 def clashes(held: Project) -> Iterator[Diagnostic]:
     """Functions that have the name of another one."""
     taken: set[str] = set()
-    for routine in routines(held.declared.world):
+    for routine in held.routines:
         if routine.name.lower() in taken:
             yield Diagnostic(
                 "plc_names_distinct",

@@ -10,7 +10,10 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem
 from fieldspec.plc.declarations import Declarations, declarations
 from fieldspec.plc.dialects import SIEMENS
+from fieldspec.plc.kept import kept
 from fieldspec.plc.naming import Scope
+from fieldspec.plc.routines.device import routines
+from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.types import Elementary
 from fieldspec.plc.routines.world import narrowest
@@ -48,6 +51,7 @@ class Project:
     declared: Declarations
     telegrams: tuple[TelegramBlock, ...]
     texts: tuple[TextBlock, ...]
+    routines: tuple[Routine, ...]
     text_type: str
     found: tuple[Diagnostic, ...]
 
@@ -77,6 +81,7 @@ LONGEST_STRING = 254
 """The most characters of a STRING."""
 
 
+@kept
 def project(layout: DeviceLayout) -> Project:
     """The project of a device that has passed the checks."""
     declared = declarations(layout, SIEMENS)
@@ -88,7 +93,8 @@ def project(layout: DeviceLayout) -> Project:
         TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
         for table in declared.texts
     )
-    return Project(layout, declared, made_telegrams, texts, SIEMENS.texts.format(device, "Code"), tuple(found))
+    made = tuple(routines(declared.world))
+    return Project(layout, declared, made_telegrams, texts, made, SIEMENS.texts.format(device, "Code"), tuple(found))
 
 
 def _telegrams(declared: Declarations, scope: Scope, device: str) -> Iterator[TelegramBlock]:

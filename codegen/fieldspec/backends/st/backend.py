@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import Program, newest, program, stem
+from fieldspec.plc.structured.program import refusals as program_refusals
 
 _PARTS = {
     "type": "Types: enums and structs",
@@ -21,13 +21,13 @@ _PARTS = {
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """One text with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
-    made = program(layout, DIALECTS["st"])
+    made = program(layout)
     return {f"{stem(layout)}.st": text(made), f"{stem(layout)}_layout.csv": layout_table(made)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that controllers do not take, or take for one."""
-    return list(declarations(newest(versions), DIALECTS["st"]).found)
+    return program_refusals(newest(versions), DIALECTS["st"])
 
 
 def shared() -> dict[str, str]:
@@ -39,7 +39,7 @@ def text(made: Program) -> str:
     """All objects of a program in one text."""
     lines = [f"// {line}".rstrip() for line in (*made.about(), "", *made.guide())]
     part = ""
-    for item in made.items():
+    for item in made.items:
         if item.kind != part:
             part = item.kind
             lines += ["", f"// ==== {_PARTS[part]} ===="]

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
 from fieldspec.plc.structured.item import Item
 from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import newest, program, stem
+from fieldspec.plc.structured.program import refusals as program_refusals
 
 # An identifier that is made of a name is the same in every build, and differs where names differ.
 _SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "twincat.fieldspec")
@@ -38,18 +38,18 @@ FORMS = {
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The objects of a device's newest version, what includes them in a project, and where members of structs lie."""
     layout = newest(versions)
-    made = program(layout, DIALECTS["twincat"])
+    made = program(layout)
     folder = stem(layout)
-    items = made.items()
-    texts = {f"{folder}/{path(item)}": source(item, made.about()) for item in items}
-    texts[f"{folder}/project_items.xml"] = inclusion(items)
+    about = made.about()
+    texts = {f"{folder}/{path(item)}": source(item, about) for item in made.items}
+    texts[f"{folder}/project_items.xml"] = inclusion(made.items)
     texts[f"{folder}/layout.csv"] = layout_table(made)
     return texts
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that controllers do not take, or take for one."""
-    return list(declarations(newest(versions), DIALECTS["twincat"]).found)
+    return program_refusals(newest(versions), DIALECTS["twincat"])
 
 
 def shared() -> dict[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.register import RegisterGroup
 from fieldspec.plc.routines.draft import Draft
@@ -39,7 +40,7 @@ def group_routines(world: World) -> Iterator[Routine]:
     if world.layout.registers:
         yield _holds(world)
     for group in world.layout.device.groups:
-        registers = [laid for laid in world.layout.registers if laid.register in group.registers]
+        registers = registers_of(world.layout, group)
         readable = [laid for laid in registers if laid.register.access in _READ]
         # Where no access is printed, writing is what a trigger is for.
         writable = [laid for laid in registers if laid.register.access in _WRITTEN or laid.register.trigger]
@@ -47,6 +48,12 @@ def group_routines(world: World) -> Iterator[Routine]:
             yield _unpacked(world, group, readable)
         if writable:
             yield _packed(world, group, writable)
+
+
+def registers_of(layout: DeviceLayout, group: RegisterGroup) -> list[RegisterLayout]:
+    """The registers of a group."""
+    own = {id(register) for register in group.registers}
+    return [laid for laid in layout.registers if id(laid.register) in own]
 
 
 def _holds(world: World) -> Routine:
@@ -94,10 +101,10 @@ _One = Callable[[Words, Expression], list[Statement]]
 
 
 class _Range:
-    """The parameters that say which words there are."""
+    """The parameters that say which words there are, of a function for a group."""
 
-    def __init__(self, world: World, draft: Draft, remark: str) -> None:
-        self.world, self.draft = world, draft
+    def __init__(self, world: World, group: RegisterGroup, draft: Draft, remark: str) -> None:
+        self.world, self.group, self.draft = world, group, draft
         self.address = draft.declare("uiAddress", UINT, "input", "address of aWords[0]")
         self.count = draft.declare("iCount", INT, "input", "how many words there are")
         self.array = draft.declare("aWords", world.words, "in_out", remark)
@@ -109,7 +116,7 @@ class _Range:
     def each(self, laid: RegisterLayout, struct: Variable, one: _One) -> list[Statement]:
         """The statements for a register, or for each of several equal ones, if it lies in the words."""
         kind = register_type(self.world, laid)
-        member = Member(struct, self.world.member(struct_of(laid, self.world), laid.name), kind)
+        member = Member(struct, self.world.member(self.group.name, laid.name), kind)
         if laid.count == 1:
             return [self._if_there(laid, Whole(laid.address, UINT), member, one)]
         index = self.draft.local("iElement")
@@ -148,11 +155,6 @@ class _Range:
         )
 
 
-def struct_of(laid: RegisterLayout, world: World) -> str:
-    """The name of the group that a register belongs to."""
-    return next(group.name for group in world.layout.device.groups if laid.register in group.registers)
-
-
 def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> str:
     first = min(laid.address for laid in registers)
     last = max(laid.register.end for laid in registers) - 1
@@ -175,7 +177,7 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
         f"Registers to struct: {_about(world, group, registers)}",
         "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
     )
-    given = _Range(world, draft, "is read only")
+    given = _Range(world, group, draft, "is read only")
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for laid in registers:
 
@@ -197,7 +199,7 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
         "Where a value is refused, some of the words may have been changed: do not send them.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
-    given = _Range(world, draft, "receives the words")
+    given = _Range(world, group, draft, "receives the words")
     for laid in registers:
 
         def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name
 from fieldspec.plc.declarations import Declarations, declarations
-from fieldspec.plc.dialects import Dialect
+from fieldspec.plc.dialects import STRUCTURED, Dialect
+from fieldspec.plc.kept import kept
 from fieldspec.plc.layout.placing import Placed, placed
 from fieldspec.plc.routines.device import routines
 from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.spelling import Spelling
 from fieldspec.plc.routines.written import declaration, implementation, plain
 from fieldspec.plc.structs import Struct
 from fieldspec.plc.structured.examples import examples
@@ -24,35 +27,24 @@ from fieldspec.plc.structured.types import enum_item, struct_item
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """What is declared, its structs with padding, in memory, and the routines. `texts` is None where there are none."""
+    """What is declared, its structs with padding, in memory, and the routines. `texts` is None where there are none.
+
+    `functions` are the routines as text, `items` all objects, those of the functions the last.
+    """
 
     declared: Declarations
     structs: tuple[Struct, ...]
     placed: tuple[Placed, ...]
     texts: TextForm | None
     routines: tuple[Routine, ...]
+    functions: tuple[Item, ...]
     sizes: Item
+    items: tuple[Item, ...]
 
     @property
     def texts_list(self) -> str:
         """The name of the list with the texts of codes."""
-        return self.declared.dialect.constants.format(_device(self.declared.layout), "CodeTexts")
-
-    def items(self) -> list[Item]:
-        """All objects."""
-        spelling = self.declared.dialect.spelling
-        made = [enum_item(one) for one in self.declared.enums]
-        made += [struct_item(one.struct, one.size) for one in self.placed]
-        if self.texts is not None:
-            made.append(form_item(self.texts))
-        made += [constants_item(one) for one in self.declared.constants]
-        if self.texts is not None:
-            made.append(texts_item(self.texts_list, self.declared.texts, self.texts))
-        made.append(self.sizes)
-        for one in self.routines:
-            lines = tuple(declaration(one, spelling)), tuple(implementation(one, spelling))
-            made.append(Item(one.name, "function", one.group, *lines))
-        return made
+        return _texts_list(self.declared)
 
     def about(self) -> list[str]:
         """What stands at the head of a file."""
@@ -77,17 +69,51 @@ class Program:
         ]
 
 
-def program(layout: DeviceLayout, dialect: Dialect) -> Program:
-    """The program of a device that has no findings."""
-    declared = declarations(layout, dialect)
+def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
+    """What a dialect of Structured Text cannot have of a device: the same as any other, but each has its title."""
+    return list(declarations(layout, dialect).found) if _declared(layout).found else []
+
+
+@kept
+def _declared(layout: DeviceLayout) -> Declarations:
+    return declarations(layout, STRUCTURED)
+
+
+@kept
+def program(layout: DeviceLayout) -> Program:
+    """The program of a device that has no findings, in Structured Text, whose dialects differ in their files alone."""
+    declared = _declared(layout)
     structs = padded(declared)
     by_name = {struct.name: struct for struct in structs}
     where = tuple(placed(struct, PACKED, by_name) for struct in structs)
     device = _device(declared.layout)
-    texts = text_form(declared.texts, dialect.texts.format(device, "Code"))
+    texts = text_form(declared.texts, STRUCTURED.texts.format(device, "Code"))
     sizes = {one.struct.name: one.size for one in where if one.struct.members}
     item = sizes_item(f"F_{device}_SizesAreRight", sizes)
-    return Program(declared, structs, where, texts, tuple(routines(declared.world)), item)
+    made = tuple(routines(declared.world))
+    functions = tuple(_function(one, STRUCTURED.spelling) for one in made)
+    items = (*_items(declared, where, texts), item, *functions)
+    return Program(declared, structs, where, texts, made, functions, item, items)
+
+
+def _items(declared: Declarations, where: Sequence[Placed], texts: TextForm | None) -> Iterator[Item]:
+    """All objects but functions."""
+    yield from map(enum_item, declared.enums)
+    yield from (struct_item(one.struct, one.size) for one in where)
+    if texts is not None:
+        yield form_item(texts)
+    yield from map(constants_item, declared.constants)
+    if texts is not None:
+        yield texts_item(_texts_list(declared), declared.texts, texts)
+
+
+def _function(routine: Routine, spelling: Spelling) -> Item:
+    lines = tuple(declaration(routine, spelling)), tuple(implementation(routine, spelling))
+    return Item(routine.name, "function", routine.group, *lines)
+
+
+def _texts_list(declared: Declarations) -> str:
+    return declared.dialect.constants.format(_device(declared.layout), "CodeTexts")
 
 
 def newest(versions: Sequence[DeviceLayout]) -> DeviceLayout:

@@ -1,0 +1,52 @@
+"""What outputs for programmable controllers share: it is of the layout that is asked for, and of all their dialects."""
+
+from __future__ import annotations
+
+import pytest
+
+from fieldspec.classes import attributes, replace
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.dialects import DIALECTS, STRUCTURED
+from fieldspec.plc.kept import kept
+from fieldspec.plc.structured.program import program, refusals
+from laid_out import MADE_UP, laid_at, newest
+from reading import gadget
+
+CLASH = """
+enums:
+  - {name: grip_mode, source: 1 L1, members: [{value: 0, name: off, source: L1}, {value: 1, name: on, source: L2}]}
+  - {name: gripmode, source: 1 L3, members: [{value: 0, name: off, source: L3}, {value: 1, name: on, source: L4}]}
+"""
+
+
+def test_what_is_kept_is_of_the_layout_that_was_asked_for_last() -> None:
+    asked: list[DeviceLayout] = []
+
+    @kept
+    def number(layout: DeviceLayout) -> int:
+        asked.append(layout)
+        return len(asked)
+
+    first = newest(MADE_UP, "widget")
+    second = replace(first)
+    assert first == second
+    assert [number(one) for one in (first, first, second, second, first)] == [1, 1, 2, 2, 3]
+
+
+@pytest.mark.parametrize("name", ["st", "twincat", "plcopen"])
+def test_dialects_that_share_a_program_differ_in_what_people_are_told_alone(name: str) -> None:
+    row = DIALECTS[name]
+    different = {one for one in attributes(type(row)) if getattr(row, one) != getattr(STRUCTURED, one)}
+    assert different <= {"name", "title", "foreign"}
+
+
+@pytest.mark.parametrize("name", ["st", "twincat", "plcopen"])
+def test_what_all_of_them_refuse_is_said_of_each_by_its_title(name: str) -> None:
+    (found,) = refusals(laid_at(gadget(CLASH), "1"), DIALECTS[name])
+    assert DIALECTS[name].title in found.message
+
+
+def test_a_program_has_the_text_of_each_routine_among_its_objects() -> None:
+    made = program(newest(MADE_UP, "widget"))
+    assert [one.name for one in made.functions] == [one.name for one in made.routines]
+    assert made.items[-len(made.functions) - 1 :] == (made.sizes, *made.functions)
