@@ -157,7 +157,7 @@ def inserted(tree: Mapping, chance: random.Random) -> Mapping | None:
     if one is None:
         return None
     way, node = one
-    new = Mapping(node.file, node.start, node.end, {}, {})
+    new = Mapping(node.file, node.start, node.end, {})
     new = new.with_value("name", scalar("put_before", node)).with_value("type", scalar("u8", node))
     held = at(tree, way[:-1])
     assert isinstance(held, Items)

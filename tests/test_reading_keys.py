@@ -60,7 +60,7 @@ def watched(node: Node, part: Schema, name: str, given: set[Key], asked: set[Key
     values = {
         key: watched(value, known.get(key, {}), f"{name}.{key}", given, asked) for key, value in node.values.items()
     }
-    return Mapping(node.file, node.start, node.end, node.keys, Watched(values, name, asked))
+    return Mapping(node.file, node.start, node.end, Watched(values, name, asked), node.keys)
 
 
 def test_every_key_is_asked_for() -> None:

@@ -9,7 +9,7 @@ import yaml
 
 from fieldspec.reading import yaml_reader
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.reading.yaml_reader import DEEPEST_TREE, decoded, parsed
+from fieldspec.reading.yaml_reader import DEEPEST_TREE, decoded, key_span, parsed
 from reading import codes, pointed_at, unmarked
 
 DEEP = "[" * (DEEPEST_TREE + 1) + "«[»" + "]" * (DEEPEST_TREE + 2)
@@ -83,7 +83,8 @@ def shape(node: Node) -> object:
         return node.start, node.end, node.text, node.quoted
     if isinstance(node, Sequence):
         return node.start, [shape(item) for item in node.items]
-    return node.start, [(shape(node.keys[key]), shape(value)) for key, value in node.values.items()]
+    spans = {key: key_span(node, key) for key in node.values}
+    return node.start, [(key, spans[key].start, spans[key].end, shape(value)) for key, value in node.values.items()]
 
 
 @pytest.mark.usefixtures("parser")
@@ -164,7 +165,44 @@ def test_the_deepest_tree_is_read() -> None:
 def test_an_alias_is_what_it_names() -> None:
     node = node_of("a: &x {b: [1, 2]}\nc: *x\nd: [*x, *x]\n")
     assert isinstance(node, Mapping)
-    assert node.values["a"] is node.values["c"]
+    assert node.values["a"] == node.values["c"]
+
+
+@pytest.mark.usefixtures("parser")
+def test_an_alias_is_a_node_of_its_own_as_the_schema_may_want_something_else_of_it() -> None:
+    node = node_of("a: &x {b: [1, 2]}\nc: *x\n")
+    assert isinstance(node, Mapping)
+    assert node.values["a"] is not node.values["c"]
+
+
+KEYS = {
+    "in a block": "a: 1\n«b»: 2\n",
+    "in quotes": "a: 1\n«'b'»: 2\n",
+    "in a block of a list": "- - c: {b: 1}\n    a: [b, b: 1]\n    «b»: 3\n",
+    "in braces over several lines": '- {a: b,\n «"b"»: 3, c: 1}\n',
+    "behind an anchor": "- &x\n  a: 伺服\n  «b»: 1\n",
+    "behind a question mark": "? a\n: b\n? «b»\n: 1\n",
+}
+
+
+@pytest.mark.usefixtures("parser")
+@pytest.mark.parametrize("text", KEYS.values(), ids=KEYS)
+def test_a_key_has_its_place(text: str) -> None:
+    clean, start, end = unmarked(text)
+    node = node_of(clean)
+    while isinstance(node, Sequence):
+        (node,) = node.items
+    assert isinstance(node, Mapping)
+    span = key_span(node, "b")
+    assert (span.start, span.end) == (start, end)
+
+
+def test_a_key_from_another_mapping_has_the_place_where_it_stands() -> None:
+    node, other = node_of("a: 1\n"), node_of("x: 1\nb: 2\n")
+    assert isinstance(node, Mapping)
+    assert isinstance(other, Mapping)
+    span = key_span(node.with_entry("b", other.values["b"], other), "b")
+    assert (span.file, span.start, span.end) == (other.file, 5, 6)
 
 
 @pytest.mark.usefixtures("parser")

@@ -133,13 +133,7 @@ class _Application:
             elif _absent(now):
                 new = new.without(key)
             else:
-                new = Mapping(
-                    new.file,
-                    new.start,
-                    new.end,
-                    {**new.keys, key: keys_set.keys[key]},
-                    {**new.values, key: now},
-                )
+                new = new.with_entry(key, now, keys_set)
         if sound:
             self._typed(at, new)
 
@@ -294,7 +288,7 @@ def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -
     if isinstance(node, Mapping):
         values = {name: _referring(value, renaming, silent, name) for name, value in node.values.items()}
         same = all(values[name] is node.values[name] for name in values)
-        return node if same else Mapping(node.file, node.start, node.end, node.keys, values)
+        return node if same else Mapping(node.file, node.start, node.end, values, node.keys)
     text = node.text
     if key in _PATHS:
         text = renaming.path_of(text)

@@ -114,7 +114,7 @@ class _Expansion:
         for original in originals:
             name = identity(original) or ""
             printed = prints.get(name, {})
-            row = Mapping(copy.file, copy.start, copy.end, {}, {})
+            row = Mapping(copy.file, copy.start, copy.end, {})
             if printed:
                 some = next(iter(printed.values()))
                 row = replace(row, start=some.start, end=some.end)
@@ -134,7 +134,7 @@ class _Expansion:
             for key, value in printed.items():
                 row = row.with_value(key, value)
             rows.append(row)
-        made = Mapping(copy.file, copy.start, copy.end, copy.keys, copy.values)
+        made = copy
         for key in _OF_COPY & made.values.keys():
             made = made.without(key)
         for key in ("defaults", "order", "allow"):
@@ -203,7 +203,7 @@ def _numbers(enum: Mapping) -> Iterator[Mapping]:
 
 
 def _member(of: Mapping, value: Node) -> Mapping:
-    made = Mapping(of.file, of.start, of.end, {}, {})
+    made = Mapping(of.file, of.start, of.end, {})
     for key in ("name", "printed_name", "label", "doc", "source", "since", "until", "only"):
         if key in of.values:
             made = made.with_value(key, of.values[key])

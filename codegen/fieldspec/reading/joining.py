@@ -5,6 +5,7 @@ from __future__ import annotations
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
+from fieldspec.reading.yaml_reader import key_span
 
 _OWN_SECTIONS = ("device", "protocol", "uses", "versions")
 
@@ -19,17 +20,11 @@ def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
             if isinstance(have, Sequence) and isinstance(value, Sequence):
                 whole = whole.with_value(key, _both(have, value))
             elif have is None:
-                whole = Mapping(
-                    whole.file,
-                    whole.start,
-                    whole.end,
-                    {**whole.keys, key: tree.keys[key]},
-                    {**whole.values, key: value},
-                )
+                whole = whole.with_entry(key, value, tree)
             else:
-                first = Label(whole.keys[key].span, "the first one")
+                first = Label(key_span(whole, key), "the first one")
                 text = f"the section `{key}` stands in two files of the device"
-                found.append(Diagnostic("section_twice", text, tree.keys[key].span, (first,), "keep one of them"))
+                found.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "keep one of them"))
     return whole, found
 
 
@@ -47,11 +42,10 @@ def laid_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping
         found += missing
         own = device.values.get(section)
         value = chosen if own is None else _merged(chosen, own)
-        if section in device.keys:
+        if section in device.values:
             device = device.with_value(section, value)
         else:
-            keys = {**device.keys, section: protocol.keys[section]}
-            device = Mapping(device.file, device.start, device.end, keys, {**device.values, section: value})
+            device = device.with_entry(section, value, protocol)
     return device, found
 
 
@@ -75,13 +69,12 @@ def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence,
 def _merged(base: Node, over: Node) -> Node:
     """`over` laid over `base`: mappings key by key, lists of named items name by name, all else whole."""
     if isinstance(base, Mapping) and isinstance(over, Mapping):
-        result = Mapping(over.file, over.start, over.end, base.keys, base.values)
+        values, keys = dict(base.values), {key: base.holder(key) for key in base.values}
         for key, value in over.values.items():
             have = base.values.get(key)
-            new = value if have is None else _merged(have, value)
-            keys = {**result.keys, key: over.keys[key]}
-            result = Mapping(over.file, over.start, over.end, keys, {**result.values, key: new})
-        return result
+            values[key] = value if have is None else _merged(have, value)
+            keys[key] = over.holder(key)
+        return Mapping(over.file, over.start, over.end, values, keys)
     if isinstance(base, Sequence) and isinstance(over, Sequence) and _named(base) and _named(over):
         extra = {identity(item): item for item in over.items}
         items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]

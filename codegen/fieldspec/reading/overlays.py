@@ -9,6 +9,7 @@ from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
 from fieldspec.reading.nodes import Mapping, Scalar, Sequence, identity, mappings
 from fieldspec.reading.paths import keys, node_at, put
+from fieldspec.reading.yaml_reader import key_span
 from fieldspec.source import Span
 
 PARTS = ("adds", "changes", "removes", "renames")
@@ -50,7 +51,7 @@ def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mappi
             if key not in (*PARTS, "overlay", "accepts"):
                 text = f"there is no key `{key}` here"
                 help = "a file of the folder `versions` says what a version changes; write new facts under `adds`"
-                result.found.append(Diagnostic("unknown_key", text, tree.keys[key].span, help=help))
+                result.found.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
         result.heads[own], result.trees[own] = head, tree
     declared = _declared(base)
     for version, head in result.heads.items():

@@ -19,7 +19,7 @@ from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.overlays import overlays
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.versions import Lines, selected
-from fieldspec.reading.yaml_reader import decoded, parsed
+from fieldspec.reading.yaml_reader import decoded, key_span, parsed
 from fieldspec.source import Span
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
@@ -187,10 +187,10 @@ class _Reader:
             text = f"the id is {quoted(identity.text)}, the folder or file is `{name}`"
             self.found.append(Diagnostic("id_matches_path", text, identity.span, help="rename one of them"))
         for key in foreign:
-            if key in tree.keys:
+            if key in tree.values:
                 text = f"there is no key `{key}` here"
                 help = "a file is of a device or of a protocol, not of both"
-                self.found.append(Diagnostic("unknown_key", text, tree.keys[key].span, help=help))
+                self.found.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
 
     def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
         """The tree laid over every protocol that it uses."""

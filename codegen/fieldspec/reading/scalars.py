@@ -12,9 +12,11 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
+from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
-from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, plain
+from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, copied, plain
+from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
 from fieldspec.source import Span
 
@@ -40,59 +42,117 @@ def part_at(path: Iterable[str]) -> Schema:
 
 
 def typed_at(node: Node, path: tuple[str, ...]) -> tuple[Node, list[Diagnostic]]:
-    """A node typed by the part of the schema at some keys, and what that part has against it."""
-    result = _typed(node, part_at(path))
-    return result, violations(result, path)
+    """A copy of a node, typed by the part of the schema at some keys, and what that part has against it."""
+    result = copied(node)
+    return result, _objections(result, _typed(result, _form(part_at(path))), path)
 
 
 def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
-    """The tree of one file with typed scalars, and what the schema has against it."""
-    result = _typed(node, schema())
-    return result, violations(result)
+    """The tree of one file, which nobody else has yet, with its scalars typed, and what the schema has against it."""
+    return node, _objections(node, _typed(node, _form(schema())), ())
 
 
 def violations(node: Node, path: tuple[str, ...] = ()) -> list[Diagnostic]:
     """What the schema, or its part at some keys, has against a tree; little more than `MOST_FINDINGS` findings."""
+    return _objections(node, plain(node), path)
+
+
+def _objections(node: Node, data: object, path: tuple[str, ...]) -> list[Diagnostic]:
+    """What the schema has against a tree, given as plain data too."""
     found: list[Diagnostic] = []
-    for error in _validator(path).iter_errors(plain(node)):
+    for error in _validator(path).iter_errors(data):
         found += _findings(error, node, path)
         if len(found) > MOST_FINDINGS:
             break
     return found
 
 
-def _typed(node: Node, part: Schema) -> Node:
+@dataclass(slots=True, eq=False)
+class _Form:
+    """What a part of the schema wants of the texts, the items and the values that stand there.
+
+    `words` says that every text is taken as it is. Forms of items and keys are made when they are first met.
+    """
+
+    part: Schema
+    words: bool
+    integer: bool
+    number: bool
+    boolean: bool
+    null: bool
+    items: _Form | None = None
+    keys: dict[str, _Form] = field(default_factory=dict)
+
+    def item(self) -> _Form:
+        """The form of the items of a list."""
+        if self.items is None:
+            self.items = _form(self.part.get("items", _ANYTHING))
+        return self.items
+
+    def key(self, key: str) -> _Form:
+        """The form of the value of a key."""
+        found = self.keys.get(key)
+        if found is None:
+            known = self.part.get("properties", _ANYTHING)
+            found = _form(known.get(key) or self.part.get("additionalProperties") or _ANYTHING)
+            if key in known:  # the others may be any words of a file
+                self.keys[key] = found
+        return found
+
+
+_ANYTHING: Schema = {}
+_forms: dict[int, _Form] = {}
+
+
+def _form(part: Schema) -> _Form:
+    """The form of a part of the schema, made once: the schema is there as long as the process."""
     part = resolved(part)
+    found = _forms.get(id(part))
+    if found is None:
+        wanted = part.get("type")
+        if wanted is None and "enum" in part:
+            wanted = "string"
+        kinds = {wanted} if isinstance(wanted, str) else set(wanted or _KINDS)
+        found = _Form(
+            part,
+            kinds.isdisjoint(("integer", "number", "boolean", "null")),
+            not kinds.isdisjoint(("integer", "number")),
+            "number" in kinds,
+            "boolean" in kinds,
+            "null" in kinds,
+        )
+        _forms[id(part)] = found
+    return found
+
+
+def _typed(node: Node, form: _Form) -> object:
+    """Types the scalars of a tree; gives it as plain data, with decimals as floats, for validation only."""
     if isinstance(node, Scalar):
-        return Scalar(node.file, node.start, node.end, node.text, node.quoted, _value(node, part))
+        value = node.value = node.text if node.quoted or form.words else _value(node.text, form)
+        return float(value) if isinstance(value, Decimal) else value
     if isinstance(node, Sequence):
-        inner = part.get("items", {})
-        items = tuple(_typed(item, inner) for item in node.items)
-        return Sequence(node.file, node.start, node.end, items)
-    known = part.get("properties", {})
-    others = part.get("additionalProperties") or {}
-    values = {key: _typed(value, known.get(key, others)) for key, value in node.values.items()}
-    return Mapping(node.file, node.start, node.end, node.keys, values)
+        inner = form.item()
+        return [_typed(item, inner) for item in node.items]
+    data: dict[str, object] = {}
+    keys = form.keys
+    for key, held in node.values.items():
+        wanted = keys.get(key) or form.key(key)
+        if isinstance(held, Scalar) and (wanted.words or held.quoted):
+            data[key] = held.value = held.text  # nine of ten scalars
+        else:
+            data[key] = _typed(held, wanted)
+    return data
 
 
-def _value(node: Scalar, part: Schema) -> Plain:
-    """The scalar's value if the schema part wants what its text is, else its text."""
-    wanted = part.get("type")
-    if wanted is None and "enum" in part:
-        wanted = "string"
-    kinds = [wanted] if isinstance(wanted, str) else wanted or ["integer", "number", "boolean", "null", "string"]
-    text = node.text
-    if node.quoted:
-        return text
-    if "integer" in kinds and _INTEGER.fullmatch(text):
+def _value(text: str, form: _Form) -> Plain:
+    """The value of a text without quotes if it is what is wanted, else the text."""
+    if form.integer and _INTEGER.fullmatch(text):
         return int(text, 0)
-    if "number" in kinds and _INTEGER.fullmatch(text):
-        return int(text, 0)
-    if "number" in kinds and _NUMBER.fullmatch(text):
+    if form.number and _NUMBER.fullmatch(text):
         return Decimal(text)
-    if "boolean" in kinds and text in ("true", "false"):
+    if form.boolean and text in ("true", "false"):
         return text == "true"
-    if "null" in kinds and text in ("~", "null", ""):
+    if form.null and text in ("~", "null", ""):
         return None
     return text
 
@@ -166,7 +226,7 @@ def _have(node: Node) -> str:
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     hint = near(key, list(part.get("properties", {})))
-    return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", node.keys[key].span, help=hint)
+    return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
 
 
 def _schema_part(path: list[str | int], root: tuple[str, ...]) -> Schema:

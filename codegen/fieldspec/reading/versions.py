@@ -100,7 +100,7 @@ class Lines:
             return node
         if isinstance(node, Sequence):
             return Sequence(node.file, node.start, node.end, made)
-        return Mapping(node.file, node.start, node.end, node.keys, dict(zip(node.values, made, strict=True)))
+        return Mapping(node.file, node.start, node.end, dict(zip(node.values, made, strict=True)), node.keys)
 
     def _free(self, node: Mapping | Sequence, below: tuple[Node, ...]) -> bool:
         if isinstance(node, Mapping) and not BOUNDS.isdisjoint(node.values):

@@ -7,24 +7,45 @@ the node it names; how many values and levels a file may have, with its aliases 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias
 
 import yaml
-from yaml.events import CollectionStartEvent
+from yaml.events import (
+    AliasEvent,
+    CollectionEndEvent,
+    CollectionStartEvent,
+    DocumentStartEvent,
+    Event,
+    MappingEndEvent,
+    MappingStartEvent,
+    ScalarEvent,
+    SequenceEndEvent,
+    SequenceStartEvent,
+    StreamEndEvent,
+)
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import quoted
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.reading.nodes import ALL_THERE, Mapping, Node, Scalar, Sequence, copied
 from fieldspec.source import SourceFile, Span
 
-LARGEST_FILE = 8 * 1024 * 1024
+LARGEST_FILE = 16 * 1024 * 1024
 LARGEST_TREE = 2_000_000
 DEEPEST_TREE = 64
 
 _CONTROL = re.compile("[^\\t\\n\\r -~\\x85\\xa0-\\ufffd\\U00010000-\\U0010ffff]")
 _HALF = re.compile("[\ud800-\udfff]")
 _TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
+
+_BREAK = "\n\r\x85\u2028\u2029"
+
+Size: TypeAlias = tuple[int, int]
+"""What a node counts: its values, with those below it, and the levels below it."""
+
+# Classes of events, as plain values: there are no types to be narrowed where every instruction counts.
+_SCALAR: Any = ScalarEvent
+_END: Any = MappingEndEvent
 
 # libyaml's parser, which PyYAML has only where it was built with it; the other one gives the same events.
 _Parser = yaml._yaml.CParser if yaml.__with_libyaml__ else yaml.Loader
@@ -59,9 +80,9 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
     if tab is not None:
         help = "indent with blanks"
         return None, [Diagnostic("tab_indent", "a tab indents this line", Span(file, tab, tab + 1), help=help)]
-    builder = _Builder(file)
+    builder = _Builder(file, _Parser(file.text))
     try:
-        return builder.document(_Parser(file.text))
+        return builder.document()
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         at = min(mark.index if mark else 0, max(0, len(file.text) - 1))
@@ -97,96 +118,82 @@ class _Refused(Exception):
     """Carries the finding that ends the reading of a file."""
 
 
-class _Size(NamedTuple):
-    """What a node counts, with its aliases written out: its values, and the levels below it."""
-
-    values: int
-    levels: int
-
-
 class _Builder:
     """Builds nodes from parser events."""
 
-    def __init__(self, file: SourceFile) -> None:
+    def __init__(self, file: SourceFile, parser: object) -> None:
         self.file = file
         self.found: list[Diagnostic] = []
+        self.get: Callable[[], Any] = parser.get_event  # type: ignore[attr-defined]
         self.anchors: dict[str, Node | None] = {}
-        self.sizes: dict[int, _Size] = {}
+        self.sizes: dict[str, Size] = {}
         self.total = 0
-        self.deepest = 0
 
-    def document(self, parser: object) -> tuple[Node | None, list[Diagnostic]]:
+    def document(self) -> tuple[Node | None, list[Diagnostic]]:
         """The first document; a second one is a finding."""
         root: Node | None = None
         seen = 0
-        events = _events(parser)
-        for event in events:
-            if isinstance(event, yaml.DocumentStartEvent):
+        while not isinstance(event := self.get(), StreamEndEvent):
+            if isinstance(event, DocumentStartEvent):
                 seen += 1
                 if seen > 1:
                     span = self._span(event)
                     text = "a second document starts here; a spec file is one document"
                     self.found.append(Diagnostic("several_documents", text, span, help="use a file of its own"))
                     return None, self.found
-                root = self._node(next(events), events, 0)
+                root = self._node(self.get(), 0)
         return root, self.found
 
-    def _span(self, event: yaml.Event) -> Span:
+    def _span(self, event: Event) -> Span:
         return Span(self.file, *_bounds(event))
 
-    def _tag(self, event: yaml.Event) -> Span:
+    def _tag(self, event: Event) -> Span:
         """Where the tag of a node stands: before it, perhaps behind an anchor."""
         found = _TAG.search(self.file.text, _bounds(event)[0])
         return Span(self.file, *found.span()) if found else self._span(event)
 
-    def _refuse(self, code: str, message: str, event: yaml.Event, help: str) -> None:
+    def _refuse(self, code: str, message: str, event: Event, help: str) -> None:
         raise _Refused(Diagnostic(code, message, self._span(event), help=help))
 
-    def _node(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Node:
-        if isinstance(event, yaml.ScalarEvent) and event.tag is None and not event.anchor and event.style != '"':
-            # Nine of ten nodes are such scalars, of which there is nothing more to be found out.
-            self._grow(event, 1, depth)
-            return Scalar(self.file, *_bounds(event), event.value, not event.implicit[0])
-        if isinstance(event, yaml.AliasEvent):
+    def _node(self, event: Event, depth: int) -> Node:
+        if isinstance(event, AliasEvent):
             return self._alias(event, depth)
         self._grow(event, 1, depth)
-        assert isinstance(event, (yaml.ScalarEvent, CollectionStartEvent))
-        if event.tag is not None and not (isinstance(event, yaml.ScalarEvent) and event.tag == "!"):
+        assert isinstance(event, (ScalarEvent, CollectionStartEvent))
+        if event.tag is not None and not (isinstance(event, ScalarEvent) and event.tag == "!"):
             text = f"the tag {quoted(event.tag)}: a spec holds plain data"
             raise _Refused(Diagnostic("tag_used", text, self._tag(event), help="remove the tag"))
         if event.anchor:
             self.anchors[event.anchor] = None
-        before, outer, self.deepest = self.total - 1, self.deepest, depth
         node: Node
-        if isinstance(event, yaml.ScalarEvent):
+        if isinstance(event, MappingStartEvent):
+            node = self._mapping(event, depth)
+        elif isinstance(event, SequenceStartEvent):
+            node = self._sequence(event, depth)
+        else:
+            assert isinstance(event, ScalarEvent)
             if event.style == '"' and _HALF.search(event.value):
                 self._refuse("yaml_syntax", "an escape names half a character", event, "write the character itself")
             node = Scalar(self.file, *_bounds(event), event.value, not event.implicit[0])
-        elif isinstance(event, yaml.SequenceStartEvent):
-            node = self._sequence(event, events, depth)
-        else:
-            node = self._mapping(event, events, depth)
         if event.anchor:
             self.anchors[event.anchor] = node
-            self.sizes[id(node)] = _Size(self.total - before, self.deepest - depth)
-        self.deepest = max(outer, self.deepest)
+            self.sizes.pop(event.anchor, None)
         return node
 
-    def _grow(self, event: yaml.Event, values: int, depth: int) -> None:
+    def _grow(self, event: Event, values: int, depth: int) -> None:
         """Counts the values of a node, whose deepest one stands at a depth."""
         self.total += values
-        if depth > self.deepest:
-            self.deepest = depth
         if depth > DEEPEST_TREE:
             self._refuse("too_deep", f"nested more than {DEEPEST_TREE} levels deep", event, "use fewer levels")
-        if self.total > LARGEST_TREE and isinstance(event, yaml.AliasEvent):
+        if self.total > LARGEST_TREE and isinstance(event, AliasEvent):
             text = f"aliases make this file grow beyond {LARGEST_TREE} values"
             self._refuse("aliases_grow", text, event, "write the data out")
         if self.total > LARGEST_TREE:
             text = f"the file has more than {LARGEST_TREE} values"
             self._refuse("file_too_large", text, event, "split it over several files")
 
-    def _alias(self, event: yaml.AliasEvent, depth: int) -> Node:
+    def _alias(self, event: AliasEvent, depth: int) -> Node:
+        """The node that an alias names, once more: the schema may want something else of it here."""
         name = event.anchor or ""
         node = self.anchors.get(name)
         if node is None:
@@ -194,49 +201,120 @@ class _Builder:
             text = f"the alias {quoted(name)} " + ("lies within what it names" if known else "names no anchor")
             self._refuse("alias_unknown", text, event, "write the data out")
             raise AssertionError
-        size = self.sizes[id(node)]
-        self._grow(event, size.values, depth + size.levels)
-        return node
+        if name not in self.sizes:
+            self.sizes[name] = _size(node)
+        values, levels = self.sizes[name]
+        self._grow(event, values, depth + levels)
+        return copied(node)
 
-    def _sequence(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Sequence:
+    def _sequence(self, event: Event, depth: int) -> Sequence:
         items: list[Node] = []
-        for inner in events:
-            if isinstance(inner, yaml.SequenceEndEvent):
-                return Sequence(self.file, _bounds(event)[0], _bounds(inner)[1], tuple(items))
-            items.append(self._node(inner, events, depth + 1))
-        raise AssertionError("the parser ends every sequence")
-
-    def _mapping(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> Mapping:
-        keys: dict[str, Scalar] = {}
-        values: dict[str, Node] = {}
-        for inner in events:
-            if isinstance(inner, yaml.MappingEndEvent):
-                return Mapping(self.file, _bounds(event)[0], _bounds(inner)[1], keys, values)
-            key = self._node(inner, events, depth + 1)
-            value = self._node(next(events), events, depth + 1)
-            if not isinstance(key, Scalar):
-                self.found.append(
-                    Diagnostic("key_not_text", "a key must be a word", key.span, help="write a plain word")
-                )
-            elif key.text in keys:
-                first = Label(keys[key.text].span, "the first one")
-                text = f"the key {quoted(key.text)} stands here twice"
-                self.found.append(Diagnostic("duplicate_key", text, key.span, (first,), "remove one of them"))
+        most = LARGEST_TREE if depth < DEEPEST_TREE else 0
+        while not isinstance(inner := self.get(), SequenceEndEvent):
+            if isinstance(inner, MappingStartEvent) and not (inner.tag or inner.anchor) and self.total < most:
+                self.total += 1  # as in `_mapping`: most items are such
+                items.append(self._mapping(inner, depth + 1))
             else:
-                keys[key.text], values[key.text] = key, value
-        raise AssertionError("the parser ends every mapping")
+                items.append(self._node(inner, depth + 1))
+        return Sequence(self.file, _bounds(event)[0], _bounds(inner)[1], tuple(items))
+
+    def _mapping(self, event: Event, depth: int) -> Mapping:
+        # Nearly all of a file is mappings of plain scalars, which are built here without a call for each: half the
+        # time. All else, and what is refused, is left to `_node`.
+        file, get, new = self.file, self.get, object.__new__
+        scalar, end = _SCALAR, _END
+        values: dict[str, Node] = {}
+        first: dict[str, Any] = {}
+        total, most = self.total, LARGEST_TREE if depth < DEEPEST_TREE else 0
+        while (key := get()).__class__ is not end:
+            name: str | None
+            if key.__class__ is scalar and key.implicit[0] and not (key.style or key.anchor) and total < most:
+                total += 1
+                name = key.value
+            else:
+                self.total = total
+                key = self._node(key, depth + 1)
+                total = self.total
+                name = key.text if isinstance(key, Scalar) else None
+            held = get()
+            value: Any
+            if held.__class__ is scalar and held.implicit[0] and not (held.style or held.anchor) and total < most:
+                total += 1
+                value = new(Scalar)
+                value.file = file
+                value.start = held.start_mark.index
+                value.end = held.end_mark.index
+                value.text = held.value
+                value.quoted = False
+                value.value = None
+            else:
+                self.total = total
+                value = self._node(held, depth + 1)
+                total = self.total
+            if name is None or name in first:
+                self._misplaced(name, key, first)
+            else:
+                first[name], values[name] = key, value
+        self.total = total
+        return Mapping(file, _bounds(event)[0], key.end_mark.index, values, ALL_THERE)
+
+    def _misplaced(self, name: str | None, key: Event | Node, first: dict[str, Any]) -> None:
+        """Finds a key that is no word, or that stands in its mapping already."""
+        span = self._place(key)
+        if name is None:
+            self.found.append(Diagnostic("key_not_text", "a key must be a word", span, help="write a plain word"))
+            return
+        label = Label(self._place(first[name]), "the first one")
+        text = f"the key {quoted(name)} stands here twice"
+        self.found.append(Diagnostic("duplicate_key", text, span, (label,), "remove one of them"))
+
+    def _place(self, key: Event | Node) -> Span:
+        return self._span(key) if isinstance(key, Event) else key.span
 
 
-def _bounds(event: yaml.Event) -> tuple[int, int]:
+def key_span(mapping: Mapping, key: str) -> Span:
+    """Where a key of a mapping stands. Its text is read again for that, as hardly any key is ever asked for."""
+    holder = mapping.holder(key)
+    while isinstance(holder, Mapping) and holder is not (next_one := holder.holder(key)):
+        holder = next_one
+    if isinstance(holder, Scalar):
+        return holder.span
+    text = holder.file.text
+    column = holder.start - 1 - max(text.rfind(end, 0, holder.start) for end in _BREAK)
+    shift = holder.start - column
+    for word, start, end in _keys(" " * column + text[holder.start : holder.end]):
+        if word == key:
+            return Span(holder.file, start + shift, end + shift)
+    return Span(holder.file, holder.start, holder.start + 1)  # the key is an alias
+
+
+def _keys(text: str) -> Iterator[tuple[str, int, int]]:
+    """The keys of the mapping that a text is, with their places."""
+    parser = _Parser(text)
+    depth = 0
+    is_key = False
+    while not isinstance(event := parser.get_event(), StreamEndEvent):
+        if depth == 1 and is_key and isinstance(event, ScalarEvent):
+            yield event.value, *_bounds(event)
+        if isinstance(event, CollectionStartEvent):
+            depth += 1
+        elif isinstance(event, CollectionEndEvent):
+            depth -= 1
+        if depth == 1:
+            is_key = not is_key
+
+
+def _size(node: Node) -> Size:
+    if isinstance(node, Scalar):
+        return 1, 0
+    items = node.items if isinstance(node, Sequence) else node.values.values()
+    sizes = [_size(item) for item in items]
+    keys = len(sizes) if isinstance(node, Mapping) else 0
+    return 1 + keys + sum(values for values, _ in sizes), 1 + max((levels for _, levels in sizes), default=-1)
+
+
+def _bounds(event: Event) -> tuple[int, int]:
     """The offsets of an event's first character and of the one behind its last."""
     assert event.start_mark is not None
     assert event.end_mark is not None
     return event.start_mark.index, event.end_mark.index
-
-
-def _events(parser: object) -> Iterator[yaml.Event]:
-    while True:
-        event = parser.get_event()  # type: ignore[attr-defined]
-        if event is None or isinstance(event, yaml.StreamEndEvent):
-            return
-        yield event
