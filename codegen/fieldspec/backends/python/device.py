@@ -47,8 +47,8 @@ _IMPORTS = {
     "_choices": "Choice",
     "_codes": "by_number by_printed_name",
     "_conversions": (
-        "UNFIT Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new text texts"
-        " turned"
+        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new packing"
+        " text texts turned"
     ),
     "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
     "_flags": "BITS_OF Flags",

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.python.heads import constant, letter, number, variable
+from fieldspec.backends.python.heads import constant, greatest_part, letter, number, variable
 from fieldspec.backends.python.lines import chained, filled, unpacked
 from fieldspec.backends.python.reading import local, targets
 from fieldspec.backends.python.records import RecordShape, condition, making_lines, writing_lines
 from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import literal
+from fieldspec.backends.python.writing import greatest
 from fieldspec.classes import dataclass
 from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
@@ -42,19 +44,16 @@ _BIG = (
 class Fused:
     """The code of one message on one link in one direction.
 
-    Written: `bind` locals; where `tests` hold, `steps` return the frame. Read: `unpack`; unless what is
-    `compared` is `wrong`, `lines` make the message.
+    `declared` makes what packs and unpacks. Written: `bind` locals; where `tests` hold, `steps` return the frame. Read:
+    `unpack`, which may raise `unread`; unless something is `wrong`, `lines` make the message.
     """
 
-    struct: str
-    letters: str
+    declared: list[str]
     bind: list[str]
     tests: list[str]
     steps: list[str]
-    read_struct: str
-    read_letters: str
     unpack: list[str]
-    compared: list[str]
+    unread: str
     wrong: str
     lines: list[str]
 
@@ -71,9 +70,20 @@ def fuses(shaped: RecordShape, frame: FrameLayout) -> bool:
 
 
 def fused(
-    shaped: RecordShape, link: LinkLayout, direction: str, code: int | None, struct: str, frames: str, tests: list[str]
+    shaped: RecordShape,
+    link: LinkLayout,
+    direction: str,
+    code: int | None,
+    name: str,
+    frames: str,
+    tests: list[str],
+    reads: bool,
 ) -> Fused:
-    """The code for one message; `frames` is the name of the link's `Frames`, `tests` are the head's conditions."""
+    """The code for one message, which `reads` frames or only writes them.
+
+    `name` ends the names of what packs and unpacks, `frames` is that of the link's `Frames`, `tests` are the head's
+    conditions.
+    """
     frame = link.frame(direction)
     order = next((part.order for part in frame.head if part.size > 1), shaped.order)
     size = frame.head_size + (shaped.record.size or 0)
@@ -91,12 +101,14 @@ def fused(
     into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
     check: list[str] = []
     compared: list[str] = []
+    unread = "_StructError"
     if looked_up:
-        written, read = (list(_shares(shaped, frame, constants, order, size, raw)) for raw in (".raw", ""))
+        written, read = (list(_shares(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
         letters += "H"
         packed.append("check")
         check = chained("check = ", written, "^", "", 16)
-        compared = chained("expected = ", read, "^", "", 8)
+        compared = chained("expected = ", read, "^", "", 12)
+        unread = "_UNREAD"
         appended, taken, checked, wrong = "", "", ["check"], ["check != expected"]
     else:
         big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
@@ -105,18 +117,23 @@ def fused(
     wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
     conditions = condition([*tests, *writing.tests])
     return Fused(
-        struct=struct,
-        letters=letters,
+        declared=_declared(name, letters, letters + taken, reads),
         bind=writing.bind,
         tests=conditions,
-        steps=[*check, *_packing(f"{struct}.pack(", packed, marked, appended, 16 if conditions else 12)],
-        read_struct=f"{struct}_CHECKED" if taken else struct,
-        read_letters=letters + taken,
-        unpack=unpacked([*into, *checked], f"{struct}{'_CHECKED' if taken else ''}.unpack(data)", 12),
-        compared=compared,
+        steps=[*check, *_packing(f"_PACK{name}(", packed, marked, appended, 16 if conditions else 12)],
+        unpack=[*unpacked([*into, *checked], f"_UNPACK{name}(data)", 12), *compared],
+        unread=unread,
         wrong=" or ".join(wrong),
         lines=making_lines(shaped, "message", frame.head_size, looked_up),
     )
+
+
+def _declared(name: str, letters: str, read: str, reads: bool) -> list[str]:
+    """The statements that make what packs, and what unpacks where frames are read."""
+    if reads and read == letters:
+        return filled(f"_PACK{name}, _UNPACK{name} = _packing(", [literal(letters)], ")", 0)
+    lines = [f"_PACK{name} = _Struct({literal(letters)}).pack"]
+    return [*lines, f"_UNPACK{name} = _Struct({literal(read)}).unpack"] if reads else lines
 
 
 def _packing(call: str, packed: list[str], marked: str, appended: str, indent: int) -> list[str]:
@@ -149,35 +166,46 @@ def _target(part: PartLayout, looked_up: bool) -> str:
 
 
 def _shares(
-    shaped: RecordShape, frame: FrameLayout, constants: dict[str, int], order: str, size: int, raw: str
+    shaped: RecordShape,
+    link: LinkLayout,
+    frame: FrameLayout,
+    constants: dict[str, int],
+    order: str,
+    size: int,
+    raw: str,
 ) -> Iterator[str]:
     """The terms whose exclusive or is the CRC: one constant, and a look-up for each byte that varies.
 
-    `raw` is what makes a number of a word of flags.
+    The bytes that are 0 in all numbers that may be sent take none. The look-up of the byte below them then raises
+    IndexError for greater numbers, and such a frame is read step by step. `raw` is what makes a number of a word of
+    flags.
     """
     base = bytearray(size)
-    varying: list[tuple[int, int, bool, str]] = []
+    varying: list[tuple[int, int, bool, int, str]] = []
     for part in frame.head:
         if part.name in constants:
             known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
         else:
             flags = raw if part.value is not None and part.value.flags else ""
-            varying.append((part.offset, part.size, False, variable(part) + flags))
+            varying.append((part.offset, part.size, False, greatest_part(link, part), variable(part) + flags))
     for field in shaped.fields:
         at = frame.head_size + field.field.offset
         if field.stored:
             flags = raw if field.value.flags and not field.deferred else ""
-            varying.append((at, field.field.size, field.value.type.signed, local(field) + flags))
+            signed, most = field.value.type.signed, greatest(field)
+            varying.append((at, field.field.size, signed, most, local(field) + flags))
         elif field.constant:
             base[at : at + field.field.size] = field.bytes_of(field.constant)
     constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.check is not None and frame.check.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
-    for at, width, signed, held in varying:
+    for at, width, signed, most, held in varying:
         for place in range(width):
             shift = 8 * (place if order == "little" else width - 1 - place)
+            if shift and not signed and not most >> shift:
+                continue
             byte = f"{held} >> {shift}" if shift else held
-            if signed or shift < 8 * (width - 1):
+            if signed or most >> shift > 255:
                 byte += " & 255"
             yield f"{table}{size - 1 - at - place}[{byte}]"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import literal
-from fieldspec.backends.python.writing import pairs, tuple_of, within
+from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
 from fieldspec.model.ranges import Ranges
@@ -104,8 +104,16 @@ def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
     for part in given(frame):
         intervals, beside = _allowed(link, part)
         if intervals:
-            tests.append(within(number(part), Ranges(intervals), beside))
-    return tests
+            assert part.value is not None
+            tests.append(within(number(part), Ranges(intervals), beside, packed(part.value.type)))
+    return [test for test in tests if test]
+
+
+def greatest_part(link: LinkLayout, part: PartLayout) -> int:
+    """The greatest number that the conditions of a part of the head let pass, of a number without sign."""
+    assert part.value is not None
+    intervals, beside = _allowed(link, part)
+    return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
 
 
 def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:

@@ -312,7 +312,7 @@ def _exchange(
         message=name,
         key=code_literal(code) if part is not None else name,
         known=_known(one.message) if part is None else [],
-        fused=fused(shaped, link, direction, code, upper, frames, tests) if together else None,
+        fused=fused(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
             [", station: int"] * (station is not None) + [f", {held.variable}: {held.type}" for held in plain]
         ),

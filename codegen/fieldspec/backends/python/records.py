@@ -102,13 +102,12 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     """The view of a record's class."""
     record, stored = shaped.record, shaped.stored
     upper = "_" + "".join(f"_{char}" if char.isupper() else char for char in name).strip("_").upper()
-    struct = f"{upper}_STRUCT"
-    binding = writing_lines(shaped, frozenset(), struct)
+    binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT")
     names = [field.name for field in stored]
-    read, taken = _read(shaped, struct)
+    read, taken = _read(shaped, upper)
     return RecordView(
         name=name,
-        declared=_declared(shaped, struct),
+        declared=_declared(shaped, upper),
         title=record.name,
         doc=docstring(doc, 4),
         fields=[FieldView(field.name, field.type, field.accepted, field.slot, made(field)) for field in stored],
@@ -118,7 +117,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         make=[*taken, *making_lines(shaped, "record", 0)],
         bind=binding.bind,
         tests=condition(binding.tests),
-        pack=filled(f"return {_counted(shaped, struct)}.pack(", binding.values, ")", 16 if binding.tests else 12),
+        pack=filled(f"return {_pack(shaped, upper)}(", binding.values, ")", 16 if binding.tests else 12),
         refusals=chained("return ", binding.refusals, "or", "None", 8),
         slots=_quoted("__slots__", [field.slot for field in stored]),
         match_args=_quoted("__match_args__", names),
@@ -129,34 +128,34 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     )
 
 
-def _declared(shaped: RecordShape, struct: str) -> list[str]:
+def _declared(shaped: RecordShape, upper: str) -> list[str]:
     letters = shaped.sign + shaped.letters
     if shaped.selector is not None:
-        return choice_lines(struct, shaped.record, shaped.fields, letters, shaped.order)
+        return choice_lines(f"{upper}_STRUCT", shaped.record, shaped.fields, letters, shaped.order)
     if shaped.tail is not None:
-        return [f"{struct} = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
-    return [f"{struct} = _Struct({literal(letters)})"]
+        return [f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
+    return filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
 
 
-def _counted(shaped: RecordShape, struct: str) -> str:
-    """The Struct that packs as many elements as there are."""
+def _pack(shaped: RecordShape, upper: str) -> str:
+    """What packs as many elements as there are."""
     last = shaped.fields[-1] if shaped.fields else None
     number = f"len({local(last)})" if last is not None and last.listed else "1"
     if shaped.selector is not None:
-        return f"{CASE}.structs[{number}]"
-    return f"{struct}[{number}]" if shaped.tail is not None else struct
+        return f"{CASE}.structs[{number}].pack"
+    return f"{upper}_STRUCT[{number}].pack" if shaped.tail is not None else f"{upper}_PACK"
 
 
-def _read(shaped: RecordShape, struct: str) -> tuple[list[str], list[str]]:
+def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
     """Lines that make an empty `record` and unpack the bytes, and those that take the raw values from a tuple."""
-    record, tail = shaped.record, shaped.tail
+    record, tail, struct = shaped.record, shaped.tail, f"{upper}_STRUCT"
     made, bounds = "record = _new(cls)", f"{record.least}, {record.most}"
     wrong = f"    raise _wrong_length({literal(record.name)}, len(data), {bounds}"
     if shaped.selector is not None:
         lines, taken = unpacking_lines(shaped, "record", f"{struct}.unpack(data)", 8)
         return [made, *lines], taken
     if tail is None:
-        lines, taken = unpacking_lines(shaped, "record", f"{struct}.unpack(data)", 12)
+        lines, taken = unpacking_lines(shaped, "record", f"{upper}_UNPACK(data)", 12)
         tried = [f"    {line}" for line in lines]
         return [made, "try:", *tried, "except _StructError:", f"{wrong}) from None"], taken
     fixed_size, unit = sum(field.field.size * field.count for field in shaped.fields), tail.field.size

@@ -5,17 +5,32 @@ from __future__ import annotations
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.words import EnumView
-from fieldspec.model.primitive import Kind
+from fieldspec.model.primitive import Kind, Primitive
 from fieldspec.model.ranges import Ranges
 
 FEW = 3
 """Comparisons up to which a test is written out."""
 
 
-def within(held: str, ranges: Ranges, others: tuple[int, ...] = ()) -> str:
-    """The condition that a number lies in one of several intervals, or is one of some others."""
-    pairs = joined([*ranges.intervals, *((value, value) for value in others)])
-    parts = [f"{held} == {low}" if low == high else f"{low} <= {held} <= {high}" for low, high in pairs]
+def within(
+    held: str, ranges: Ranges, others: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
+) -> str:
+    """The condition that a number lies in one of several intervals, or is one of some others.
+
+    What lies outside of `packed`, the least and the greatest number, is refused when it is packed: the condition
+    leaves these limits out, and is empty where nothing else is left.
+    """
+    least, most = packed
+    parts = []
+    for low, high in joined([*ranges.intervals, *((value, value) for value in others)]):
+        if low == least and high == most:
+            return ""
+        if low == high:
+            parts.append(f"{held} == {low}")
+        elif low == least:
+            parts.append(f"{held} <= {high}")
+        else:
+            parts.append(f"{held} >= {low}" if high == most else f"{low} <= {held} <= {high}")
     return parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"
 
 
@@ -85,14 +100,29 @@ def _one(field: Slots, held: str) -> list[str]:
     raw = f"{held}.raw" if field.value.flags and not field.deferred else held
     enum = field.enum
     if enum is not None and not enum.open:
-        return [_member_test(enum, field, held)]
-    if field.kind is Kind.BOOLEAN:
-        found.append(f"0 <= {held} <= 1")
+        found.append(_member_test(enum, field, held))
+    elif field.kind is Kind.BOOLEAN:
+        found.append(f"{held} <= 1")
     elif field.ranges is not None:
-        found.append(within(raw, field.ranges, field.sentinels))
-    elif field.parted:
-        found.append(f"{field.value.type.low} <= {raw} <= {field.value.type.high}")
-    return found
+        found.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
+    return [test for test in found if test]
+
+
+def packed(type: Primitive) -> tuple[int, int]:
+    """The least and the greatest number that can be packed as a type; as a boolean more than the two that it has."""
+    return type.low, (1 << (8 * type.size - type.signed)) - 1
+
+
+def greatest(field: Slots) -> int:
+    """The greatest number that the conditions of a field let pass, of a whole number without sign."""
+    if field.kind is Kind.BOOLEAN:
+        return 1
+    if field.enum is not None and not field.enum.open:
+        members = [value for value in field.enum.values if field.ranges is None or value in field.ranges]
+        return max([*members, *field.sentinels], default=0)
+    if field.ranges is None:
+        return packed(field.value.type)[1]
+    return max([high for _, high in field.ranges.intervals] + [*field.sentinels])
 
 
 def _member_test(enum: EnumView, field: Slots, held: str) -> str:
@@ -101,15 +131,17 @@ def _member_test(enum: EnumView, field: Slots, held: str) -> str:
     Two comparisons are faster than a look-up, so it is one only where the members lie apart.
     """
     members = [value for value in enum.values if field.ranges is None or value in field.ranges]
-    test = within(held, Ranges(tuple((value, value) for value in members)), field.sentinels) if members else ""
-    if members and test.count("<=") + test.count("==") <= FEW:
+    limits = packed(field.value.type)
+    test = within(held, Ranges(tuple((value, value) for value in members)), field.sentinels, limits) if members else ""
+    if members and sum(map(test.count, ("<=", ">=", "=="))) <= FEW:
         return test
     known = f"{held} in {enum.table}"
     if field.sentinels:
         known = f"({known} or {within(held, Ranges(tuple((value, value) for value in field.sentinels)))})"
     if field.ranges is None or len(members) == len(enum.values):
         return known
-    return f"{known} and {within(held, field.ranges, field.sentinels)}"
+    allowed = within(held, field.ranges, field.sentinels, limits)
+    return f"{known} and {allowed}" if allowed else known
 
 
 def values(field: Slots, held: str) -> list[str]:
