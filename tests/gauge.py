@@ -149,7 +149,7 @@ def covered(
     layout = device_layout(model)
     at_hand = index(manual) if manual is not None else None
     return coverage(
-        Subject(read_spec, layout, rows(layout), (), (layout,), index(cited) if recorded else None, at_hand)
+        Subject(read_spec, layout, (layout,), (rows(layout),), (), index(cited) if recorded else None, at_hand)
     )
 
 

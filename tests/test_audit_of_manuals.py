@@ -23,7 +23,7 @@ from fieldspec.audit.manual_index import NAME, ManualIndex, index_of, parsed, wr
 from fieldspec.audit.plan import Plan, plan
 from fieldspec.audit.section import Section
 from fieldspec.audit.subject import Subject
-from fieldspec.facts import rows
+from fieldspec.facts import Row, rows
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import DeviceSpec, read
 
@@ -51,6 +51,12 @@ def layouts(device: str) -> tuple[DeviceLayout, ...]:
 
 
 @cache
+def facts(device: str) -> tuple[list[Row], ...]:
+    """The facts of all its versions."""
+    return tuple(map(rows, layouts(device)))
+
+
+@cache
 def recorded(device: str) -> ManualIndex:
     """The index beside its spec."""
     path = SPECS / device / NAME
@@ -68,7 +74,7 @@ def text(device: str) -> bytes:
 def covered(device: str, manual: ManualIndex | None = None) -> Section:
     """The coverage of its manual, from the index or from another text."""
     newest = layouts(device)[-1]
-    return coverage(Subject(spec(device), newest, rows(newest), (), layouts(device), recorded(device), manual))
+    return coverage(Subject(spec(device), newest, layouts(device), facts(device), (), recorded(device), manual))
 
 
 @cache
@@ -77,7 +83,7 @@ def planned(device: str) -> tuple[Plan, Cited]:
     made, found = plan(spec(device), len(recorded(device).lines))
     assert made is not None
     assert found == []
-    return made, cited(spec(device), layouts(device))
+    return made, cited(spec(device), layouts(device), facts(device))
 
 
 def counted(device: str, manual: Aligned, told: Cited | None = None) -> Accounts:

@@ -47,7 +47,7 @@ def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
         starts = {row: file.text.index(line) for row, line in enumerate(file.text.splitlines(), 1)}
         return judged(compared(versions[-1], dump(text_sheet(data), {})), file, starts)
     index = index_of(manual.name, manual.read_bytes()) if manual.exists() else None
-    subject = Subject(spec, versions[-1], rows(versions[-1]), (), versions, index)
+    subject = Subject(spec, versions[-1], versions, [*map(rows, versions)], (), index)
     return [finding for part in (coverage, sign_off) for finding in part(subject).findings]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
@@ -19,6 +20,7 @@ STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)
 Placed = TypeVar("Placed", Pattern, LeftOut)
 
 LONGEST_SERIES = 4096
+_DIGIT = re.compile("[0-9]")
 LINE = "line"
 """The kind of a line that has a number, and of which no pattern says what it is."""
 
@@ -65,8 +67,8 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
     beside: list[tuple[int, int, int]] = []
     patterns = _by_line(plan.patterns)
     left_out = _by_line((*plan.left_out, plan.headings))
-    of_changed = _by_line((*(one for one in plan.left_out if not one.exact), plan.headings))
-    of_new = _by_line(plan.left_out)
+    of_changed = _by_line((*(one for one in plan.left_out if not one.exact), plan.headings) if manual.changed else ())
+    of_new = _by_line(plan.left_out if manual.new else ())
     for number, text in enumerate(manual.index.lines, 1):
         if not text:
             continue
@@ -88,7 +90,7 @@ def accounts(manual: Aligned, plan: Plan, cited: Cited) -> Accounts:
             made.append(Candidate(pattern.kind, *place, status, missing, pattern, out if status == LEFT_OUT else None))
         if pieces:
             beside += ((number, *place) for place in _beside(text, pieces, told, cited))
-        elif any(char.isdigit() for char in text):
+        elif _DIGIT.search(text):
             known = number not in manual.new and at not in manual.changed and at in cited.lines
             status = COVERED if known else LEFT_OUT if out is not None else OPEN
             kept = out if status == LEFT_OUT else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fnmatch import fnmatchcase
 
@@ -82,15 +82,19 @@ class _Claimed:
     means: tuple[int, ...] = ()
 
 
-def judged(devices: Iterable[Device], manual: Aligned, plan: Plan) -> Judged:
+def judged(devices: Sequence[Device], manual: Aligned, plan: Plan) -> Judged:
     """Looks up what the facts of a device at all its versions cite."""
     claims: dict[tuple[str, str, int], _Claimed] = {}
     corrected: dict[str, list[str]] = defaultdict(list)
     beside: dict[tuple[int, str], list[str]] = defaultdict(list)
+    seen: set[int] = set()
     for device in devices:
-        for claim in _claims(device):
+        for claim in _claims(device, seen):
             claims.setdefault((claim.path, claim.key, claim.span.start), claim)
         for erratum in device.errata:
+            if id(erratum) in seen:
+                continue
+            seen.add(id(erratum))
             corrected[erratum.fact] += [erratum.literal, *map(_put, erratum.printed.values())]
             for line in lines_of(erratum.sources):
                 for key, printed in erratum.printed.items():
@@ -125,10 +129,13 @@ def _excepted(plan: Plan, path: str) -> Unprinted | None:
     return next((one for one in plan.unprinted if any(fnmatchcase(path, like) for like in one.facts)), None)
 
 
-def _claims(device: Device) -> Iterator[_Claimed]:
-    """What the facts of a device say of themselves."""
+def _claims(device: Device, seen: set[int]) -> Iterator[_Claimed]:
+    """What the facts of a device say of themselves, but for those that other versions share, which have been `seen`."""
     bases = {parameter.place.path: held.base for held in device.parameters.values() for parameter in held.parameters}
     for fact in facts(device):
+        if id(fact) in seen:
+            continue
+        seen.add(id(fact))
         path, place = fact.place.path, fact.place
         if fact.sources:
             for key in NUMBERS:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from operator import itemgetter
 
 from fieldspec.classes import dataclass, field
-from fieldspec.facts import Row, rows
+from fieldspec.facts import COLUMNS, Row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.fact import Citation
@@ -20,6 +21,7 @@ _NO_CITATIONS = frozenset(
     ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
 )
 """Keys of a spec under which an L with a number is no line of the manual."""
+_cells = itemgetter(*(column for column in COLUMNS if column not in ("errata", "printed")))
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
 
 
@@ -47,13 +49,13 @@ class Cited:
         return self.by_line.get(line) or OnLine()
 
 
-def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout]) -> Cited:
-    """What cites each line of the manual, in any version."""
+def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[Row]]) -> Cited:
+    """What cites each line of the manual, in any version; `facts` are the rows of each layout."""
     by_line: dict[int, OnLine] = defaultdict(OnLine)
     known: set[object] = set()
-    for layout in layouts:
-        for row in _completed([row for row in rows(layout) if row["kind"] not in _OUR_WORDS]):
-            key = tuple(cell for cell in row.values() if not isinstance(cell, list | dict))
+    for layout, held in zip(layouts, facts, strict=True):
+        for row in _completed([row for row in held if row["kind"] not in _OUR_WORDS]):
+            key = _cells(row), row["printed"] is None
             if key not in known:
                 known.add(key)
                 for line in lines_of(citations(str(row["sources"] or ""), "")):
@@ -63,11 +65,14 @@ def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout]) -> Cited:
                 known.add(f"erratum {erratum.id}")
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
-    told = frozenset(line for tree in (spec.tree, *spec.trees.values()) for line in _told(tree))
+    told: set[int] = set()
+    seen: dict[int, Node] = {}
+    for tree in (spec.tree, *spec.trees.values()):
+        _tell(tree, told, seen)
     elided = frozenset(
         example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
     )
-    return Cited(dict(by_line), told | by_line.keys(), elided)
+    return Cited(dict(by_line), frozenset(told | by_line.keys()), elided)
 
 
 def _completed(found: Sequence[Row]) -> Iterator[Row]:
@@ -86,12 +91,15 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
             yield from range(first, last + 1)
 
 
-def _told(node: Node) -> Iterator[int]:
-    """The lines that any text of the spec cites."""
+def _tell(node: Node, told: set[int], seen: dict[int, Node]) -> None:
+    """Adds the lines that any text of the spec cites. Versions share most nodes; `seen` has those of others."""
+    if id(node) in seen:
+        return
+    seen[id(node)] = node
     if isinstance(node, Scalar):
         for found in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
-            yield from lines_of(citations(found[0], ""))
+            told.update(lines_of(citations(found[0], "")))
         return
     for key, inner in children(node):
         if key not in _NO_CITATIONS:
-            yield from _told(inner)
+            _tell(inner, told, seen)

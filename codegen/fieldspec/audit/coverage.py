@@ -43,9 +43,8 @@ def coverage(subject: Subject) -> Section:
         found.append(Diagnostic("audit_sound", text, _head(subject), help=help))
     if made is None or manual is None:
         return Section(NAME, TITLE, ("The manual cannot be compared.",), findings=tuple(found))
-    layouts = subject.layouts or (subject.layout,)
-    counted = accounts(manual, made, cited(subject.spec, layouts))
-    claims = judged([layout.device for layout in layouts], manual, made)
+    counted = accounts(manual, made, cited(subject.spec, subject.layouts, subject.facts))
+    claims = judged([layout.device for layout in subject.layouts], manual, made)
     found += [
         *_open(counted, manual),
         *_uncited(claims),

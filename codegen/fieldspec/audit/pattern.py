@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import NamedTuple
 
 from fieldspec.audit.reduced import CELL
 from fieldspec.classes import dataclass
@@ -64,8 +66,7 @@ class PatternError(Exception):
     """What is wrong with a pattern, and what would make it right."""
 
 
-@dataclass(frozen=True, slots=True)
-class Held:
+class Held(NamedTuple):
     """A value of a piece: what it stands for, its form, and as it is printed."""
 
     column: str
@@ -73,8 +74,7 @@ class Held:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
+class Found(NamedTuple):
     """A piece of a line that looks like a fact: its values, and where it stands in the line."""
 
     values: tuple[Held, ...]
@@ -86,11 +86,12 @@ class Found:
 class Template:
     """A pattern ready for use: the pieces between its `*`, with the columns and forms of their groups.
 
-    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`.
+    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`. They
+    are compiled when they are first looked for, as a pattern has use for one or the other.
     """
 
-    pieces: tuple[re.Pattern[str], ...]
-    whole_pieces: tuple[re.Pattern[str], ...]
+    pieces: tuple[str, ...]
+    whole_pieces: tuple[str, ...]
     columns: tuple[tuple[str, str], ...]
 
     def whole(self, text: str) -> Found | None:
@@ -104,19 +105,24 @@ class Template:
             yield found
             at = max(found.end, at + 1)
 
-    def _chained(self, pieces: Sequence[re.Pattern[str]], text: str, start: int) -> Found | None:
+    def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Found | None:
         """The pieces one behind the other, each at the first place behind the one before it."""
         at, begin = start, start
         held: list[str] = []
-        for number, piece in enumerate(pieces):
+        for number, piece in enumerate(_expressions(pieces)):
             match = piece.search(text, at)
             if match is None:
                 return None
             begin = begin if number else match.start()
             held += match.groups()
             at = match.end()
-        values = (Held(*column, text) for column, text in zip(self.columns, held, strict=True))
+        values = [Held(*column, text) for column, text in zip(self.columns, held, strict=True)]
         return Found(tuple(values), begin, at)
+
+
+@lru_cache(maxsize=1024)
+def _expressions(pieces: tuple[str, ...]) -> tuple[re.Pattern[str], ...]:
+    return tuple(map(re.compile, pieces))
 
 
 def template(text: str) -> Template:
@@ -133,7 +139,7 @@ def template(text: str) -> Template:
         tied[0] = rf"\A\s*{tied[0]}"
     if parts[-1]:
         tied[-1] = rf"{tied[-1]}\s*\Z"
-    return Template(tuple(map(re.compile, sources)), tuple(map(re.compile, tied)), tuple(columns))
+    return Template(tuple(sources), tuple(tied), tuple(columns))
 
 
 def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:

@@ -13,11 +13,12 @@ from base64 import b64decode, b64encode
 from calendar import monthrange
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
+from operator import itemgetter
 
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.facts import Row, rows
-from fieldspec.layout.device import DeviceLayout
+from fieldspec.facts import Row
 from fieldspec.model.place import Place
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.project import DeviceSpec
@@ -52,6 +53,7 @@ _STATED = (
     "direction",
     "restart",
 )
+_stated = itemgetter(*_STATED)
 _SIZE = 4
 _DAY = re.compile("([0-9]{4})-([0-9]{2})-([0-9]{2})")
 
@@ -133,22 +135,29 @@ def state_hash(digests: Iterable[str]) -> str:
     return hashlib.sha256(" ".join(digests).encode()).hexdigest()[:16]
 
 
-def states(layouts: Iterable[DeviceLayout]) -> dict[str, State]:
-    """The state of every section that facts of some versions of a device cite."""
+def states(facts: Iterable[Iterable[Row]]) -> dict[str, State]:
+    """The state of every section that some versions of a device cite, by the rows of each."""
     held: dict[str, dict[str, dict[str, None]]] = {}
-    for layout in layouts:
-        for row in rows(layout):
-            if row["section"] is not None:
-                held.setdefault(str(row["section"]), {}).setdefault(_digest(row), {})[str(row["path"])] = None
+    digests: dict[str, str] = {}
+    for row in chain.from_iterable(facts):
+        if row["section"] is not None:
+            said = _said(row)
+            digest = digests.get(said) or digests.setdefault(said, _digest(said))
+            held.setdefault(str(row["section"]), {}).setdefault(digest, {})[str(row["path"])] = None
     return {
         section: State({digest: tuple(paths) for digest, paths in facts.items()}) for section, facts in held.items()
     }
 
 
-def _digest(row: Row) -> str:
+def _said(row: Row) -> str:
+    """What a fact says, as text."""
+    cells = zip(_STATED, _stated(row), strict=True)
+    return "\x1f".join([f"{key}={cell}" for key, cell in cells if cell is not None and cell != []])
+
+
+def _digest(said: str) -> str:
     """Three bytes of a hash of what a fact says, as four characters."""
-    said = [f"{key}={row[key]}" for key in _STATED if row[key] not in (None, [])]
-    return b64encode(hashlib.sha256("\x1f".join(said).encode()).digest()[:3]).decode()
+    return b64encode(hashlib.sha256(said.encode()).digest()[:3]).decode()
 
 
 def reviews(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:

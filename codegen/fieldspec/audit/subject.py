@@ -16,18 +16,18 @@ from fieldspec.reading.project import DeviceSpec
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A device at one version: its spec as written, its layout, its facts, one row each, and the proofs of its errata.
+    """A device at one version: its spec as written, its layout, and the proofs of its errata, those of all versions.
 
-    Errata are those of all versions. `layouts` are those of all versions that are built, the oldest first. `recorded`
+    `layouts` are those of all versions that are built, the oldest first, `facts` the rows of each of them. `recorded`
     is the index of the manual that stands beside the spec, `manual` that of the text at hand; either may be missing.
     `findings` are those of versions whose checks have run already.
     """
 
     spec: DeviceSpec
     layout: DeviceLayout
-    facts: Sequence[Row]
-    proofs: Sequence[Proof]
-    layouts: Sequence[DeviceLayout] = ()
+    layouts: Sequence[DeviceLayout]
+    facts: Sequence[Sequence[Row]]
+    proofs: Sequence[Proof] = ()
     recorded: ManualIndex | None = None
     manual: ManualIndex | None = None
     findings: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)

@@ -68,7 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
         return manuals.record(arguments.specs, layout.device, arguments.manual)
     index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)
     proofs = errata_proofs(spec)
-    subject = Subject(spec, layout, rows(layout), proofs, tuple(layouts.values()), index, manual)
+    held = tuple(layouts.values())
+    subject = Subject(spec, layout, held, [*map(rows, held)], proofs, index, manual)
     if arguments.as_printed:
         made, found = printed_report(subject)
     else:

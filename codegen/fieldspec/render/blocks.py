@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TypeAlias
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
