@@ -12,6 +12,7 @@ Cure: Give one of them another name.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from fieldspec.checks.finding import finding, label
 from fieldspec.checks.walking import cases, layers
@@ -96,13 +97,13 @@ def _apart(what: str, named: Iterable[_Named]) -> Iterator[Diagnostic]:
                 break
 
 
-def _cases(name: str) -> set[str]:
+@lru_cache(maxsize=10_000)
+def _cases(name: str) -> frozenset[str]:
     """What becomes of a name in targets; those that do not tell upper from lower case get it in lower case."""
     words = Name.of(name)
-    cases = {words.snake(), words.pascal(), words.pascal().lower()}
-    for target in TARGETS.values():
-        cases |= {target.spelled(words.pascal()).lower()} if target.folds else {target.spelled(words.snake())}
-    return cases
+    snake, pascal = words.snake(), words.pascal()
+    spelled = (target.spelled(pascal).lower() if target.folds else target.spelled(snake) for target in TARGETS.values())
+    return frozenset((snake, pascal, pascal.lower(), *spelled))
 
 
 def _paths(device: Device) -> Iterator[Diagnostic]:

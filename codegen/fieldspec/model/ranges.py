@@ -40,5 +40,21 @@ def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
     return tuple(pairs)
 
 
+def whole_intervals(text: str) -> tuple[tuple[int, int], ...] | None:
+    """The same as pairs of whole numbers, or None where a bound is written as a fraction."""
+    pairs = []
+    for part in text.split(", "):
+        low, _, high = part.partition("..")
+        try:
+            pairs.append((_whole(low), _whole(high or low)))
+        except ValueError:
+            return None
+    return tuple(pairs)
+
+
+def _whole(text: str) -> int:
+    return int(text, 16) if "x" in text else int(text)
+
+
 def _number(text: str) -> Decimal:
     return Decimal(int(text, 16)) if "x" in text else Decimal(text)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from operator import is_
 
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import near, quoted
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children, identity, mappings
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity, mappings
 
 LONE_VERSION = "1"
 
 BOUNDS = frozenset(("since", "until", "only"))
-_FREE = ("inferred", "printed", "allow", "values")
+_FREE = frozenset(("inferred", "printed", "allow", "values"))
 
 
 class Lines:
@@ -109,18 +109,39 @@ class Lines:
 
     def unknown(self, node: Node) -> list[Diagnostic]:
         """A finding for every `since`, `until` or `only` that names no declared version."""
-        found = []
-        if isinstance(node, Mapping):
-            for key in ("since", "until", "only"):
-                for item in named(node.values.get(key)):
-                    if item.text not in self.place:
-                        text = f"the device declares no version {quoted(item.text)}"
-                        hint = near(item.text, self.place)
-                        found.append(Diagnostic("version_unknown", text, item.span, help=hint))
-        for step, inner in children(node):
-            if step not in _FREE:
-                found += self.unknown(inner)
+        found: list[Diagnostic] = []
+        if not isinstance(node, Scalar):
+            self._search(node, found)
         return found
+
+    def _search(self, node: Mapping | Sequence, found: list[Diagnostic]) -> bool:
+        """Adds the findings of a part of a tree, and notes whether it has no bounds, which versions then need not."""
+        free = True
+        values: Iterable[Node]
+        if isinstance(node, Mapping):
+            values = node.values.values()
+            if not BOUNDS.isdisjoint(node.values):
+                free = False
+                found += self._misnamed(node)
+            if not _FREE.isdisjoint(node.values):
+                free = False  # what stands there is not looked at here
+                values = [value for key, value in node.values.items() if key not in _FREE]
+        else:
+            values = node.items
+        for item in values:
+            if not isinstance(item, Scalar) and not self._search(item, found):
+                free = False
+        if free:
+            self._unbounded[id(node)] = node  # keeping the node keeps its id from being given to another one
+        return free
+
+    def _misnamed(self, node: Mapping) -> Iterator[Diagnostic]:
+        for key in ("since", "until", "only"):
+            for item in named(node.values.get(key)):
+                if item.text not in self.place:
+                    text = f"the device declares no version {quoted(item.text)}"
+                    hint = near(item.text, self.place)
+                    yield Diagnostic("version_unknown", text, item.span, help=hint)
 
 
 def _true(line: Mapping, key: str) -> bool:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Citation, Claim, Plain
-from fieldspec.model.handling import Handling
+from fieldspec.model.handling import NOTHING_SAID, Handling
 from fieldspec.model.place import Place
-from fieldspec.model.ranges import Ranges, intervals
+from fieldspec.model.ranges import Ranges, intervals, whole_intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
@@ -25,7 +25,7 @@ class Entry:
     `defaults` are keys of an enclosing group that stand in for missing ones.
     """
 
-    __slots__ = ("defaults", "found", "node", "path", "section", "sources")
+    __slots__ = ("defaults", "found", "node", "own", "path", "section", "sources")
 
     def __init__(
         self,
@@ -37,20 +37,25 @@ class Entry:
         defaults: Mapping | None = None,
     ) -> None:
         self.node, self.path, self.found, self.defaults = node, path, found, defaults
+        self.own = node.values
         self.section = self.text("section") or section
         own = self.text("source")
         self.sources = citations(own, self.section) if own else sources
 
     def get(self, key: str) -> Node | None:
         """The node under a key, or the default for it."""
-        node = self.node.values.get(key)
+        node = self.own.get(key)
         if node is None and self.defaults is not None:
             node = self.defaults.values.get(key)
         return node
 
     def value(self, key: str) -> Plain:
         """The typed value of a scalar, or None."""
-        node = self.get(key)
+        node = self.own.get(key)
+        if node is None:
+            if self.defaults is None:
+                return None  # most keys of most entries: not to be asked for at length
+            node = self.defaults.values.get(key)
         return node.value if isinstance(node, Scalar) else None
 
     def text(self, key: str) -> str:
@@ -66,7 +71,7 @@ class Entry:
     def decimal(self, key: str) -> Decimal | None:
         """An exact number, or None."""
         value = self.value(key)
-        return Decimal(value) if isinstance(value, int | Decimal) else None
+        return Decimal(value) if isinstance(value, int) else value if isinstance(value, Decimal) else None
 
     def flag(self, key: str) -> bool:
         """A truth value; false where it is not given."""
@@ -145,9 +150,13 @@ class Entry:
 
     def whole_ranges(self, key: str) -> Ranges | None:
         """The intervals under a key, whose bounds must be whole numbers."""
-        found = self.ranges(key)
-        if found is None:
+        node = self.get(key)
+        if not isinstance(node, Scalar):
             return None
+        numbers = whole_intervals(node.text)
+        if numbers is not None and all(low <= high for low, high in numbers):
+            return Ranges(numbers)
+        found = intervals(node.text)
         whole = tuple((int(low), int(high)) for low, high in found)
         if any(Decimal(low) != a or Decimal(high) != b for (low, high), (a, b) in zip(whole, found, strict=True)):
             self.refuse("wrong_form", key, "a bound is no whole number", "counts are whole; use `unit_range`")
@@ -157,25 +166,22 @@ class Entry:
 
     def fact(self) -> dict[str, Any]:
         """The arguments that every fact of the model takes."""
-        return {
-            "name": self.text("name"),
-            "place": self.place(),
-            "printed_name": self.text("printed_name"),
-            "label": self.text("label"),
-            "doc": self.text("doc"),
-            "sources": self.sources,
-            "notes": self.texts("notes"),
-            "inferred": self.reasons("inferred"),
-            "unverified": self.flag("unverified"),
-            "allowed": self.reasons("allow"),
-            "restated": tuple(self._claims()),
-            "since": self.texts("since"),
-            "until": self.texts("until"),
-            "only": self.texts("only"),
-        }
+        arguments = _NOT_GIVEN.copy()
+        arguments["place"] = self.place()
+        arguments["sources"] = self.sources
+        # Most facts have few of these keys, so that their own keys are gone through instead.
+        for holder in (self.node,) if self.defaults is None else (self.defaults, self.node):
+            values = holder.values
+            for key in values:
+                if key in _FACT:
+                    argument, read, _ = _FACT[key]
+                    arguments[argument] = read(self, key)
+        return arguments
 
     def handling(self) -> Handling:
         """What whoever reads or writes the value must know."""
+        if self.defaults is None and _HANDLING.isdisjoint(self.own):
+            return NOTHING_SAID
         endurance = self.value("endurance")
         return Handling(
             memory=self.text("memory"),
@@ -185,10 +191,36 @@ class Entry:
             opposite_of=self.text("opposite_of"),
         )
 
-    def _claims(self) -> Iterator[Claim]:
-        for entry in self.entries("restated"):
-            values = {key: _claimed(value) for key, value in entry.node.values.items() if key not in _CLAIM_META}
-            yield Claim(entry.place(), entry.sources, values)
+    def claims(self, key: str) -> tuple[Claim, ...]:
+        """What other places of the manual say of a fact."""
+        return tuple(
+            Claim(
+                entry.place(),
+                entry.sources,
+                {key: _claimed(value) for key, value in entry.node.values.items() if key not in _CLAIM_META},
+            )
+            for entry in self.entries(key)
+        )
+
+
+_FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
+    "name": ("name", Entry.text, ""),
+    "printed_name": ("printed_name", Entry.text, ""),
+    "label": ("label", Entry.text, ""),
+    "doc": ("doc", Entry.text, ""),
+    "notes": ("notes", Entry.texts, ()),
+    "inferred": ("inferred", Entry.reasons, {}),
+    "unverified": ("unverified", Entry.flag, False),
+    "allow": ("allowed", Entry.reasons, {}),
+    "restated": ("restated", Entry.claims, ()),
+    "since": ("since", Entry.texts, ()),
+    "until": ("until", Entry.texts, ()),
+    "only": ("only", Entry.texts, ()),
+}
+"""The keys of a fact: the argument of the model, how it is read, and what it is where the key is not given."""
+
+_NOT_GIVEN: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.values()}
+_HANDLING = frozenset(("memory", "saved_by", "endurance", "clears_on_read", "opposite_of"))
 
 
 def _claimed(node: Node) -> Plain:

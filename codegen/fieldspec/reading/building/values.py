@@ -14,6 +14,8 @@ from fieldspec.schema import schema
 
 UNTYPED = PRIMITIVES["u16"]
 
+_ZERO, _ONE = Decimal(0), Decimal(1)
+
 VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 """The keys that say how a value lies on the wire and what it means."""
 
@@ -28,19 +30,20 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     if scale == 0:
         entry.refuse("wrong_value", "scale", "a scale of 0 makes all values equal", "give the worth of one count")
         scale = None
-    offset = entry.decimal("offset") or Decimal(0)
+    offset = entry.decimal("offset") or _ZERO
+    scale = scale if scale is not None else _ONE
     part = entry.entry("parameter")
     return Value(
         type=primitive,
         size=_size(entry, primitive, words),
         characters=entry.integer("characters"),
         byte_order=entry.text("byte_order"),
-        scale=scale if scale is not None else Decimal(1),
+        scale=scale,
         scale_text=scale_text(entry.value("scale")),
         offset=offset,
         unit=entry.text("unit"),
-        ranges=_ranges(entry, scale or Decimal(1), offset),
-        default=_default(entry, scale or Decimal(1), offset),
+        ranges=_ranges(entry, scale, offset),
+        default=_default(entry, scale, offset),
         const=entry.integer("const"),
         enum=entry.text("enum"),
         flags=entry.text("flags"),
