@@ -209,3 +209,9 @@ def test_a_cause_keeps_the_number_of_its_remedy() -> None:
     (row,) = (row for row in rows if row["name"] == "point_data_destroyed")
     assert row["cause"].startswith("1. The feedback circuit is faulty; 2. ")
     assert row["remedy"].startswith("3. Check the surroundings for sources of noise; Switch the power on")
+
+
+@pytest.mark.parametrize("device", layouts(SPECS))
+def test_versions_that_share_workbooks_have_those_that_each_has_alone(device: str) -> None:
+    alone = {path: held for layout in layouts(SPECS)[device] for path, held in files([layout]).items()}
+    assert made(device) == alone

@@ -247,3 +247,10 @@ def test_the_map_bears_the_identity() -> None:
     layout = newest(SPECS, "esc11")
     text = next(text for path, text in files([layout]).items() if path.endswith("_words.csv"))
     assert layout.identity in text.splitlines()[1]
+
+
+@pytest.mark.parametrize("device", ROOTS)
+def test_versions_that_share_areas_have_the_files_that_each_has_alone(device: str) -> None:
+    versions = layouts(ROOTS[device])[device]
+    alone = {path: text for layout in versions for path, text in files([layout]).items()}
+    assert files(versions) == alone

@@ -19,7 +19,6 @@ FORMULA_SIGNS = tuple("=+-@\t\r\n")
 BYTE_ORDER_MARK = "\ufeff"
 """What tells spreadsheets that a text is UTF-8."""
 
-_BLANK = re.compile(r"\s+")
 _NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
 
 
@@ -42,8 +41,17 @@ def csv_text(rows: Iterable[Sequence[Cell]], line_end: str = "\r\n") -> str:
     """Rows as RFC 4180 has them: commas, quotes where they are needed, doubled within. Texts become one line each."""
     made = io.StringIO()
     writer = csv.writer(made, lineterminator=line_end)
-    writer.writerows([guarded(clean(cell)) if isinstance(cell, str) else cell for cell in row] for row in rows)
+    shown = _Shown()
+    writer.writerows([shown[cell] if isinstance(cell, str) else cell for cell in row] for row in rows)
     return made.getvalue()
+
+
+class _Shown(dict[str, str]):
+    """Texts as cells have them, each worked out once, since most of a table's texts are in several of its rows."""
+
+    def __missing__(self, text: str) -> str:
+        self[text] = shown = guarded(clean(text))
+        return shown
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from functools import cache
 
 from fieldspec.backends.kv.areas import Area
 from fieldspec.backends.kv.dialect import WordDialect
@@ -13,25 +14,20 @@ _LETTERS = re.compile("[A-Za-z]+")
 _FOREIGN = {"°C": "degC"}
 
 
-def rows(placed: Sequence[tuple[int, Area]], dialect: WordDialect) -> Iterator[tuple[str, str]]:
-    """Devices and their comments, for areas and the numbers of their first words."""
-    for base, area in placed:
-        texts: dict[int, dict[str, str]] = {}
-        for held in area.held:
-            for name, start in held.names():
-                for word, text in _words(area, held, name, start):
-                    texts.setdefault(word, {}).setdefault(text, _scaled(held))
-        for word, found in sorted(texts.items()):
-            device = dialect.device(base + word)
-            if device:
-                yield device, _fitted(area.tag, found, dialect.width)
-
-
-def _words(area: Area, held: Held, name: str, start: int) -> Iterator[tuple[int, str]]:
-    """The words of an element, each with its name."""
-    first, last = start // area.unit, (start + max(held.size, 1) - 1) // area.unit
-    for word in range(first, last + 1):
-        yield word, name if word == first else f"{name}+{word - first}"
+def rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
+    """Devices and their comments, for an area whose first word has the number `base`."""
+    texts: dict[int, dict[str, str]] = {}
+    for held in area.held:
+        unit = _scaled(held)
+        for name, start in held.names():
+            first, last = start // area.unit, (start + max(held.size, 1) - 1) // area.unit
+            texts.setdefault(first, {}).setdefault(name, unit)
+            for word in range(first + 1, last + 1):
+                texts.setdefault(word, {}).setdefault(f"{name}+{word - first}", unit)
+    for word, found in sorted(texts.items()):
+        device = dialect.device(base + word)
+        if device:
+            yield device, _fitted(area.tag, found, dialect.width)
 
 
 def _scaled(held: Held) -> str:
@@ -52,13 +48,16 @@ def _fitted(tag: str, found: dict[str, str], width: int) -> str:
     (unit, *others) = found.values()
     if unit and not others and len(text) + len(unit) < width:
         return f"{text} {unit}"
-    longest = max((len(word) for word in _LETTERS.findall(text)), default=0)
-    for letters in range(longest, 0, -1):
-        cut = _cut(text, letters)
-        if len(cut) <= width:
-            return cut
+    if len(text) <= width:
+        return text
+    lengths = [len(word) for word in _LETTERS.findall(text)]
+    for letters in range(max(lengths, default=0) - 1, 0, -1):
+        if len(text) - sum(length - letters for length in lengths if length > letters) <= width:
+            return _longer(letters).sub(r"\1", text)
     return text[:width]
 
 
-def _cut(text: str, letters: int) -> str:
-    return _LETTERS.sub(lambda word: word[0][:letters], text)
+@cache
+def _longer(letters: int) -> re.Pattern[str]:
+    """Words of more letters; the group is what is kept of them."""
+    return re.compile(f"([A-Za-z]{{{letters}}})[A-Za-z]+")

@@ -13,7 +13,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Bit
+from fieldspec.model.flags import Bit, Flags
 from fieldspec.model.ranges import Ranges
 
 COLUMNS = (
@@ -49,15 +49,31 @@ Cell: TypeAlias = int | str | None
 Cells: TypeAlias = dict[str, Cell]
 
 
-def rows(layout: DeviceLayout, placed: Sequence[tuple[int, Area]], dialect: WordDialect) -> Iterator[list[Cell]]:
-    """The rows below the heading, for areas and the numbers of their first words. The first has the identity."""
+def head(layout: DeviceLayout) -> list[Sequence[Cell]]:
+    """The heading, and a row with the identity."""
     device = layout.device
     about: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
-    yield [about.get(column) for column in COLUMNS]
-    for base, area in placed:
-        for held in area.held:
-            for cells in _value(device, base, area, held, dialect):
-                yield [cells.get(column) for column in COLUMNS]
+    return [COLUMNS, [about.get(column) for column in COLUMNS]]
+
+
+def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:
+    """The rows of an area, whose first word has the number `base`."""
+    for held in area.held:
+        for cells in _value(device, base, area, held, dialect):
+            yield [cells.get(column) for column in COLUMNS]
+
+
+def meanings(device: Device, area: Area) -> list[Enum | Flags]:
+    """What the rows of an area tell beside what is in the area."""
+    found: list[Enum | Flags] = []
+    for held in area.held:
+        value = held.value
+        if value is not None and value.enum in device.enums:
+            found.append(device.enums[value.enum])
+        if value is not None and value.flags in device.flags:
+            flags = device.flags[value.flags]
+            found += [flags, *(device.enums[bit.enum] for bit in flags.bits if bit.enum in device.enums)]
+    return found
 
 
 def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDialect) -> Iterator[Cells]:
