@@ -85,7 +85,9 @@ def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple
     if record.size is not None:
         return around + record.size, 0, 0, 0
     tail = record.fields[-1]
-    measure = next((field for field in record.fields if _measures(field, tail, frame)), None)
+    measures = [field for field in record.fields if _measures(field, tail, frame)]
+    # One byte is had quicker than two.
+    measure = min(measures, key=lambda field: field.size, default=None)
     if measure is None or measure.field.measures is None or tail.cases:
         return 0, 0, -1, 0
     unit = 1 if measure.field.measures.of == "bytes" else tail.size
