@@ -12,7 +12,7 @@ from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Node, Scalar, exact
 from fieldspec.reading.paths import find, keys, node_at, put, schema_path
 from fieldspec.reading.project import DeviceSpec
-from fieldspec.reading.scalars import part_at, violations
+from fieldspec.reading.scalars import part_at, violations_at
 
 MISSING = "present"
 """The key under `printed` that says, as `present: false`, that the print lacks the whole fact."""
@@ -134,7 +134,7 @@ def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnos
     item = at[:2]  # the rest of the tree is as it was
     if len(at) <= len(item) and _lacking(whole, at):
         return wrong, []
-    broken = violations(node_at(wrong, item), schema_path(item))
+    broken = violations_at(wrong, item)
     return (tree, broken) if broken else (wrong, [])
 
 

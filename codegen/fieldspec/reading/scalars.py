@@ -16,6 +16,7 @@ from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
 from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, copied, plain
+from fieldspec.reading.paths import node_at
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
 from fieldspec.source import Span
@@ -52,16 +53,26 @@ def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     return node, _objections(node, _typed(node, _form(schema())), ())
 
 
-def violations(node: Node, path: tuple[str, ...] = ()) -> list[Diagnostic]:
-    """What the schema, or its part at some keys, has against a tree; little more than `MOST_FINDINGS` findings."""
-    return _objections(node, plain(node), path)
+def violations(node: Node) -> list[Diagnostic]:
+    """What the schema has against the tree of a file; little more than `MOST_FINDINGS` findings."""
+    return _objections(node, plain(node), ())
 
 
-def _objections(node: Node, data: object, path: tuple[str, ...]) -> list[Diagnostic]:
-    """What the schema has against a tree, given as plain data too."""
+def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
+    """What the schema has against the node at some keys of a tree, whatever else is there."""
+    node = node_at(tree, at)
+    for key in reversed(at):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
+        alone = (node.file, node.start, node.end)
+        node = Sequence(*alone, (node,)) if isinstance(key, int) else Mapping(*alone, {key: node})
+    return _objections(node, plain(node), (), len(at))
+
+
+def _objections(node: Node, data: object, path: tuple[str, ...], depth: int = 0) -> list[Diagnostic]:
+    """What the schema, or its part at some keys, has against a tree, given as plain data too, from a depth on."""
     found: list[Diagnostic] = []
     for error in _validator(path).iter_errors(data):
-        found += _findings(error, node, path)
+        if len(error.instance_path) >= depth:
+            found += _findings(error, node, path)
         if len(found) > MOST_FINDINGS:
             break
     return found

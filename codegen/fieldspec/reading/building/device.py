@@ -7,10 +7,11 @@ from typing import TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
+from fieldspec.model.register import RegisterGroup
 from fieldspec.reading.building import links, records, registers, signals, texts, words
 from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.keeping import Kept
-from fieldspec.reading.nodes import Mapping
+from fieldspec.reading.building.keeping import Kept, listed
+from fieldspec.reading.nodes import Mapping, Scalar, Sequence
 
 Noun = TypeVar("Noun")
 
@@ -44,7 +45,7 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
             records=_by_name(root, "records", records.record, kept),
             enums=_by_name(root, "enums", words.enum, kept),
             flags=_by_name(root, "flags", words.flags, kept),
-            groups=tuple(registers.group(entry, kept) for entry in root.named("registers", "registers", name="group")),
+            groups=_groups(root, kept),
             tables=_by_name(root, "tables", registers.table, kept),
             parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept), kept),
             signals=placed,
@@ -64,26 +65,42 @@ def _by_name(
     root: Entry, section: str, build: Callable[[Entry], Noun], kept: Kept, name: str = "name"
 ) -> dict[str, Noun]:
     """The nouns of a section by name; a name that is taken is a finding. What is the same node is the same noun."""
+    whole = root.own.get(section)
+    wholes, same = kept.setdefault((section, "whole"), {}), kept.setdefault(section, {})
+    known = wholes.get(id(whole))
+    if known is not None:
+        return cast("dict[str, Noun]", known[1])
     nouns: dict[str, Noun] = {}
-    first: dict[str, Entry] = {}
-    same = kept.setdefault(section, {})
-    for entry in root.named(section, section, name=name):
-        key = entry.text(name)
+    first: dict[str, Mapping] = {}
+    quiet = len(root.found)
+    for number, item in enumerate(whole.items if isinstance(whole, Sequence) else ()):
+        if not isinstance(item, Mapping):
+            continue
+        held = item.values.get(name)
+        key = held.value if isinstance(held, Scalar) and isinstance(held.value, str) else ""
+        before = same.get(id(item))
+        if before is not None and key not in nouns:
+            first[key], nouns[key] = item, cast("Noun", before[1])
+            continue
+        entry = Entry(item, f"{section}/{held.text if isinstance(held, Scalar) else number}", root.found)
         if key in nouns:
-            label = Label(first[key].span(name), "the first one")
+            label = Label(Entry(first[key], "", []).span(name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
             entry.refuse("duplicate_name", name, text, "give one of them another name", label)
             continue
-        first[key] = entry
-        before = same.get(id(entry.node))
-        if before is not None:
-            nouns[key] = cast("Noun", before[1])
-            continue
-        quiet = len(entry.found)
+        first[key] = item
+        before_it = len(root.found)
         nouns[key] = build(entry)
-        if len(entry.found) == quiet:  # a finding is for every version
-            same[id(entry.node)] = entry.node, nouns[key]
+        if len(root.found) == before_it:  # a finding is for every version
+            same[id(item)] = item, nouns[key]
+    if len(root.found) == quiet:
+        wholes[id(whole)] = whole, nouns
     return nouns
+
+
+def _groups(root: Entry, kept: Kept) -> tuple[RegisterGroup, ...]:
+    same = kept.setdefault("registers", {})
+    return listed(root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, kept))
 
 
 def _manual(head: Entry) -> Manual:
