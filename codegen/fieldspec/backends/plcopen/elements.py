@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from xml.sax.saxutils import escape, quoteattr
+from html import escape
 
 from fieldspec.classes import dataclass
 
@@ -25,22 +24,35 @@ def element(tag: str, /, *children: Element, text: str = "", **attributes: str) 
 
 def written(root: Element) -> str:
     """A whole document."""
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + "\n".join(_lines(root, "")) + "\n"
+    lines = ['<?xml version="1.0" encoding="utf-8"?>']
+    _write(root, "", lines)
+    return "\n".join(lines) + "\n"
 
 
-def _lines(one: Element, indent: str) -> Iterator[str]:
-    given = "".join(f" {name}={quoteattr(_legal(value))}" for name, value in one.attributes)
+def _write(one: Element, indent: str, lines: list[str]) -> None:
+    given = "".join([f" {name}={_quoted(value)}" for name, value in one.attributes])
     if one.text:
-        yield f"{indent}<{one.name}{given}>{escape(_legal(one.text))}</{one.name}>"
+        lines.append(f"{indent}<{one.name}{given}>{escape(_legal(one.text), quote=False)}</{one.name}>")
     elif one.children:
-        yield f"{indent}<{one.name}{given}>"
+        lines.append(f"{indent}<{one.name}{given}>")
+        inner = indent + " "
         for child in one.children:
-            yield from _lines(child, indent + " ")
-        yield f"{indent}</{one.name}>"
+            _write(child, inner, lines)
+        lines.append(f"{indent}</{one.name}>")
     else:
-        yield f"{indent}<{one.name}{given}/>"
+        lines.append(f"{indent}<{one.name}{given}/>")
+
+
+def _quoted(value: str) -> str:
+    """The value of an attribute, with marks around it that are not in it, if there are such."""
+    text = escape(_legal(value), quote=False).replace("\n", "&#10;").replace("\t", "&#9;")
+    if '"' not in text:
+        return f'"{text}"'
+    return "'" + text + "'" if "'" not in text else '"' + text.replace('"', "&quot;") + '"'
 
 
 def _legal(text: str) -> str:
     """A text without the characters that XML does not have."""
-    return "".join(char for char in text if char in "\t\n" or (char >= " " and char.isprintable()) or char == "\u00a0")
+    if text.replace("\n", "").isprintable():
+        return text
+    return "".join(char for char in text if char in "\t\n\u00a0" or char.isprintable())

@@ -14,15 +14,17 @@ from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.scaling import scaling_routines
 from fieldspec.plc.routines.tables import table_routines
 from fieldspec.plc.routines.telegrams import telegram_routines
-from fieldspec.plc.routines.walking import calls
+from fieldspec.plc.routines.walking import called
 from fieldspec.plc.routines.world import World
 
 
 def routines(world: World) -> list[Routine]:
     """The routines of a device; of those that make numbers of enums, the ones that others need."""
     made = list(_all(world))
-    needed = {call.routine for one in made for call in calls(one)}
-    optional = {world.routine(enum, "to_raw") for enum in world.layout.device.enums}
+    optional = {world.routine(enum, "to_raw") for enum in world.names.enums}
+    if not optional:
+        return made
+    needed = set().union(*map(called, made))
     return [one for one in made if one.name in needed or one.name not in optional]
 
 

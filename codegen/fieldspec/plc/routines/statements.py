@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import TypeAlias
 
 from fieldspec.classes import dataclass
@@ -49,30 +49,10 @@ class Return:
     """RETURN."""
 
 
-@dataclass(frozen=True, slots=True)
-class Remark:
-    """A comment."""
-
-    text: str
-
-
-Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Remark
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return
 Body: TypeAlias = tuple[Statement, ...]
 
 
 def when(test: Expression, body: Iterable[Statement], otherwise: Iterable[Statement] = ()) -> Condition:
     """IF with one test."""
     return Condition(((test, tuple(body)),), tuple(otherwise))
-
-
-def every_statement(body: Body) -> Iterator[Statement]:
-    """The statements of a body, and those within them."""
-    for statement in body:
-        yield statement
-        match statement:
-            case Condition(branches, otherwise) | Selection(_, branches, otherwise):
-                for _, inner in branches:
-                    yield from every_statement(inner)
-                yield from every_statement(otherwise)
-            case Loop(_, _, _, inner):
-                yield from every_statement(inner)

@@ -1,8 +1,6 @@
-"""Ways through the statements of a routine."""
+"""A way through the statements of a routine and the expressions in them."""
 
 from __future__ import annotations
-
-from collections.abc import Iterator
 
 from fieldspec.plc.routines.expressions import (
     Call,
@@ -15,39 +13,36 @@ from fieldspec.plc.routines.expressions import (
     Shift,
 )
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Selection, every_statement
+from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Selection, Statement
 
 
-def calls(routine: Routine) -> Iterator[Call]:
-    """The calls of other routines."""
-    for statement in every_statement(routine.body):
-        match statement:
-            case Assignment(target, value):
-                roots: tuple[Expression, ...] = (target, value)
-            case Condition(branches):
-                roots = tuple(test for test, _ in branches)
-            case Loop(_, first, last):
-                roots = (first, last)
-            case Selection(of):
-                roots = (of,)
-            case _:
-                roots = ()
-        for root in roots:
-            yield from (one for one in every_expression(root) if isinstance(one, Call))
-
-
-def every_expression(of: Expression) -> Iterator[Expression]:
-    """An expression and those within it."""
-    yield of
-    match of:
-        case Member(inner) | Negation(inner) | Shift(_, inner) | Conversion(inner):
-            yield from every_expression(inner)
-        case Element(inner, index):
-            yield from every_expression(inner)
-            yield from every_expression(index)
-        case Operation(_, operands):
-            for one in operands:
-                yield from every_expression(one)
-        case Call(_, inputs, outputs):
-            for _, one in (*inputs, *outputs):
-                yield from every_expression(one)
+def called(routine: Routine) -> set[str]:
+    """The names of the routines that it calls."""
+    found: set[str] = set()
+    left: list[Statement | Expression] = [*routine.body]
+    while left:
+        one = left.pop()
+        if isinstance(one, Assignment):
+            left += (one.target, one.value)
+        elif isinstance(one, Operation):
+            left += one.operands
+        elif isinstance(one, Member | Negation | Shift | Conversion):
+            left.append(one.of)
+        elif isinstance(one, Element):
+            left += (one.of, one.index)
+        elif isinstance(one, Condition):
+            for test, body in one.branches:
+                left.append(test)
+                left += body
+            left += one.otherwise
+        elif isinstance(one, Call):
+            found.add(one.routine)
+            left += [given for _, given in (*one.inputs, *one.outputs)]
+        elif isinstance(one, Loop):
+            left += (one.first, one.last, *one.body)
+        elif isinstance(one, Selection):
+            left.append(one.of)
+            for _, body in one.branches:
+                left += body
+            left += one.otherwise
+    return found

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from fieldspec.plc.routines.expressions import (
     Call,
@@ -26,7 +27,6 @@ from fieldspec.plc.routines.statements import (
     Body,
     Condition,
     Loop,
-    Remark,
     Return,
     Selection,
     Statement,
@@ -52,9 +52,11 @@ def comment(text: str, indent: str = "") -> list[str]:
 
 def plain(text: str) -> str:
     """A text on one line, with nothing in it that begins or ends a comment or a pragma."""
-    text = "".join(char if char.isprintable() else " " for char in text)
-    for mark in ("(*", "*)", "/*", "*/", "//"):
-        text = text.replace(mark, " ".join(mark))
+    if not text.isprintable():
+        text = "".join(char if char.isprintable() else " " for char in text)
+    if "*" in text or "/" in text:
+        for mark in ("(*", "*)", "/*", "*/", "//"):
+            text = text.replace(mark, " ".join(mark))
     return " ".join(text.replace("{", "(").replace("}", ")").split())
 
 
@@ -90,7 +92,7 @@ def declaration(routine: Routine, spelling: Spelling) -> list[str]:
 
 def implementation(routine: Routine, spelling: Spelling) -> list[str]:
     """The statements of a routine."""
-    return list(_body(routine.body, spelling, ""))
+    return _body(routine.body, spelling, "")
 
 
 def written(routine: Routine, spelling: Spelling) -> list[str]:
@@ -104,44 +106,47 @@ def call_lines(routine: Routine, spelling: Spelling, **others: Expression) -> li
     names = [one.variable for one in routine.declared if one.role != "local"]
     given: dict[str, Expression] = {one.name: others.get(one.name, one) for one in names}
     result = Variable("eStatus", routine.returns)
-    return list(_statement(Assignment(result, routine.called(**given)), spelling, ""))
+    return _body((Assignment(result, routine.called(**given)),), spelling, "")
 
 
-def _body(body: Body, spelling: Spelling, indent: str) -> Iterator[str]:
+def _body(body: Body, spelling: Spelling, indent: str) -> list[str]:
+    lines: list[str] = []
     for statement in body:
-        yield from _statement(statement, spelling, indent)
+        _write(statement, spelling, indent, lines)
+    return lines
 
 
-def _statement(statement: Statement, spelling: Spelling, indent: str) -> Iterator[str]:
+def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[str]) -> None:
+    """Adds the lines of a statement."""
     inner = indent + _STEP
     match statement:
-        case Remark(text):
-            yield from comment(text, indent)
-        case Return():
-            yield f"{indent}RETURN;"
         case Assignment(target, value):
-            yield from _broken(f"{indent}{_text(target, spelling)} := ", value, ";", spelling, indent)
+            lines += _broken(f"{indent}{_text(target, spelling)} := ", value, ";", spelling, indent)
         case Condition(branches, otherwise):
-            for word, (test, body) in zip(("IF", *("ELSIF" for _ in branches[1:])), branches, strict=True):
-                yield from _broken(f"{indent}{word} ", test, " THEN", spelling, indent)
-                yield from _body(body, spelling, inner)
+            word = "IF"
+            for test, body in branches:
+                lines += _broken(f"{indent}{word} ", test, " THEN", spelling, indent)
+                lines += _body(body, spelling, inner)
+                word = "ELSIF"
             if otherwise:
-                yield f"{indent}ELSE"
-                yield from _body(otherwise, spelling, inner)
-            yield f"{indent}END_IF;"
+                lines.append(f"{indent}ELSE")
+                lines += _body(otherwise, spelling, inner)
+            lines.append(f"{indent}END_IF;")
+        case Return():
+            lines.append(f"{indent}RETURN;")
         case Loop(index, first, last, body):
             bounds = f"{_text(first, spelling)} TO {_text(last, spelling)}"
-            yield f"{indent}FOR {_text(index, spelling)} := {bounds} DO"
-            yield from _body(body, spelling, inner)
-            yield f"{indent}END_FOR;"
+            lines.append(f"{indent}FOR {_text(index, spelling)} := {bounds} DO")
+            lines += _body(body, spelling, inner)
+            lines.append(f"{indent}END_FOR;")
         case Selection(of, cases, otherwise):
-            yield f"{indent}CASE {_text(of, spelling)} OF"
+            lines.append(f"{indent}CASE {_text(of, spelling)} OF")
             for labels, body in cases:
-                yield from _branch(list(_labels(labels, spelling, inner)), list(_body(body, spelling, inner + _STEP)))
+                lines += _branch(list(_labels(labels, spelling, inner)), _body(body, spelling, inner + _STEP))
             if otherwise:
-                yield f"{indent}ELSE"
-                yield from _body(otherwise, spelling, inner)
-            yield f"{indent}END_CASE;"
+                lines.append(f"{indent}ELSE")
+                lines += _body(otherwise, spelling, inner)
+            lines.append(f"{indent}END_CASE;")
 
 
 def _branch(labels: list[str], body: list[str]) -> list[str]:
@@ -170,30 +175,33 @@ def _label(label: tuple[int, int] | Listed, spelling: Spelling) -> str:
     return f"{low}" if low == high else f"{low}..{high}"
 
 
-def _broken(before: str, value: Expression, after: str, spelling: Spelling, indent: str) -> Iterator[str]:
+def _broken(before: str, value: Expression, after: str, spelling: Spelling, indent: str) -> list[str]:
     """A line around an expression; where it is too long, its operands stand below each other."""
     whole = f"{before}{_text(value, spelling)}{after}"
+    if len(whole) <= _WIDTH:
+        return [whole]
     parts: list[str] = []
+    end = ""
     match value:
         case Operation(operator, operands) if operator in _ASSOCIATIVE:
-            parts = [_operand(one, operator, spelling) for one in operands]
-            parts = [parts[0], *(f"{operator} {one}" for one in parts[1:])]
-            ends = ("", "")
+            parts = _operands(operator, operands, spelling)
         case Call() if value.inputs:
             given = _arguments(value, spelling)
             parts = [*(f"{one}," for one in given[:-1]), given[-1]]
-            before, ends = f"{before}{spelling.routine.format(value.routine)}(", ("", ")")
+            before, end = f"{before}{spelling.routine.format(value.routine)}(", ")"
         case Conversion(Operation(operator, operands) as of, to) if operator in _ASSOCIATIVE:
-            parts = [_operand(one, operator, spelling) for one in operands]
-            parts = [parts[0], *(f"{operator} {one}" for one in parts[1:])]
-            before, ends = f"{before}{_name_of(of.type)}_TO_{to.name}(", ("", ")")
-    if len(whole) <= _WIDTH or len(parts) < 2:
-        yield whole
-        return
+            parts = _operands(operator, operands, spelling)
+            before, end = f"{before}{_name_of(of.type)}_TO_{to.name}(", ")"
+    if len(parts) < 2:
+        return [whole]
     deep = indent + 2 * _STEP
-    yield before.rstrip()
-    yield from (f"{deep}{part}" for part in parts[:-1])
-    yield f"{deep}{parts[-1]}{ends[1]}{after}"
+    return [before.rstrip(), *(f"{deep}{part}" for part in parts[:-1]), f"{deep}{parts[-1]}{end}{after}"]
+
+
+def _operands(operator: str, operands: Sequence[Expression], spelling: Spelling) -> list[str]:
+    """Operands with the operator before each but the first."""
+    first, *others = (_operand(one, operator, spelling) for one in operands)
+    return [first, *(f"{operator} {one}" for one in others)]
 
 
 def _name_of(kind: Type) -> str:
@@ -217,40 +225,48 @@ def _arguments(call: Call, spelling: Spelling) -> list[str]:
 
 
 def _text(of: Expression, spelling: Spelling) -> str:
-    match of:
-        case Whole(value, kind, hexadecimal):
-            return _whole(value, kind, hexadecimal)
-        case Fraction(digits, kind):
-            return _fraction(digits, kind)
-        case Truth(value):
-            return "TRUE" if value else "FALSE"
-        case Variable(name):
-            return spelling.variable.format(name)
-        case Listed(member, number, kind):
-            return spelling.member.format(kind.name, member, number)
-        case Member(inner, name):
-            return f"{_text(inner, spelling)}.{name}"
-        case Element(inner, index):
-            return f"{_text(inner, spelling)}[{_text(index, spelling)}]"
-        case Operation(operator, operands):
-            return f" {operator} ".join(_operand(one, operator, spelling) for one in operands)
-        case Negation(inner):
-            return (
-                f"NOT ({_text(inner, spelling)})" if isinstance(inner, Operation) else f"NOT {_text(inner, spelling)}"
-            )
-        case Shift(direction, inner, bits):
-            return spelling.shift.format(direction, _text(inner, spelling), bits)
-        case Conversion(inner, kind):
-            return f"{_name_of(inner.type)}_TO_{kind.name}({_text(inner, spelling)})"
-        case Call():
-            return f"{spelling.routine.format(of.routine)}({', '.join(_arguments(of, spelling))})"
+    return _TEXTS[of.__class__](of, spelling)
 
 
-def _whole(value: int, kind: Elementary, hexadecimal: bool) -> str:
+def _listed(of: Listed, spelling: Spelling) -> str:
+    return spelling.member.format(of.type.name, of.member, of.value)
+
+
+def _member(of: Member, spelling: Spelling) -> str:
+    return f"{_text(of.of, spelling)}.{of.name}"
+
+
+def _element(of: Element, spelling: Spelling) -> str:
+    return f"{_text(of.of, spelling)}[{_text(of.index, spelling)}]"
+
+
+def _operation(of: Operation, spelling: Spelling) -> str:
+    return f" {of.operator} ".join([_operand(one, of.operator, spelling) for one in of.operands])
+
+
+def _negation(of: Negation, spelling: Spelling) -> str:
+    text = _text(of.of, spelling)
+    return f"NOT ({text})" if isinstance(of.of, Operation) else f"NOT {text}"
+
+
+def _shift(of: Shift, spelling: Spelling) -> str:
+    return spelling.shift.format(of.direction, _text(of.of, spelling), of.bits)
+
+
+def _conversion(of: Conversion, spelling: Spelling) -> str:
+    return f"{_name_of(of.of.type)}_TO_{of.type.name}({_text(of.of, spelling)})"
+
+
+def _call(of: Call, spelling: Spelling) -> str:
+    return f"{spelling.routine.format(of.routine)}({', '.join(_arguments(of, spelling))})"
+
+
+def _whole(of: Whole, spelling: Spelling) -> str:
     """A number; with its type where a compiler may take it for another one.
 
     Not every compiler knows a sign behind the mark of the type, so it stands before it.
     """
+    value, kind, hexadecimal = of.value, of.type, of.hexadecimal
     if kind.family == "bits" or hexadecimal:
         return f"{kind.name}#16#{value:0{2 * kind.size}X}"
     if value in _PLAIN:
@@ -260,6 +276,23 @@ def _whole(value: int, kind: Elementary, hexadecimal: bool) -> str:
     return f"{'-' if value < 0 else ''}{kind.name}#{abs(value)}"
 
 
-def _fraction(digits: str, kind: Elementary) -> str:
-    sign = "-" if digits.startswith("-") else ""
-    return f"{sign}{kind.name}#{digits.removeprefix('-')}"
+def _fraction(of: Fraction, spelling: Spelling) -> str:
+    sign = "-" if of.digits.startswith("-") else ""
+    return f"{sign}{of.type.name}#{of.digits.removeprefix('-')}"
+
+
+_TEXTS: Mapping[type[Expression], Callable[[Any, Spelling], str]] = {
+    Whole: _whole,
+    Fraction: _fraction,
+    Truth: lambda of, spelling: "TRUE" if of.value else "FALSE",
+    Variable: lambda of, spelling: spelling.variable.format(of.name),
+    Listed: _listed,
+    Member: _member,
+    Element: _element,
+    Operation: _operation,
+    Negation: _negation,
+    Shift: _shift,
+    Conversion: _conversion,
+    Call: _call,
+}
+"""The text of an expression, by its class: there are some ten thousand of them in a device."""
