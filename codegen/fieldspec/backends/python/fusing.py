@@ -102,8 +102,16 @@ def fused(
     check: list[str] = []
     compared: list[str] = []
     unread = "_StructError"
+    declared: list[str] = []
     if looked_up:
         written, read = (list(_shares(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
+        station = frame.role("station")
+        if station is not None and station.size == 1:
+            most, table = greatest_part(link, station), f"_STATIONS{name}"
+            declared = [_begun(table, written, most)]
+            written, read = ([f"{table}[station]", *_others(terms)] for terms in (written, read))
+            # Greater stations are not in the table, and lesser ones are not packed.
+            tests = [test for test in tests if test != f"station <= {most}"]
         letters += "H"
         packed.append("check")
         check = chained("check = ", written, "^", "", 16)
@@ -117,7 +125,7 @@ def fused(
     wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
     conditions = condition([*tests, *writing.tests])
     return Fused(
-        declared=_declared(name, letters, letters + taken, reads),
+        declared=[*_declared(name, letters, letters + taken, reads), *declared],
         bind=writing.bind,
         tests=conditions,
         steps=[*check, *_packing(f"_PACK{name}(", packed, marked, appended, 16 if conditions else 12)],
@@ -134,6 +142,20 @@ def _declared(name: str, letters: str, read: str, reads: bool) -> list[str]:
         return filled(f"_PACK{name}, _UNPACK{name} = _packing(", [literal(letters)], ")", 0)
     lines = [f"_PACK{name} = _Struct({literal(letters)}).pack"]
     return [*lines, f"_UNPACK{name} = _Struct({literal(read)}).unpack"] if reads else lines
+
+
+_STATION = "[station]"
+
+
+def _begun(table: str, terms: list[str], most: int) -> str:
+    """The statement that makes the table which begins a CRC: the constant, with the share of each station."""
+    shares = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
+    return f"{table} = tuple({terms[0]} ^ share for share in {shares}[:{most + 1}])"
+
+
+def _others(terms: list[str]) -> list[str]:
+    """The terms of a CRC behind those that its table has."""
+    return [term for term in terms[1:] if not term.endswith(_STATION)]
 
 
 def _packing(call: str, packed: list[str], marked: str, appended: str, indent: int) -> list[str]:
