@@ -53,14 +53,14 @@ def head(layout: DeviceLayout) -> list[Sequence[Cell]]:
     """The heading, and a row with the identity."""
     device = layout.device
     about: Cells = {"area": "identity", "name": layout.identity, "label": f"{device.name}, version {device.version}"}
-    return [COLUMNS, [about.get(column) for column in COLUMNS]]
+    return [COLUMNS, list(map(about.get, COLUMNS))]
 
 
 def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:
     """The rows of an area, whose first word has the number `base`."""
     for held in area.held:
         for cells in _value(device, base, area, held, dialect):
-            yield [cells.get(column) for column in COLUMNS]
+            yield list(map(cells.get, COLUMNS))
 
 
 def meanings(device: Device, area: Area) -> list[Enum | Flags]:

@@ -7,13 +7,21 @@ from fieldspec.plc.routines.expressions import (
     Conversion,
     Element,
     Expression,
+    Fraction,
+    Listed,
     Member,
     Negation,
     Operation,
     Shift,
+    Truth,
+    Variable,
+    Whole,
 )
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Selection, Statement
+from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Return, Selection, Statement
+
+# Most of what there is.
+_LEAVES = frozenset({Variable, Whole, Listed, Fraction, Truth, Return})
 
 
 def called(routine: Routine) -> set[str]:
@@ -22,6 +30,8 @@ def called(routine: Routine) -> set[str]:
     left: list[Statement | Expression] = [*routine.body]
     while left:
         one = left.pop()
+        if one.__class__ in _LEAVES:
+            continue
         if isinstance(one, Assignment):
             left += (one.target, one.value)
         elif isinstance(one, Operation):
