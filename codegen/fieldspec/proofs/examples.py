@@ -11,18 +11,11 @@ from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.meaning import MeaningError, Raw, raw_values
 from fieldspec.model.example import Example
-from fieldspec.reference.device import DeviceCodec, codec
+from fieldspec.reference.device import DeviceCodec
 from fieldspec.reference.error import CodecError
 from fieldspec.reference.frames import Decoded
 
 CHECKS = {"wrong_check": "check_code_correct", "wrong_length": "length_byte_correct"}
-
-
-def examples_proven(layout: DeviceLayout) -> Iterator[Diagnostic]:
-    """Findings of all examples."""
-    reference = codec(layout)
-    for example in layout.device.examples.values():
-        yield from example_proven(layout, reference, example)
 
 
 def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:

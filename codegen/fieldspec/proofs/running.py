@@ -7,10 +7,11 @@ from collections.abc import Mapping, Sequence
 from fieldspec import checks
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
-from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.layout.device import device_layout
 from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
-from fieldspec.proofs.errata import Proof, errata_by_version, proofs
+from fieldspec.proofs.errata import Findings, Proof, errata_by_version, proofs
+from fieldspec.proofs.remembered import Remembered
 from fieldspec.proofs.twins import LAYING_OUT, lines_alike
 from fieldspec.reading.project import DeviceSpec
 
@@ -32,35 +33,27 @@ READING_PROOFS = (
 ERRATA_PROOFS = ("errata_differ", "errata_paths_resolve", "errata_proven")
 
 
-def findings(device: Device, name: str) -> list[Diagnostic]:
+def findings(device: Device, name: str, remembered: Remembered) -> list[Diagnostic]:
     """The findings of one check or proof of examples; what reading finds has been found before."""
     if name in READING_PROOFS:
         return []
     if name not in EXAMPLE_PROOFS:
         return checks.run_named(device, name)
-    if any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
-        return []
-    return [found for found in _examples_proven(device_layout(device)) if found.code == name]
+    return [found for found in remembered.findings(device) if found.code == name]
 
 
-def _examples_proven(layout: DeviceLayout) -> list[Diagnostic]:
-    """The findings of all examples. Where there is none, nobody waits for the reference and its library."""
-    if not layout.device.examples:
-        return []
-    from fieldspec.proofs.examples import examples_proven
-
-    return [*examples_proven(layout)]
-
-
-def everything(device: Device, broken: Sequence[Diagnostic], examples: bool = True) -> list[Diagnostic]:
+def everything(
+    device: Device, broken: Sequence[Diagnostic], examples: bool = True, remembered: Remembered | None = None
+) -> list[Diagnostic]:
     """The findings of all checks, and of the proofs of examples where the device can be laid out.
 
     `broken` is what reading has found, which comes with them. Without `examples`, those are taken to be right.
+    `remembered` has those that are found already.
     """
     found = [*broken, *checks.run(device)]
     if not examples or has_errors(broken) or any(one.code in LAYING_OUT for one in found):
         return found
-    return [*found, *_examples_proven(device_layout(device))]
+    return [*found, *(remembered or Remembered()).findings(device, sound=True)]
 
 
 def known() -> frozenset[str]:
@@ -70,12 +63,17 @@ def known() -> frozenset[str]:
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:
     """What becomes of every erratum of a device, each at the newest version that has it, in the order of the spec."""
+    finding = _finding(Remembered())
     made = [
         proof
         for version, device, errata in errata_by_version(spec)
-        for proof in proofs(spec, version, device, errata, findings, known())
+        for proof in proofs(spec, version, device, errata, finding, known())
     ]
     return _in_order(made)
+
+
+def _finding(remembered: Remembered) -> Findings:
+    return lambda device, name: findings(device, name, remembered)
 
 
 def _in_order(made: Sequence[Proof]) -> list[Proof]:
@@ -105,9 +103,10 @@ def outcome(spec: DeviceSpec) -> Outcome:
     by_version: dict[str, Sequence[Diagnostic]] = {}
     settled: set[str] = set()
     identities: dict[str, str] = {}
+    remembered = Remembered()
     for version in reversed(spec.versions()):
         device, broken = spec.at(version)
-        broken = everything(device, broken)
+        broken = everything(device, broken, remembered=remembered)
         by_version[version] = broken
         found += broken
         if has_errors(broken):
@@ -115,7 +114,7 @@ def outcome(spec: DeviceSpec) -> Outcome:
         identities[version] = device_layout(device).identity
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
-        of_version = [*proofs(spec, version, device, errata, findings, known())]
+        of_version = [*proofs(spec, version, device, errata, _finding(remembered), known())]
         found += (fault for proof in of_version for fault in proof.faults)
         made += of_version
     if len(identities) == len(spec.versions()):

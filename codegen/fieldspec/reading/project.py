@@ -37,7 +37,7 @@ class DeviceSpec:
 
     `trees` are those of the versions that are written as changes of others, `bases` the versions that they change. A
     version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths of
-    all files that it was read from, those of protocols too.
+    all files that it was read from, those of protocols too. `kept` and what follows it remember what was asked for.
     """
 
     id: str
@@ -47,6 +47,8 @@ class DeviceSpec:
     bases: Table[str, str]
     files: frozenset[str]
     kept: Kept = field(default_factory=dict, repr=False, compare=False)
+    picked: dict[str, Mapping] = field(default_factory=dict, repr=False, compare=False)
+    made: dict[str, tuple[Device, list[Diagnostic]]] = field(default_factory=dict, repr=False, compare=False)
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
@@ -54,15 +56,20 @@ class DeviceSpec:
 
     def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
         """The model at one version."""
-        device, found = built(self.tree_at(version), version, self.kept)
-        return device, bounded(found)
+        if version not in self.made:
+            device, found = built(self.tree_at(version), version, self.kept)
+            self.made[version] = device, bounded(found)
+        return self.made[version]
 
     def tree_at(self, version: str) -> Mapping:
         """The tree with the facts of one version."""
-        picked = tuple(version.split(JOINT))
-        tree = selected(next((self.trees[one] for one in picked if one in self.trees), self.tree), picked, self.lines)
-        assert isinstance(tree, Mapping)
-        return tree
+        if version not in self.picked:
+            picked = tuple(version.split(JOINT))
+            whole = next((self.trees[one] for one in picked if one in self.trees), self.tree)
+            tree = selected(whole, picked, self.lines)
+            assert isinstance(tree, Mapping)
+            self.picked[version] = tree
+        return self.picked[version]
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,20 +12,19 @@ from fieldspec.reference.records import record_struct
 
 @dataclass(frozen=True, slots=True)
 class DeviceCodec:
-    """A device's records and message data as construct Structs, and its links as frame codecs.
-
-    The data of a message are under `<message>_request` and `<message>_response`.
-    """
+    """A device's links as frame codecs."""
 
     layout: DeviceLayout
-    records: dict[str, construct.Struct]
     links: dict[str, FrameCodec]
+
+    @property
+    def records(self) -> dict[str, construct.Struct]:
+        """The records and the data of messages as construct Structs; those are under `<message>_request` and so on."""
+        messages = self.layout.messages.values()
+        data = (one for message in messages for one in (message.request, message.response))
+        return {record.name: record_struct(record) for record in (*self.layout.records.values(), *data)}
 
 
 def codec(layout: DeviceLayout) -> DeviceCodec:
     """The codec of a layout."""
-    records = {name: record_struct(record) for name, record in layout.records.items()}
-    for message in layout.messages.values():
-        for data in (message.request, message.response):
-            records[data.name] = record_struct(data)
-    return DeviceCodec(layout, records, {name: FrameCodec(layout, link) for name, link in layout.links.items()})
+    return DeviceCodec(layout, {name: FrameCodec(layout, link) for name, link in layout.links.items()})

@@ -18,13 +18,19 @@ The node is kept too: as long as it is there, no other one has its identity.
 
 
 def rows(
-    entry: Entry, path: str, defaults: Mapping | None, kept: Kept, build: Callable[[Entry], Noun], *more: object
+    entry: Entry,
+    path: str,
+    defaults: Mapping | None,
+    kept: Kept,
+    build: Callable[[Entry], Noun],
+    *more: object,
+    key: str = "rows",
 ) -> tuple[Noun, ...]:
     """What is built of the rows of an entry, each under a path with its name; `more` is what else it depends on."""
     same = kept.setdefault((id(defaults), path, entry.section, entry.sources, *more), {})
     if defaults is not None:
         same[id(defaults)] = defaults, None
-    return listed(entry, "rows", path, "name", defaults, same, build)
+    return listed(entry, key, path, "name", defaults, same, build)
 
 
 def listed(

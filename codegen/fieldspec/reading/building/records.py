@@ -5,16 +5,17 @@ from __future__ import annotations
 from fieldspec.model.message import Message, RegisterAccess
 from fieldspec.model.record import Case, Choice, Field, Measure, Record
 from fieldspec.reading.building.context import Entry
+from fieldspec.reading.building.keeping import Kept, rows
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
 
-def record(entry: Entry) -> Record:
+def record(entry: Entry, kept: Kept) -> Record:
     """A record."""
     return Record(
         **entry.fact(),
         size=entry.integer("size"),
         words=entry.integer("words"),
-        fields=tuple(_field(inner) for inner in entry.named("fields", entry.path)),
+        fields=rows(entry, entry.path, None, kept, _field, key="fields"),
         same_as=entry.text("same_as"),
     )
 
@@ -77,7 +78,7 @@ def _span(text: str) -> tuple[int, int] | None:
     return int(first), int(last or first)
 
 
-def message(entry: Entry) -> Message:
+def message(entry: Entry, kept: Kept) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
     access = entry.entry("accesses")
@@ -89,8 +90,8 @@ def message(entry: Entry) -> Message:
         number=entry.integer("number"),
         links=entry.texts("links"),
         supplements=entry.texts("supplements"),
-        request=_data(entry, "request"),
-        response=_data(entry, "response"),
+        request=_data(entry, "request", kept),
+        response=_data(entry, "response", kept),
         request_length=lengths.integer("request") if lengths else None,
         response_length=lengths.integer("response") if lengths else None,
         request_words=words.integer("request") if words else None,
@@ -103,7 +104,7 @@ def message(entry: Entry) -> Message:
     )
 
 
-def _data(entry: Entry, direction: str) -> Record:
+def _data(entry: Entry, direction: str, kept: Kept) -> Record:
     arguments = entry.fact() | {
         "name": f"{entry.text('name')}_{direction}",
         "doc": "",
@@ -112,5 +113,5 @@ def _data(entry: Entry, direction: str) -> Record:
         "inferred": {},
         "unverified": False,
     }
-    fields = tuple(_field(inner) for inner in entry.entries(direction))
+    fields = rows(entry, f"{entry.path}/{direction}", None, kept, _field, key=direction)
     return Record(**arguments, size=None, words=None, fields=fields)
