@@ -4,28 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
-from fieldspec.backends.docs.document import (
-    BitRow,
-    Bits,
-    Block,
-    Cell,
-    Facts,
-    Footnote,
-    Item,
-    Line,
-    Paragraph,
-    Piece,
-    Row,
-    Section,
-    Table,
-)
-from fieldspec.classes import replace
-
-
-def linked(sections: tuple[Section, ...]) -> tuple[Section, ...]:
-    """Sections whose links lead to what encloses a fact, where the fact has no anchor of its own."""
-    anchors = _Anchors(frozenset(every(sections)))
-    return tuple(anchors.section(section) for section in sections)
+from fieldspec.backends.docs.document import Cell, Item, Line, Section, Table, cell, paths
 
 
 def innermost(path: str, known: Container[str]) -> str:
@@ -54,68 +33,28 @@ def every(sections: tuple[Section, ...]) -> Iterator[str]:
         yield from every(section.sections)
 
 
-class _Anchors:
-    """The anchors of a page, and its parts with links to them. Most have the right ones already, and are kept."""
+class Anchors:
+    """The anchors of a page. Links lead to what encloses a fact, where the fact has no anchor of its own."""
 
-    def __init__(self, known: frozenset[str]) -> None:
-        self.known = known
+    def __init__(self, sections: tuple[Section, ...]) -> None:
+        self._known = frozenset(every(sections))
 
     def target(self, link: str) -> str:
         """A link to the innermost anchor of a path; no link where there is none."""
         if not link.startswith("#"):
             return link
-        path = innermost(link[1:], self.known)
+        path = innermost(link[1:], self._known)
         return f"#{path}" if path else ""
-
-    def right(self, line: Line) -> bool:
-        """Whether all links of a line lead to anchors."""
-        return not any(piece.link and piece.link[1:] not in self.known and piece.link[0] == "#" for piece in line)
-
-    def piece(self, held: Piece) -> Piece:
-        """A piece with its link."""
-        return replace(held, link=self.target(held.link)) if held.link else held
 
     def line(self, held: Line) -> Line:
         """A line with its links."""
-        return held if self.right(held) else tuple(map(self.piece, held))
-
-    def lines(self, held: tuple[Line, ...]) -> tuple[Line, ...]:
-        """Lines with their links."""
-        return tuple(map(self.line, held))
-
-    def row(self, held: Row) -> Row:
-        """A row with its links."""
-        return replace(held, cells=tuple(map(self.cell, held.cells)))
+        if self._known.issuperset(paths(held)):
+            return held
+        return tuple([piece._replace(link=self.target(piece.link)) for piece in held])
 
     def cell(self, held: Cell) -> Cell:
         """A cell with its links."""
-        if not held.items and all(map(self.right, held.lines)):
+        if not held.paths or self._known.issuperset(held.paths):
             return held
-        items = tuple(Item(self.line(item.line), self.lines(item.inner)) for item in held.items)
-        return replace(held, lines=self.lines(held.lines), items=items)
-
-    def bits(self, held: BitRow) -> BitRow:
-        """Drawn bits with their links."""
-        return replace(held, boxes=tuple(replace(box, link=self.target(box.link)) for box in held.boxes))
-
-    def block(self, held: Block) -> Block:
-        """A block with its links."""
-        if isinstance(held, Table):
-            notes = tuple(Footnote(note.mark, note.anchor, self.line(note.line)) for note in held.footnotes)
-            return replace(held, rows=tuple(map(self.row, held.rows)), footnotes=notes)
-        if isinstance(held, Paragraph):
-            return replace(held, line=self.line(held.line))
-        if isinstance(held, Facts):
-            return Facts(tuple((term, self.lines(lines)) for term, lines in held.rows))
-        if isinstance(held, Bits):
-            return replace(held, rows=tuple(map(self.bits, held.rows)))
-        return held
-
-    def section(self, held: Section) -> Section:
-        """A section with its links."""
-        return Section(
-            held.anchor,
-            self.line(held.title),
-            tuple(map(self.block, held.blocks)),
-            tuple(map(self.section, held.sections)),
-        )
+        items = [Item(self.line(item.line), tuple(map(self.line, item.inner))) for item in held.items]
+        return cell(*map(self.line, held.lines), items=items)

@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
+from fieldspec.backends.docs.anchors import Anchors
 from fieldspec.backends.docs.document import (
+    KEPT,
     BitRow,
     Block,
     Cell,
@@ -17,7 +19,6 @@ from fieldspec.backends.docs.document import (
     Line,
     Paragraph,
     Piece,
-    Row,
     Section,
     Strips,
     Table,
@@ -46,16 +47,15 @@ class Part:
 
 def parts(document: Document) -> tuple[Part, ...]:
     """All sections, with those within them."""
-    writer = _Writer(document.language)
-    return tuple(map(writer.part, document.sections))
+    return tuple(map(_Page(document).part, document.sections))
 
 
 def lines(document: Document, held: tuple[Line, ...]) -> tuple[str, ...]:
     """Lines of a document."""
-    return tuple(map(_Writer(document.language).line, held))
+    return tuple(map(_writer(document.language).line, held))
 
 
-@lru_cache(maxsize=1 << 16)  # most texts stand on a page often, and on the pages of all versions
+@lru_cache(maxsize=KEPT)
 def escaped(text: str) -> str:
     """Text that means itself, in an element or in an attribute."""
     text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
@@ -67,25 +67,26 @@ def _attribute(name: str, value: str) -> str:
     return f' {name}="{escaped(value)}"' if value else ""
 
 
+@lru_cache(maxsize=1)
+def _writer(language: str) -> _Writer:
+    """The writer of the last page, which remembers what was on it, where labels are in the same language."""
+    return _Writer(language)
+
+
 class _Writer:
-    """Writes the parts of a page whose labels are in one language."""
+    """Writes lines and cells of pages whose labels are in one language."""
 
     def __init__(self, language: str) -> None:
         self._tags = _TAGS | {"label": (f'<span class="label"{_attribute("lang", language)}>', "</span>")}
+        self.line = lru_cache(maxsize=KEPT)(self._line)
+        self.cell = lru_cache(maxsize=KEPT)(self._cell)
+        self.strip = lru_cache(maxsize=KEPT)(self._strip)
 
-    def part(self, section: Section) -> Part:
-        """A section, and those within it."""
-        return Part(
-            escaped(section.anchor),
-            self.line(section.title),
-            "".join(escaped(piece.text) for piece in section.title),
-            "".join(text for block in section.blocks for text in self._block(block)),
-            tuple(map(self.part, section.sections)),
-        )
-
-    def line(self, pieces: Line) -> str:
-        """Pieces in a row."""
+    def _line(self, pieces: Line) -> str:
         return "".join(map(self._piece, pieces))
+
+    def _strip(self, pieces: Line) -> str:
+        return "".join([f"{self._piece(piece)} " for piece in pieces])
 
     def _piece(self, piece: Piece) -> str:
         style = piece.style
@@ -93,56 +94,9 @@ class _Writer:
         text = f"{opening}{escaped(piece.text)}{closing}"
         return f'<a href="{escaped(piece.link)}">{text}</a>' if piece.link else text
 
-    def _block(self, block: Block) -> Iterator[str]:
-        if isinstance(block, Table):
-            yield from self._table(block)
-        elif isinstance(block, Paragraph):
-            yield f"<p{_attribute('class', block.style)}>{self.line(block.line)}</p>\n"
-        elif isinstance(block, Facts):
-            yield '<dl class="facts">\n'
-            for term, held in block.rows:
-                shown = "".join(f"<dd>{self.line(one)}</dd>" for one in held)
-                yield f"<div><dt>{escaped(term)}</dt>{shown}</div>\n"
-            yield "</dl>\n"
-        elif isinstance(block, Strips):
-            yield '<dl class="strips">\n'
-            for strip in block.rows:
-                shown = "".join(f"{self._piece(one)} " for one in strip.bytes)
-                yield f"<div><dt>{escaped(strip.title)}</dt><dd>{shown}</dd></div>\n"
-            yield "</dl>\n"
-        else:
-            yield '<div class="scroll">\n'
-            yield from map(self._bits, block.rows)
-            yield "</div>\n\n"
-
-    def _table(self, table: Table) -> Iterator[str]:
-        titles = (
-            f'<th scope="col"{_attribute("class", column.style)}>{escaped(column.title)}</th>'
-            for column in table.columns
-        )
-        yield f'<div class="scroll">\n<table{_attribute("id", table.anchor)}>\n'
-        yield f"<caption>{escaped(table.caption)}</caption>\n"
-        yield f"<thead><tr>{''.join(titles)}</tr></thead>\n<tbody>\n"
-        yield from map(self._row, table.rows)
-        yield "</tbody>\n</table>\n"
-        if table.footnotes:
-            yield '<ul class="footnotes">\n'
-            for note in table.footnotes:
-                mark = f"<sup>{escaped(note.mark)}</sup>"
-                yield f'<li id="{escaped(note.anchor)}">{mark} {self.line(note.line)}</li>\n'
-            yield "</ul>\n"
-        yield "</div>\n\n"
-
-    def _row(self, row: Row) -> str:
-        style = ' class="element"' if row.element else ""
-        return f"<tr{_attribute('id', row.anchor)}{style}>{''.join(map(self._cell, row.cells))}</tr>\n"
-
     def _cell(self, cell: Cell) -> str:
-        style = f' class="{escaped(cell.style)}"' if cell.style else ""
         text = "<br>".join(map(self.line, cell.lines))
-        if cell.items:
-            text += self._items(cell)
-        return f'<th scope="row"{style}>{text}</th>' if cell.heading else f"<td{style}>{text}</td>"
+        return text + self._items(cell) if cell.items else text
 
     def _items(self, cell: Cell) -> str:
         shown = []
@@ -151,12 +105,86 @@ class _Writer:
             shown.append(f"<li>{self.line(item.line)}{f'<ul>{inner}</ul>' if inner else ''}</li>")
         return f"<ul>{''.join(shown)}</ul>"
 
+
+class _Page:
+    """Writes the parts of a page, with links that lead to its anchors."""
+
+    def __init__(self, document: Document) -> None:
+        self._anchors = Anchors(document.sections)
+        self._writer = _writer(document.language)
+
+    def part(self, section: Section) -> Part:
+        """A section, and those within it."""
+        return Part(
+            escaped(section.anchor),
+            self._line(section.title),
+            "".join(escaped(piece.text) for piece in section.title),
+            "".join([text for block in section.blocks for text in self._block(block)]),
+            tuple(map(self.part, section.sections)),
+        )
+
+    def _line(self, pieces: Line) -> str:
+        return self._writer.line(self._anchors.line(pieces))
+
+    def _cell(self, cell: Cell) -> str:
+        return self._writer.cell(self._anchors.cell(cell))
+
+    def _block(self, block: Block) -> Iterator[str]:
+        if isinstance(block, Table):
+            yield from self._table(block)
+        elif isinstance(block, Paragraph):
+            yield f"<p{_attribute('class', block.style)}>{self._line(block.line)}</p>\n"
+        elif isinstance(block, Facts):
+            yield '<dl class="facts">\n'
+            for term, held in block.rows:
+                shown = "".join(f"<dd>{self._line(one)}</dd>" for one in held)
+                yield f"<div><dt>{escaped(term)}</dt>{shown}</div>\n"
+            yield "</dl>\n"
+        elif isinstance(block, Strips):
+            yield '<dl class="strips">\n'
+            for strip in block.rows:
+                shown = self._writer.strip(strip.bytes)
+                yield f"<div><dt>{escaped(strip.title)}</dt><dd>{shown}</dd></div>\n"
+            yield "</dl>\n"
+        else:
+            yield '<div class="scroll">\n'
+            yield from map(self._bits, block.rows)
+            yield "</div>\n\n"
+
+    def _table(self, table: Table) -> Iterator[str]:
+        classes = [_attribute("class", column.style) for column in table.columns]
+        titles = (
+            f'<th scope="col"{held}>{escaped(column.title)}</th>'
+            for held, column in zip(classes, table.columns, strict=True)
+        )
+        yield f'<div class="scroll">\n<table{_attribute("id", table.anchor)}>\n'
+        yield f"<caption>{escaped(table.caption)}</caption>\n"
+        yield f"<thead><tr>{''.join(titles)}</tr></thead>\n<tbody>\n"
+        tags = [(f"<td{held}>", "</td>") for held in classes]
+        if table.heading >= 0:
+            tags[table.heading] = f'<th scope="row"{classes[table.heading]}>', "</th>"
+        for row in table.rows:
+            style = ' class="element"' if row.element else ""
+            cells = [
+                f"{opening}{self._cell(cell)}{closing}"
+                for cell, (opening, closing) in zip(row.cells, tags, strict=True)
+            ]
+            yield f"<tr{_attribute('id', row.anchor)}{style}>{''.join(cells)}</tr>\n"
+        yield "</tbody>\n</table>\n"
+        if table.footnotes:
+            yield '<ul class="footnotes">\n'
+            for note in table.footnotes:
+                mark = f"<sup>{escaped(note.mark)}</sup>"
+                yield f'<li id="{escaped(note.anchor)}">{mark} {self._line(note.line)}</li>\n'
+            yield "</ul>\n"
+        yield "</div>\n\n"
+
     def _bits(self, row: BitRow) -> str:
         numbers = "".join(f'<th scope="col">{number}</th>' for number in row.numbers)
         boxes = "".join(
             f'<td colspan="{box.width}" class="{escaped(box.style)}">'
             + (
-                f'<a href="{escaped(box.link)}">{escaped(box.text)}</a>'
+                f'<a href="{escaped(self._anchors.target(box.link))}">{escaped(box.text)}</a>'
                 if box.text
                 else '<span class="quiet">\u2013</span>'
             )

@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from fieldspec.backends.docs.anchors import headings
+from fieldspec.backends.docs.anchors import Anchors, headings
 from fieldspec.backends.docs.document import (
+    KEPT,
     Bits,
     Block,
     Cell,
@@ -19,6 +20,7 @@ from fieldspec.backends.docs.document import (
     Section,
     Strips,
     Table,
+    paths,
 )
 from fieldspec.classes import dataclass
 
@@ -54,24 +56,23 @@ def contents(document: Document) -> tuple[Entry, ...]:
 
 def _entries(sections: tuple[Section, ...], indent: str) -> Iterator[Entry]:
     for section in sections:
-        yield Entry(indent, _line(section.title, frozenset()), section.anchor)
+        yield Entry(indent, line(section.title), section.anchor)
         yield from _entries(section.sections, indent + "  ")
 
 
 def parts(document: Document) -> tuple[Part, ...]:
     """All sections in order, those within a section behind it."""
-    anchors = frozenset(headings(document.sections))
-    return tuple(_parts(document.sections, "##", anchors))
+    return tuple(_parts(document.sections, "##", _Page(document)))
 
 
-def _parts(sections: tuple[Section, ...], hashes: str, anchors: frozenset[str]) -> Iterator[Part]:
+def _parts(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterator[Part]:
     for section in sections:
-        blocks = tuple("\n".join(_block(block, anchors)) for block in section.blocks)
-        yield Part(hashes, _line(section.title, frozenset()), section.anchor, blocks)
-        yield from _parts(section.sections, hashes + "#", anchors)
+        blocks = tuple(["\n".join(page.block(block)) for block in section.blocks])
+        yield Part(hashes, line(section.title), section.anchor, blocks)
+        yield from _parts(section.sections, hashes + "#", page)
 
 
-@lru_cache(maxsize=1 << 16)  # most texts stand on a page often, and on the pages of all versions
+@lru_cache(maxsize=KEPT)
 def escaped(text: str) -> str:
     """Text that means itself, anywhere in a line."""
     text = _SPECIAL.sub(lambda found: _ENTITIES.get(found[0], f"\\{found[0]}"), text)
@@ -84,23 +85,28 @@ def _at_start(found: re.Match[str]) -> str:
 
 def line(pieces: Line) -> str:
     """A line of text outside of any page, without links into one."""
-    return _line(pieces, frozenset())
+    return _line(pieces, paths(pieces))
 
 
-def _line(pieces: Line, anchors: frozenset[str]) -> str:
-    return "".join([_piece(piece, anchors) for piece in pieces])
+@lru_cache(maxsize=KEPT)
+def _line(pieces: Line, lost: tuple[str, ...]) -> str:
+    """A line without the links to some paths within the page."""
+    return "".join([_piece(piece, lost) for piece in pieces])
 
 
-def _piece(piece: Piece, anchors: frozenset[str]) -> str:
+@lru_cache(maxsize=KEPT)
+def _strip(pieces: Line) -> str:
+    return " ".join([_piece(piece, ()) for piece in pieces])
+
+
+def _piece(piece: Piece, lost: tuple[str, ...]) -> str:
     text = _styled(piece.text, piece.style)
-    if not piece.link or not text.strip():
-        return text
-    if piece.link.startswith("#") and piece.link[1:] not in anchors:
+    if not piece.link or not text.strip() or (piece.link[0] == "#" and piece.link[1:] in lost):
         return text
     return f"[{text}]({piece.link})"
 
 
-@lru_cache(maxsize=1 << 16)
+@lru_cache(maxsize=KEPT)
 def _styled(text: str, style: str) -> str:
     if style in ("code", "changed"):
         shown = f"`{text}`" if text and not set(text) & set("`|\\") else escaped(text)
@@ -123,38 +129,56 @@ def _wrapped(text: str, marks: str) -> str:
     return f"{before}{marks}{escaped(inner)}{marks}{after}"
 
 
-def _block(block: Block, anchors: frozenset[str]) -> Iterator[str]:
-    if isinstance(block, Table):
-        yield from _table(block, anchors)
-    elif isinstance(block, Paragraph):
-        yield ("> " if block.style else "") + _line(block.line, anchors)
-    elif isinstance(block, Facts):
-        for term, lines in block.rows:
-            yield f"- {escaped(term)}: {'; '.join(_line(held, anchors) for held in lines)}"
-    elif isinstance(block, Bits):
-        yield from ("```text", block.characters, "```")
-    elif isinstance(block, Strips):
-        for strip in block.rows:
-            shown = " ".join(_piece(piece, anchors) for piece in strip.bytes)
-            yield f"- {escaped(strip.title)}: {shown}"
-
-
-def _table(table: Table, anchors: frozenset[str]) -> Iterator[str]:
-    yield f"*{escaped(table.caption)}*"
-    yield ""
-    yield f"| {' | '.join(escaped(column.title) for column in table.columns)} |"
-    yield f"|{'|'.join('---' for _ in table.columns)}|"
-    for row in table.rows:
-        yield f"| {' | '.join(_cell(cell, anchors) for cell in row.cells)} |"
-    if table.footnotes:
-        yield ""
-    for note in table.footnotes:
-        yield f"- ({note.mark}) {_line(note.line, anchors)}"
-
-
-def _cell(cell: Cell, anchors: frozenset[str]) -> str:
-    lines = [_line(held, anchors) for held in cell.lines]
+@lru_cache(maxsize=KEPT)
+def _cell(cell: Cell, lost: tuple[str, ...]) -> str:
+    lines = [_line(held, lost) for held in cell.lines]
     for item in cell.items:
-        lines.append(f"• {_line(item.line, anchors)}")
-        lines += [f"◦ {_line(held, anchors)}" for held in item.inner]
+        lines.append(f"• {_line(item.line, lost)}")
+        lines += [f"◦ {_line(held, lost)}" for held in item.inner]
     return "<br>".join(lines)
+
+
+class _Page:
+    """Writes the blocks of a page. Of the links within it those to headings are kept: it has no other anchors."""
+
+    def __init__(self, document: Document) -> None:
+        self._anchors = Anchors(document.sections)
+        self._headings = frozenset(headings(document.sections))
+
+    def block(self, block: Block) -> Iterator[str]:
+        """A block, line by line."""
+        if isinstance(block, Table):
+            yield from self._table(block)
+        elif isinstance(block, Paragraph):
+            yield ("> " if block.style else "") + self._line(block.line)
+        elif isinstance(block, Facts):
+            for term, lines in block.rows:
+                yield f"- {escaped(term)}: {'; '.join(map(self._line, lines))}"
+        elif isinstance(block, Bits):
+            yield from ("```text", block.characters, "```")
+        elif isinstance(block, Strips):
+            for strip in block.rows:
+                yield f"- {escaped(strip.title)}: {_strip(strip.bytes)}"
+
+    def _table(self, table: Table) -> Iterator[str]:
+        yield f"*{escaped(table.caption)}*"
+        yield ""
+        yield f"| {' | '.join([escaped(column.title) for column in table.columns])} |"
+        yield f"|{'|'.join(['---'] * len(table.columns))}|"
+        for row in table.rows:
+            yield f"| {' | '.join(map(self._cell, row.cells))} |"
+        if table.footnotes:
+            yield ""
+        for note in table.footnotes:
+            yield f"- ({note.mark}) {self._line(note.line)}"
+
+    def _line(self, held: Line) -> str:
+        held = self._anchors.line(held)
+        return _line(held, self._lost(paths(held)))
+
+    def _cell(self, held: Cell) -> str:
+        held = self._anchors.cell(held)
+        return _cell(held, self._lost(held.paths))
+
+    def _lost(self, held: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple([path for path in held if path not in self._headings]) if held else held

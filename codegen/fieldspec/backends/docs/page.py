@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.docs.anchors import linked
 from fieldspec.backends.docs.context import Context
 from fieldspec.backends.docs.document import Document, Line, clean, code, plain
 from fieldspec.backends.docs.enums import codes, enums
@@ -60,7 +59,7 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
         layout.identity,
         device.manual.language,
         tuple(_summary(layout)),
-        linked(sections),
+        sections,
     )
 
 

@@ -95,7 +95,7 @@ def _fields(context: Context, laid: TableLayout, anchored: bool) -> Table:
     rows = [_table_row(context, field, access, marks) for field in laid.record.fields]
     caption = f"Fields of an element, the record {record.name}"
     if not anchored:
-        rows = [replace(row, anchor="") for row in rows]
+        rows = [row._replace(anchor="") for row in rows]
     made = table(caption, OF_TABLE, rows, marks.footnotes(), heading=2)
     return replace(made, anchor=record.place.path if anchored else "")
 

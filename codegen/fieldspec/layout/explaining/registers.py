@@ -90,7 +90,9 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]
 
 def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
     for register in layout.registers:
-        yield from _elements(register, span)
+        end = register.address + (register.count - 1) * register.stride + register.words
+        if register.address < span.end and span.address < end:
+            yield from _elements(register, span)
     for table in layout.tables.values():
         yield from _fields(table, span)
 

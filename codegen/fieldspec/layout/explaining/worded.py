@@ -9,6 +9,7 @@ from decimal import Context, Decimal
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.meaning import Raw
 from fieldspec.model.device import Device
+from fieldspec.model.enum import Enum
 from fieldspec.model.flags import Bit, Flags, State
 from fieldspec.model.primitive import Kind
 from fieldspec.model.ranges import Ranges
@@ -167,17 +168,21 @@ def _named(device: Device, value: Value, number: int) -> Worded:
     """The member of the value's enum that has the number."""
     enum = device.enums[value.enum]
     member = enum.member(number)
-    known = ", ".join(str(other.value) for other in enum.members if not other.unavailable)
     if member is None:
         if enum.open:
             return Worded(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
-        return Worded(number).judged(False, f"one of {known}", "unknown_value")
+        return Worded(number).judged(False, _known(enum), "unknown_value")
     meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
     found = Worded(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
     if member.unavailable and not enum.open:
         notes = (*member.notes, f"{member.name} is listed as not available.")
-        return replace(found, notes=notes).judged(False, f"one of {known}", "unknown_value")
+        return replace(found, notes=notes).judged(False, _known(enum), "unknown_value")
     return found
+
+
+def _known(enum: Enum) -> str:
+    """`one of 1, 2, 5`"""
+    return f"one of {', '.join(str(member.value) for member in enum.members if not member.unavailable)}"
 
 
 def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
