@@ -9,7 +9,7 @@ import pytest
 
 from command_line import SPECS
 from fieldspec.cli import main
-from fieldspec.commands.specs import layout
+from fieldspec.commands.compiled import layout
 
 
 @pytest.fixture

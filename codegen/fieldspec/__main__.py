@@ -1,7 +1,5 @@
 """`python -m fieldspec`"""
 
-import sys
+from fieldspec.cli import command
 
-from fieldspec.cli import main
-
-sys.exit(main())
+command()

@@ -11,7 +11,8 @@ To readers, type checkers and `dataclasses.fields` these are dataclasses. There 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+TYPE_CHECKING = False
+"""As of `typing`, for modules that take part in verbs which run for less time than that takes to import."""
 
 if TYPE_CHECKING:
     from dataclasses import dataclass as dataclass
@@ -71,6 +72,7 @@ else:
             "__dataclass_fields__": _StandardFields(),
             "__new__": _constructor,
             "__reduce__": _reduce,
+            "_frozen": frozen,
             "_fields": fields,
             "_replaced": classmethod(_replacer),
         }
@@ -85,7 +87,6 @@ else:
         made.__qualname__ = cls.__qualname__
         for method in space.values():
             _point(method, cls, made)
-        made._Open = type("_Open", (made,), {"__slots__": (), **_OPEN}) if frozen else made
         return made
 
     def _point(method, old, new):
@@ -128,11 +129,11 @@ else:
 
     def _compiled(owner, head, final, value):
         """A function that makes an object and gives each attribute a value."""
-        lines = [f"def {head}:", f"    self = _new({final if owner._Open is owner else '_open'})"]
+        lines = [f"def {head}:", f"    self = _new({'_open' if owner._frozen else final})"]
         lines += [f"    self.{one.name} = {value(one)}" for one in owner._fields.values()]
-        lines += [f"    self.__class__ = {final}"] if owner._Open is not owner else []
+        lines += [f"    self.__class__ = {final}"] if owner._frozen else []
         lines += ["    return self"]
-        space = {"_new": object.__new__, "_open": owner._Open, "_MISSING": _MISSING}
+        space = {"_new": object.__new__, "_open": _opened(owner), "_MISSING": _MISSING}
         for one in owner._fields.values():
             space[f"_default_{one.name}"] = one.default
             space[f"_factory_{one.name}"] = one.factory
@@ -141,6 +142,12 @@ else:
         made.__qualname__ = f"{owner.__qualname__}.__new__"
         made.__module__ = owner.__module__
         return made
+
+    def _opened(owner):
+        """A class of the same form that is not frozen; of a class that is, it is made when its first object is."""
+        if owner._frozen and "_Open" not in owner.__dict__:
+            owner._Open = type("_Open", (owner,), {"__slots__": (), **_OPEN})
+        return owner._Open if owner._frozen else owner
 
     def _eq(self, other):
         if other.__class__ is not self.__class__:

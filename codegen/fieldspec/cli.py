@@ -21,7 +21,7 @@ from fieldspec.commands.usage import UsageError
 TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from typing import Any
+    from typing import Any, NoReturn
 
 FINE, FINDINGS, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
@@ -132,13 +132,18 @@ def parser() -> argparse.ArgumentParser:
 
 def _parser() -> argparse.ArgumentParser:
     """All verbs, with arguments that wait."""
+    argparse._ = str  # type: ignore[attr-defined]  # help is English; gettext would look for other words of each text
     top = _Parser(prog="fieldspec", description="Protocol specs to code: check, build, explain.")
     top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
     verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Verb)
 
-    def verb(name: str, help: str) -> argparse.ArgumentParser:
+    def verb(name: str, help: str, compiled: bool = False) -> argparse.ArgumentParser:
         inner = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
         inner.add_argument("--specs", metavar="DIR", help="the folder of the specs")
+        if compiled:
+            inner.add_argument(
+                "--no-cache", action="store_true", help="compile the device anew, and keep nothing of it"
+            )
         return inner
 
     build = verb("build", "write the outputs")
@@ -153,16 +158,16 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("devices", nargs="*", metavar="DEVICE", help="left out: all devices")
     check.add_argument("--format", choices=("text", "json", "sarif", "github", "junit"), default="text")
 
-    show = verb("show", "show a device, or one item of it")
+    show = verb("show", "show a device, or one item of it", compiled=True)
     show.add_argument("device", metavar="DEVICE[@VERSION]")
     show.add_argument("item", nargs="?", metavar="ITEM", help="a name, a printed name, an address or a code")
 
-    placed = verb("layout", "tell where a controller has the members of a record in its memory")
+    placed = verb("layout", "tell where a controller has the members of a record in its memory", compiled=True)
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message by name or number")
     placed.add_argument("--target", required=True, choices=_Targets(), metavar="NAME", help="one of %(choices)s")
 
-    facts = verb("facts", "list every fact of a device")
+    facts = verb("facts", "list every fact of a device", compiled=True)
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
@@ -178,7 +183,7 @@ def _parser() -> argparse.ArgumentParser:
         )
 
     way = "request, response, or what the link calls them"
-    decode = verb("decode", "explain a frame, or a log of frames, byte by byte")
+    decode = verb("decode", "explain a frame, or a log of frames, byte by byte", compiled=True)
     decode.add_argument("device", metavar="DEVICE[@VERSION]")
     frames = "the bytes; - or nothing: lines of standard input"
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-", help=frames)
@@ -186,14 +191,14 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--request", metavar="HEX", help="the request that a response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
 
-    encode = verb("encode", "write the frame of a message")
+    encode = verb("encode", "write the frame of a message", compiled=True)
     encode.add_argument("device", metavar="DEVICE[@VERSION]")
     encode.add_argument("given", nargs="*", metavar="MESSAGE NAME=VALUE", help="counts, 20.00mm, names of members")
     sent(encode, f"{way}; left out: request", "the message by name or number, instead of MESSAGE")
     encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
 
     forms = ("csv", "xlsx", "json")
-    export = verb("export", "write the registers and parameters of a device as a list")
+    export = verb("export", "write the registers and parameters of a device as a list", compiled=True)
     export.add_argument("device", metavar="DEVICE[@VERSION]")
     export.add_argument("--to", choices=forms, default="csv")
     export.add_argument("--out", metavar="FILE", help="the file to write; left out: the output")
@@ -211,7 +216,7 @@ def _parser() -> argparse.ArgumentParser:
         higher = "what the list's addresses are higher by than on the wire: 1 where they count from 1"
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 
-    compare = verb("compare", "compare a device with a register list that someone else has made")
+    compare = verb("compare", "compare a device with a register list that someone else has made", compiled=True)
     compare.add_argument("device", metavar="DEVICE[@VERSION]")
     kinds = "CSV, XLSX, JSON, or a table with tabs or bars; -: standard input"
     compare.add_argument("file", metavar="FILE", help=kinds)
@@ -316,6 +321,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
             gc.enable()
 
 
+def command() -> NoReturn:
+    """What a shell calls. The process ends at once: to take the objects of a run apart takes longer than a verb."""
+    code = main()
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            try:
+                stream.flush()
+            except OSError as error:
+                code = _unwritten(error)
+    os._exit(code)
+
+
 def _unwritten(error: OSError) -> int:
     """What to do when the output cannot be written."""
     # Nothing more may be written, not even what is left when Python shuts down.
@@ -327,4 +344,4 @@ def _unwritten(error: OSError) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command()

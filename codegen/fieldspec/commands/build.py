@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from fieldspec.commands import placing, sources
-from fieldspec.commands.caching import digest
-from fieldspec.commands.fresh import Earlier, Hashes
+from fieldspec.commands.fresh import Earlier, Hashes, digest
 from fieldspec.commands.making import Made, Wanted, made
 from fieldspec.commands.usage import UsageError, unknown
 

@@ -1,60 +1,89 @@
 """The folder in which verbs keep what they would else work out again. Whatever is in it may be lost, or spoilt.
 
-A file there is JSON with the hash of what it holds, so that one that is half written or changed by hand is as none. It
-is never executed. Where the folder cannot be written to, nothing is kept.
+A file there begins with the hash of what it holds, so that one that is half written or changed by hand is as none. So
+is one that another user owns or could write to. What it holds is data that is never executed. Where the folder cannot
+be written to, nothing is kept.
 """
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
+import stat
 import sys
-from contextlib import suppress
-from pathlib import Path
-from typing import Any
+
+try:
+    from _blake2 import blake2b  # `hashlib` loads OpenSSL first, which takes as long as to read a compiled device
+except ImportError:
+    from hashlib import blake2b
 
 VARIABLE = "FIELDSPEC_CACHE"
 MOST = 100
 """Files of one kind that are kept; the oldest are removed."""
 
 
-def folder() -> Path:
-    """The folder: by the environment, or where the system keeps caches."""
+def folder() -> str:
+    """The folder: by the environment, or where the system keeps caches. Raises OSError for a user without a home."""
     if named := os.environ.get(VARIABLE):
-        return Path(named)
+        return named
+    home = os.path.expanduser("~")
+    if home == "~":
+        raise FileNotFoundError("this user has no home")
     if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData/Local", "fieldspec", "cache")
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "fieldspec")
+        local = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
+        return os.path.join(local, "fieldspec", "cache")
+    return os.path.join(os.environ.get("XDG_CACHE_HOME") or os.path.join(home, ".cache"), "fieldspec")
 
 
-def digest(content: bytes) -> str:
-    """The hash by which contents are compared."""
-    return hashlib.sha256(content).hexdigest()
+def checksum(*contents: bytes) -> str:
+    """A hash of contents one after the other, and of where each of them ends."""
+    made = blake2b(digest_size=24)
+    for content in contents:
+        made.update(b"%d\n" % len(content))
+        made.update(content)
+    return made.hexdigest()
 
 
-def kept(kind: str, name: str) -> Any:
+def kept(kind: str, name: str) -> bytes | None:
     """What is kept under a name; None where there is nothing, or nothing whole."""
     try:
-        held, _, text = _path(kind, name).read_bytes().partition(b"\n")
-        return json.loads(text) if held.decode("ascii") == digest(text) else None
-    except (OSError, ValueError, RuntimeError):  # RuntimeError: the user has no home
+        with open(_path(kind, name), "rb") as file:
+            if not _ours(os.fstat(file.fileno())):
+                return None
+            held, _, content = file.read().partition(b"\n")
+    except OSError:
         return None
+    return content if held == checksum(content).encode() else None
 
 
-def keep(kind: str, name: str, data: Any) -> None:
-    """Keeps data under a name, in place of what was there."""
-    text = json.dumps(data, separators=(",", ":")).encode("utf-8")
-    with suppress(OSError, RuntimeError):
-        path = _path(kind, name)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        beside = path.with_suffix(f".{os.getpid()}")
-        beside.write_bytes(digest(text).encode("ascii") + b"\n" + text)
-        os.replace(beside, path)
-        files = sorted(path.parent.iterdir(), key=lambda file: file.stat().st_mtime_ns)
-        for old in files[:-MOST]:
-            old.unlink()
+def keep(kind: str, name: str, content: bytes) -> None:
+    """Keeps a content under a name, in place of what was there."""
+    try:
+        _write(_path(kind, name), checksum(content).encode() + b"\n" + content)
+    except OSError:
+        return
 
 
-def _path(kind: str, name: str) -> Path:
-    return folder() / kind / f"{digest(name.encode('utf-8'))[:32]}.json"
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
+
+
+def _write(path: str, content: bytes) -> None:
+    within = os.path.dirname(path)
+    os.makedirs(within, mode=0o700, exist_ok=True)
+    beside = f"{path}.{os.getpid()}"
+    with open(os.open(beside, _NEW, 0o600), "wb") as file:
+        file.write(content)
+    os.replace(beside, path)
+    files = sorted(os.scandir(within), key=lambda one: one.stat().st_mtime_ns)
+    for old in files[:-MOST]:
+        os.unlink(old)
+
+
+def _ours(state: os.stat_result) -> bool:
+    """Whether nobody else can have written a file."""
+    if os.name != "posix":
+        return True
+    return state.st_uid == os.geteuid() and not state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
+def _path(kind: str, name: str) -> str:
+    return os.path.join(folder(), kind, checksum(name.encode())[:32])

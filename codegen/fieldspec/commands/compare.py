@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
-from fieldspec.commands import lists, specs
+from fieldspec.commands import compiled, lists
 from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 
@@ -24,7 +24,7 @@ def run(arguments: argparse.Namespace) -> int:
     ignored = frozenset(filter(None, (arguments.ignore or "").split(",")))
     for aspect in sorted(ignored - {*ASPECTS}):
         raise unknown("thing that is compared", aspect, ASPECTS)
-    layout = specs.layout(arguments.specs, arguments.device)
+    layout = compiled.asked(arguments)
     given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
     try:
         held = lists.sheet(lists.content(arguments.file), arguments.encoding or "", arguments.sheet or "")

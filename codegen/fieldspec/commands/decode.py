@@ -6,9 +6,9 @@ import argparse
 import gc
 import sys
 from collections.abc import Iterator
-from typing import BinaryIO
 
-from fieldspec.commands import specs
+from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands import compiled
 from fieldspec.commands.frame_printer import FramePrinter
 from fieldspec.commands.given import Given, given
 from fieldspec.commands.logged import Logged, logged
@@ -19,12 +19,15 @@ from fieldspec.commands.usage import UsageError
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.render.explanation import faults
 
+if TYPE_CHECKING:
+    from typing import BinaryIO
+
 LONGEST_LINE = 8192
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Explains what is given, or each line of the standard input. Exit code 1 where anything is wrong."""
-    layout = specs.layout(arguments.specs, arguments.device)
+    layout = compiled.asked(arguments)
     said = given(layout, arguments)
     if arguments.request and "response" not in said.directions:
         raise UsageError(f"--request gives what a response answers, so --direction cannot be {arguments.direction}")

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Collection
 
 from fieldspec.classes import dataclass
-from fieldspec.commands import specs
+from fieldspec.commands import compiled
 from fieldspec.commands.counted import nearest, parameter_number
 from fieldspec.commands.given import DIRECTIONS, given
 from fieldspec.commands.usage import UsageError, unknown
@@ -22,7 +22,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Prints the frame as hexadecimal bytes, with its characters where it is made of them."""
     from fieldspec.reference import CodecError, codec
 
-    layout = specs.layout(arguments.specs, arguments.device)
+    layout = compiled.asked(arguments)
     way, pairs = _way(layout, arguments)
     written = _written(pairs)
     fields = _fields(layout, way)

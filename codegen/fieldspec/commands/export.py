@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from fieldspec.commands import specs
+from fieldspec.commands import compiled
 from fieldspec.commands.lists import write
 from fieldspec.commands.usage import UsageError
 
@@ -16,7 +16,7 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.lists.exported import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
-    layout = specs.layout(arguments.specs, arguments.device)
+    layout = compiled.asked(arguments)
     held = items(layout)
     if not held:
         raise UsageError(f"{layout.device.id} has no registers and no parameters")

@@ -7,14 +7,14 @@ import json
 import sys
 from decimal import Decimal
 
-from fieldspec.commands import specs
+from fieldspec.commands import compiled
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the facts as CSV or JSON."""
     from fieldspec.facts import COLUMNS, rows
 
-    found = rows(specs.layout(arguments.specs, arguments.device))
+    found = rows(compiled.asked(arguments))
     if arguments.format == "csv":
         import csv
 

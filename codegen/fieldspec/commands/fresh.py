@@ -7,6 +7,8 @@ and every file of the output as it lies there. Times of files play no part in it
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -32,11 +34,16 @@ class Built:
     outputs: dict[str, Hashes]
 
 
+def digest(content: bytes) -> str:
+    """The hash by which files are compared, as the manifest has it."""
+    return hashlib.sha256(content).hexdigest()
+
+
 class Earlier:
     """What is known of an earlier build into a folder. `now` are the hashes of the spec files as they are."""
 
     def __init__(self, out: Path, files: Mapping[str, bytes], trusted: bool = True) -> None:
-        self.now = {path: caching.digest(content) for path, content in files.items()}
+        self.now = {path: digest(content) for path, content in files.items()}
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
         self._name = str(out.resolve())
@@ -45,8 +52,9 @@ class Earlier:
         self._held: dict[str, Any] = {}
         self._found: dict[str, str | None] = {}
         self._compiler = _running()
-        held = caching.kept(KIND, self._name) if trusted and self._compiler else None
-        if held is not None and held["compiler"] == self._compiler:
+        kept = caching.kept(KIND, self._name) if trusted and self._compiler else None
+        held = json.loads(kept) if kept else {}
+        if held.get("compiler") == self._compiler:
             self._held = held
             self._specs, self.shared = held["specs"], held["shared"]
             self.devices = {name: Built(**one) for name, one in held["devices"].items()}
@@ -69,7 +77,7 @@ class Earlier:
         """The hash of a file of the outputs as it is now; None where it cannot be read."""
         if path not in self._found:
             try:
-                self._found[path] = caching.digest((self._out / path).read_bytes())
+                self._found[path] = digest((self._out / path).read_bytes())
             except OSError:
                 self._found[path] = None
         return self._found[path]
@@ -98,7 +106,7 @@ class Earlier:
             "shared": {**self.shared, **shared},
         }
         if data != self._held:
-            caching.keep(KIND, self._name, data)
+            caching.keep(KIND, self._name, json.dumps(data, separators=(",", ":")).encode())
 
 
 def devices_in(paths: Iterable[str]) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator
 
-from fieldspec.commands import specs
+from fieldspec.commands import compiled
 from fieldspec.commands.given import number_of
 from fieldspec.commands.output import print_blocks, print_findings
 from fieldspec.commands.usage import unknown
@@ -24,7 +24,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.target not in MEMORIES:
         raise unknown("target", arguments.target, MEMORIES)
     memory = MEMORIES[arguments.target]
-    layout = specs.layout(arguments.specs, arguments.device)
+    layout = compiled.asked(arguments)
     wrong = []
     for number, (record, fact, title) in enumerate(_asked(layout, arguments.record)):
         if number:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from contextlib import suppress
 from itertools import islice
 
 from fieldspec.classes import dataclass
@@ -53,9 +52,8 @@ class Logged:
 
 def logged(text: str, links: Collection[Link]) -> Logged | None:
     """The frame in a line, None for a blank one or a comment. Raises Unreadable."""
-    with suppress(ValueError):
-        if plain := bytes.fromhex(text):
-            return Logged(plain)
+    if plain := _plain(text):
+        return Logged(plain)
     if text.endswith("\n") and not text.endswith("\r\n"):
         text = text[:-1]
     text = re.sub(_COMMENT, "", text)
@@ -75,6 +73,14 @@ def logged(text: str, links: Collection[Link]) -> Logged | None:
         if not direction:
             raise
         return Logged(b"", direction)
+
+
+def _plain(text: str) -> bytes:
+    """The bytes of a text that has nothing but them; none for any other."""
+    try:
+        return bytes.fromhex(text)
+    except ValueError:
+        return b""
 
 
 class _NoBytes(Unreadable):

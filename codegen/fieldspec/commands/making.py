@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.commands import sources
-from fieldspec.commands.caching import digest
-from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
+from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in, digest
 from fieldspec.commands.sources import INDEX
 from fieldspec.commands.usage import UsageError
 
@@ -59,7 +57,7 @@ class _Plan:
     kept: dict[str, Hashes]
 
 
-def made(wanted: Wanted, path: Path, files: Mapping[str, bytes], earlier: Earlier) -> Made:
+def made(wanted: Wanted, path: str, files: Mapping[str, bytes], earlier: Earlier) -> Made:
     """What must be made of some spec files; nothing of outputs where something is found that stops a build."""
     plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
     kept = {name: earlier.unspoilt(earlier.shared.get(name)) for name in wanted.outputs}
@@ -85,7 +83,7 @@ def _anew(
     plans: Mapping[str, _Plan],
     shared: Mapping[str, Hashes],
     only: frozenset[str],
-    path: Path,
+    path: str,
     files: Mapping[str, bytes],
     earlier: Earlier,
 ) -> Made:

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib import import_module
 from itertools import zip_longest
-from typing import TYPE_CHECKING
 
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.render.blocks import Block, Line
 from fieldspec.render.columns import aligned, one_line

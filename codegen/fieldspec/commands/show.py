@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands import specs
+from fieldspec.commands import compiled
 from fieldspec.commands.given import number_of
 from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import unknown
@@ -16,7 +16,7 @@ from fieldspec.render.overview import overview
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints an overview of the device, or every item that the given text means."""
-    layout = specs.layout(arguments.specs, arguments.device)
+    layout = compiled.asked(arguments)
     if arguments.item is None:
         print_blocks(overview(layout))
         return 0

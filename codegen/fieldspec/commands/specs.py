@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from fieldspec.checks.records_finite import records_finite
 from fieldspec.checks.references_resolve import references_resolve
 from fieldspec.checks.repeat_last import repeat_last
-from fieldspec.commands.sources import FOLDER, VARIABLE, files, folder, of_devices, shown, split
+from fieldspec.commands import sources
+from fieldspec.commands.sources import FOLDER, VARIABLE, files, of_devices, shown, split
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
 from fieldspec.reading.project import JOINT, DeviceSpec, Project, read
 
-__all__ = ["FOLDER", "VARIABLE", "files", "folder", "laid", "layout", "picked", "project", "shown", "spec_at", "split"]
+__all__ = ["FOLDER", "VARIABLE", "files", "folder", "laid", "picked", "project", "shown", "spec_at", "split"]
+
+
+def folder(given: str | None) -> Path:
+    """The specs' folder, as `sources` finds it."""
+    return Path(sources.folder(given))
 
 
 def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project:
@@ -40,16 +48,6 @@ def spec_at(given: str | None, text: str) -> tuple[DeviceSpec, str]:
         raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
     spec = found.devices[name]
     return spec, picked(spec, version)
-
-
-def layout(given: str | None, text: str) -> DeviceLayout:
-    """The layout of `DEVICE` or `DEVICE@VERSION`, for verbs that use a spec and do not judge it."""
-    name, version = split(text)
-    found = project(given, frozenset([name]))
-    if name not in found.devices or has_errors(found.found):
-        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
-    spec = found.devices[name]
-    return laid(spec, picked(spec, version))
 
 
 def laid(spec: DeviceSpec, version: str) -> DeviceLayout:

@@ -53,7 +53,7 @@ def _build(arguments: argparse.Namespace, first: bool) -> None:
         prepare()
 
 
-def _state(path: os.PathLike[str]) -> State:
+def _state(path: str) -> State:
     """The time and size of every spec file."""
     found = {}
     for folder, _, names in os.walk(path):

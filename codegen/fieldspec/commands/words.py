@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
-from fieldspec.commands import specs
+from fieldspec.commands import compiled, specs
 from fieldspec.commands.given import DIRECTIONS, direction_names, option_word
 from fieldspec.commands.usage import UsageError
 from fieldspec.layout.device import DeviceLayout
@@ -25,7 +25,7 @@ def told(arguments: Sequence[str]) -> str:
         for argument in arguments:
             name, _ = specs.split(argument)
             if not name.startswith("-") and name and (path / name / MAIN).is_file():
-                return " ".join(_sentences(specs.layout(given, argument)))
+                return " ".join(_sentences(compiled.layout(given, argument)))
     return ""
 
 

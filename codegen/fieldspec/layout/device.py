@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from fieldspec import classes
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.frame import LinkLayout, link_layout
-from fieldspec.layout.identity import identity
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import Orders, RecordLayout, record_layout
 from fieldspec.layout.register import RegisterLayout
@@ -70,6 +68,8 @@ def device_layout(device: Device) -> DeviceLayout:
         table.name: TableLayout(table, table.name, records[table.record], (records[table.record].size or 0) // 2)
         for table in device.tables.values()
     }
+    from fieldspec.layout.identity import identity  # with OpenSSL, for which one that is laid out has no use
+
     links = {link.name: link_layout(link, messages) for link in device.links.values()}
     return DeviceLayout(
         device, identity(device, records, links, messages, registers), records, links, messages, registers, tables

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
-from typing import Any, TypeAlias
 
+from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -15,10 +15,13 @@ from fieldspec.model.example import Example
 from fieldspec.model.primitive import Kind
 from fieldspec.model.value import Value
 
+if TYPE_CHECKING:
+    from typing import Any, TypeAlias
+
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
-_IN_UNIT = re.compile(r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
-_COUNT = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})")
+_IN_UNIT = r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)"
+_COUNT = r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})"
 
 
 class MeaningError(ValueError):
@@ -138,12 +141,12 @@ def _number(device: Device, path: str, value: Value | None, held: Any) -> Raw:
 
 
 def _is_count(held: object) -> bool:
-    return isinstance(held, str) and _COUNT.fullmatch(held) is not None
+    return isinstance(held, str) and re.fullmatch(_COUNT, held) is not None
 
 
 def _text(device: Device, path: str, value: Value, held: str) -> int:
     """A count, a member's name, a sentinel's name, or a quantity with its unit."""
-    if _COUNT.fullmatch(held):
+    if re.fullmatch(_COUNT, held):
         return int(held, 0)
     if value.enum:
         member = device.enums[value.enum].named(held)
@@ -152,7 +155,7 @@ def _text(device: Device, path: str, value: Value, held: str) -> int:
     for sentinel in value.sentinels:
         if sentinel.name == held:
             return sentinel.value
-    match = _IN_UNIT.fullmatch(held)
+    match = re.fullmatch(_IN_UNIT, held)
     if match and match[2] == value.unit:
         raw = value.from_unit(Decimal(match[1]))
         if raw is None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
 
 from fieldspec import classes
-from fieldspec.classes import dataclass, replace
+from fieldspec.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.model.enum import Enum
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.record import Case, Choice, Field, Record
 from fieldspec.model.value import Value
+
+if TYPE_CHECKING:
+    from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from decimal import Decimal
-from typing import TypeAlias
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.place import Place
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
 
 Plain: TypeAlias = bool | int | Decimal | str | None
 
@@ -25,7 +27,7 @@ class Citation:
 
     def text(self) -> str:
         """`8.2 L1622` or `5.1 L1160-1163, 1170`"""
-        numbers = ", ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in self.lines)
+        numbers = ", ".join([f"{a}" if a == b else f"{a}-{b}" for a, b in self.lines])
         return f"{self.section} L{numbers}".strip()
 
 

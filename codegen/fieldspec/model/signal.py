@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.fact import Fact
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.value import Value
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,5 +37,5 @@ class Conversion(Fact):
 
     def quantity(self, raw: int, reference: Fraction) -> Fraction:
         """The quantity that a count stands for."""
-        share = Fraction(raw, self.full_scale)
-        return reference * (1 - share if self.complement else share)
+        share = reference * raw / self.full_scale
+        return reference - share if self.complement else share

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from decimal import Context, Decimal
-from fractions import Fraction
 
 from fieldspec.classes import dataclass
 from fieldspec.model.fact import Citation
@@ -68,6 +67,8 @@ class Value:
 
     def from_unit(self, number: Decimal) -> int | None:
         """The raw count of a value in the unit, or None where it is no whole number of counts."""
+        from fractions import Fraction
+
         raw = (Fraction(number) - Fraction(self.offset)) / Fraction(self.scale)
         return raw.numerator if raw.denominator == 1 else None
 
@@ -79,6 +80,8 @@ def exact_scale(text: str) -> Decimal | None:
     divisor = int(base) ** int(power or "1")
     if divisor == 0:
         return None
+    from fractions import Fraction
+
     number = Fraction(above) / divisor
     for places in range(61):
         if (number * 10**places).denominator == 1:

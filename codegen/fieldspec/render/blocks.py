@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-
 from fieldspec.classes import TYPE_CHECKING, dataclass
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.explaining.numbered import number_written
 from fieldspec.layout.message import MessageLayout
@@ -21,6 +21,9 @@ from fieldspec.model.note import Note
 from fieldspec.model.parameter import Parameter, ParameterSet
 from fieldspec.model.register import Register, RegisterGroup
 from fieldspec.model.signal import Conversion, Signal
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Context, Decimal
-from fractions import Fraction
 
 from fieldspec.classes import replace
 from fieldspec.layout.explaining.row import Row
@@ -33,6 +32,8 @@ def with_share(device: Device, row: Row, field: FieldLayout, number: Raw) -> Row
 
 def share_text(device: Device, conversion: Conversion, number: int) -> str:
     """`50 % of Pt317 (3000 rpm by default) or Pt386`"""
+    from fractions import Fraction
+
     percent = conversion.quantity(number, Fraction(100))
     share = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
     return f"{decimal_text(share)} % of {references_text(device, conversion)}"

@@ -1,0 +1,216 @@
+"""Compiled devices are kept from one call to the next, and are what the specs say."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from command_line import MADE_UP, SPECS
+from fieldspec.classes import attributes, replace
+from fieldspec.cli import main
+from fieldspec.commands import caching, compiled, compiler, frozen, sources, specs
+from fieldspec.commands.specs import laid
+from fieldspec.model.fact import Citation, Claim
+from fieldspec.model.place import Place
+from fieldspec.reading import project
+from fieldspec.source import SourceFile, Span
+
+NOWHERE = Span(SourceFile("x", ""), 0, 0)
+DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in sources.devices(folder)]
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of compiled devices."""
+    monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache" / compiled.KIND
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Specs that a test may change."""
+    shutil.copytree(MADE_UP, tmp_path / "specs")
+    return tmp_path / "specs"
+
+
+def shown(folder: Path, *options: str) -> int:
+    return main(["show", "widget", "--specs", str(folder), *options])
+
+
+def unread(monkeypatch: pytest.MonkeyPatch) -> None:
+    """From here on, no spec can be read."""
+
+    def read(*given: object) -> None:
+        raise AssertionError("a spec is read")
+
+    monkeypatch.setattr(project, "read", read)
+
+
+def alike(one: Any, other: Any, met: set[tuple[int, int]]) -> bool:
+    """Whether two objects are of the same class and hold the same, through everything that they hold."""
+    if one is other or (id(one), id(other)) in met:
+        return True
+    met.add((id(one), id(other)))
+    if isinstance(one, (tuple, list)) and type(one) is type(other):
+        return len(one) == len(other) and all(alike(*pair, met) for pair in zip(one, other, strict=True))
+    if isinstance(one, dict):
+        return list(one) == list(other) and all(alike(one[key], other[key], met) for key in one)
+    if isinstance(one, SourceFile):
+        return (one.path, one.text) == (other.path, other.text)
+    if hasattr(type(one), "_fields") and not isinstance(one, Enum):
+        values = [(getattr(one, name), getattr(other, name)) for name in attributes(type(one))]
+        return type(one) is type(other) and all(alike(*pair, met) for pair in values)
+    return type(one) is type(other) and bool(one == other)
+
+
+@pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
+def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) -> None:
+    files = sources.files(folder, frozenset([device]))
+    spec = project.read(files, frozenset([device])).devices[device]
+    for version in {spec.versions()[0], spec.versions()[-1]}:
+        layout = laid(spec, version)
+        thawed = frozen.thawed(frozen.frozen(layout), lambda path: SourceFile(path, files[path].decode()))
+        assert alike(thawed, layout, set())
+
+
+def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alike() -> None:
+    citations = [(3, 17), (4, 20)]
+    held = [Citation("8.2", (lines,)) for lines in citations]
+    content = frozen.frozen(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
+
+    def new() -> tuple[Citation, ...]:
+        found: tuple[Citation, ...] = frozen.thawed(content, lambda path: NOWHERE.file).sources
+        return found
+
+    assert new()[0] == held[0]
+    assert held[0] == new()[0]
+    assert new()[0] == new()[0] != new()[1]
+    assert [*map(hash, new())] == [*map(hash, held)]
+    assert replace(new()[0], section="9") == Citation("9", ((3, 17),))
+    assert repr(new()[0]) == repr(held[0])
+    with pytest.raises(AttributeError, match="Citation has no attribute colour"):
+        _ = new()[0].colour  # type: ignore[attr-defined]
+
+
+def test_the_second_call_reads_no_spec(cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
+    assert shown(MADE_UP) == 0
+    first = capsys.readouterr().out
+    unread(monkeypatch)
+    assert shown(MADE_UP) == 0
+    assert capsys.readouterr().out == first
+    assert len(list(cache.iterdir())) == 1
+
+
+def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys: Any) -> None:
+    assert shown(folder) == 0
+    before = capsys.readouterr().out
+    file = folder / "widget" / "device.yaml"
+    text = file.read_text("utf-8").replace("vendor: Nobody", "vendor: Someone")
+    file.write_text(text, "utf-8", newline="\n")
+    assert shown(folder) == 0
+    assert capsys.readouterr().out == before.replace("Nobody", "Someone")
+
+
+def test_with_another_compiler_a_spec_is_read_again(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert shown(MADE_UP) == 0
+    monkeypatch.setattr(compiler, "state", lambda: "another")
+    unread(monkeypatch)
+    with pytest.raises(AssertionError, match="a spec is read"):
+        shown(MADE_UP)
+
+
+def test_the_state_of_the_compiler_changes_with_each_of_its_files(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    package = tmp_path / "fieldspec"
+    shutil.copytree(compiler._PACKAGE, package)
+    monkeypatch.setattr(compiler, "_PACKAGE", str(package))
+    states = {compiler.state()}
+    for name in ("layout/record.py", "schema/spec.schema.json", "source.py"):
+        with (package / name).open("a", encoding="utf-8") as file:
+            file.write("\n")
+        states.add(compiler.state())
+    assert len(states) == 4
+
+
+def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert shown(MADE_UP, "--no-cache") == 0
+    assert not cache.exists()
+    assert shown(MADE_UP) == 0
+    unread(monkeypatch)
+    with pytest.raises(AssertionError, match="a spec is read"):
+        shown(MADE_UP, "--no-cache")
+
+
+@pytest.mark.parametrize(
+    "spoilt",
+    [
+        lambda text: b"",
+        lambda text: text[: len(text) // 2],
+        lambda text: text.replace(b"Widget", b"Gadget"),
+        lambda text: b"\xff\xfe" + text,
+        lambda text: b"%s\n%s" % (caching.checksum(b"\xff").encode(), b"\xff"),
+        lambda text: b"%s\n%s" % (caching.checksum(b'[["os:system"],[]]\n[1]').encode(), b'[["os:system"],[]]\n[1]'),
+    ],
+    ids=["empty", "half written", "changed by hand", "not text", "no lines", "naming what it must not"],
+)
+def test_a_compiled_device_that_is_not_whole_is_as_none(
+    cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]
+) -> None:
+    assert shown(MADE_UP) == 0
+    before = capsys.readouterr().out
+    (file,) = cache.iterdir()
+    whole = file.read_bytes()
+    file.write_bytes(spoilt(whole))
+    assert shown(MADE_UP) == 0
+    assert capsys.readouterr().out == before
+    assert file.read_bytes() == whole
+
+
+@pytest.mark.skipif(os.name != "posix", reason="this system has no such rights")
+@pytest.mark.parametrize("mode", [0o620, 0o602])
+def test_a_compiled_device_that_others_can_write_to_is_as_none(
+    cache: Path, monkeypatch: pytest.MonkeyPatch, mode: int
+) -> None:
+    assert shown(MADE_UP) == 0
+    (file,) = cache.iterdir()
+    assert file.stat().st_mode & 0o777 == 0o600
+    assert cache.stat().st_mode & 0o777 == 0o700
+    file.chmod(mode)
+    unread(monkeypatch)
+    with pytest.raises(AssertionError, match="a spec is read"):
+        shown(MADE_UP)
+
+
+def test_findings_are_kept_of_no_device(cache: Path, folder: Path) -> None:
+    for path in folder.glob("widget/*.yaml"):
+        path.write_text(path.read_text("utf-8").replace("type: u16", "type: u17"), "utf-8", newline="\n")
+    assert shown(folder) == 2
+    assert not cache.exists()
+
+
+def test_places_are_shown_as_they_are_found_from_here(
+    cache: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def path() -> str:
+        held = compiled.layout(str(folder), "widget").device
+        return next(iter(held.records.values())).place.whole.file.path
+
+    monkeypatch.chdir(folder.parent)
+    near = path()
+    monkeypatch.chdir(folder)
+    assert near == f"specs/{path()}"
+
+
+def test_the_reading_of_specs_is_no_part_of_taking_a_compiled_device(cache: Path) -> None:
+    assert specs  # which reads, checks and lays out
+    source = Path(compiled.__file__).read_text("utf-8")
+    assert "\nfrom fieldspec.commands.specs" not in source
