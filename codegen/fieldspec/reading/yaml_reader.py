@@ -34,7 +34,8 @@ LARGEST_FILE = 16 * 1024 * 1024
 LARGEST_TREE = 2_000_000
 DEEPEST_TREE = 64
 
-_CONTROL = re.compile("[^\\t\\n\\r -~\\x85\\xa0-\\ufffd\\U00010000-\\U0010ffff]")
+# All that YAML does not print, of what UTF-8 can encode.
+_CONTROL = re.compile("[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x84\\x86-\\x9f\\ufffe\\uffff]")
 _HALF = re.compile("[\ud800-\udfff]")
 _TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
 
