@@ -62,10 +62,29 @@ class Place:
     def of(self, *devices: str, to: str = OUTPUTS) -> list[str]:
         return sorted(f"{device} {name}" for device in devices for name in to.split(","))
 
+    def forgets(self, path: str) -> None:
+        """Takes a file away, and out of the manifest."""
+        (self.out / path).unlink()
+        held = json.loads(self.manifest.read_text("utf-8"))
+        del held["files"][path]
+        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+
+    def wrote(self, path: str, content: bytes) -> None:
+        """Puts a content into a file, as if it had been made like that."""
+        (self.out / path).write_bytes(content)
+        held = json.loads(self.manifest.read_text("utf-8"))
+        held["files"][path] = fresh.digest(content)
+        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+
     @property
     def spec(self) -> Path:
         """A file of the first device."""
         return self.specs / "gadget" / "device.yaml"
+
+    @property
+    def manifest(self) -> Path:
+        """What a build says of itself."""
+        return self.out / "manifest.json"
 
     @property
     def record(self) -> Path:
@@ -106,7 +125,8 @@ def test_only_the_outputs_of_a_device_that_has_changed_are_made(place: Place) ->
     before = place.times()
     assert place.build() == 0
     assert sorted(place.made) == place.of("gadget")
-    assert place.times() == before
+    after = place.times()
+    assert [path for path in after if after[path] != before[path]] == [place.manifest]
 
 
 def test_a_change_of_a_protocol_concerns_the_devices_that_use_it(place: Place) -> None:
@@ -263,6 +283,38 @@ def test_one_version_is_always_made_and_nothing_is_noted(place: Place) -> None:
 def test_a_check_and_a_build_without_the_cache_do_all_the_work(place: Place, option: str) -> None:
     assert place.build(option) == 0
     assert sorted(place.made) == place.of(*place.devices)
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda place: replaced(place.spec, "unit: mm", "unit: rev"), "changed: gadget/device.yaml"),
+        (
+            lambda place: replaced(place.specs / "protocols/words.yaml", "name: on", "name: up"),
+            "changed: protocols/words.yaml",
+        ),
+        (lambda place: (place.out / "c/gadget.h").unlink(), "it is missing"),
+        (lambda place: (place.out / "c/gadget.h").write_text("other", "utf-8"), "it is not what was written"),
+        (lambda place: place.forgets("c/gadget.h"), "it is new"),
+        (lambda place: place.wrote("c/gadget.h", b"by another compiler"), "another compiler has written it"),
+    ],
+    ids=["spec", "protocol", "missing", "changed", "new", "compiler"],
+)
+def test_a_check_says_why_a_file_is_not_fresh(
+    place: Place, capsys: pytest.CaptureFixture[str], change: Callable[[Place], object], reason: str
+) -> None:
+    change(place)
+    capsys.readouterr()
+    assert place.build("--check") == 1
+    assert f"not fresh: c/gadget.h ({reason})\n" in capsys.readouterr().out
+
+
+def test_the_manifest_of_a_part_does_not_speak_for_the_rest(place: Place, capsys: pytest.CaptureFixture[str]) -> None:
+    replaced(place.spec, "unit: mm", "unit: rev")
+    assert place.build(to="vectors") == 0
+    capsys.readouterr()
+    assert place.build("--check") == 1
+    assert "not fresh: c/gadget.h (changed: gadget/device.yaml)\n" in capsys.readouterr().out
 
 
 def test_after_findings_the_old_note_holds_for_the_old_specs(place: Place) -> None:

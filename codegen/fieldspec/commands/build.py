@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from fieldspec.commands import placing, sources
+from fieldspec.commands import manifest, placing, sources
 from fieldspec.commands.fresh import Earlier, Hashes, digest
 from fieldspec.commands.making import Made, Wanted, made
 from fieldspec.commands.usage import UsageError, unknown
-
-MANIFEST = "manifest.json"
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -38,19 +35,18 @@ def build(arguments: argparse.Namespace) -> int:
         print_findings(result.found, "text", "")
         if has_errors(result.found):
             return 1
-    before = _manifest(out)
+    before = manifest.read(out)
     hashes = _hashes(wanted, result)
-    gone = _gone(before, hashes, wanted.outputs) if wanted.whole else []
-    manifest = _renewed(before, wanted, result, hashes, gone)
-    contents = {**result.contents, MANIFEST: manifest}
+    gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
+    contents = {**result.contents, manifest.NAME: before.renewed(wanted, result, hashes, gone).written()}
     stale = sorted(path for path, content in contents.items() if earlier.hash_of(path) != digest(content))
     if arguments.check:
-        return _report(stale, gone)
+        return _report([(path, before.reason(path, result, earlier)) for path in stale], gone)
     if stale or gone:
         placing.place(out, {path: contents[path] for path in stale}, gone)
     if not wanted.picked:
         earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
-    print(f"{len(hashes)} files, {len(set(stale) - {MANIFEST})} written, {len(gone)} removed")
+    print(f"{len(hashes)} files, {len(set(stale) - {manifest.NAME})} written, {len(gone)} removed")
     return 0
 
 
@@ -81,35 +77,9 @@ def _hashes(wanted: Wanted, result: Made) -> Hashes:
     return {path: one for held in holders for name in wanted.outputs for path, one in held.get(name, {}).items()}
 
 
-def _manifest(out: Path) -> dict[str, dict[str, str]]:
-    """What the last build wrote: hashes of files by path, and identities of devices."""
-    try:
-        held = json.loads((out / MANIFEST).read_text("utf-8"))
-        return {"files": dict(held["files"]), "identities": dict(held["identities"])}
-    except (OSError, ValueError, KeyError, TypeError):
-        return {"files": {}, "identities": {}}
-
-
-def _gone(before: Mapping[str, Mapping[str, str]], hashes: Hashes, names: Sequence[str]) -> list[str]:
-    """Files of an earlier build that the outputs being built no longer produce."""
-    ours = (path for path in before["files"] if path.partition("/")[0] in names and path not in hashes)
-    return sorted(path for path in ours if ".." not in path.split("/"))
-
-
-def _renewed(
-    before: Mapping[str, Mapping[str, str]], wanted: Wanted, result: Made, hashes: Hashes, gone: Sequence[str]
-) -> bytes:
-    identities = {} if wanted.whole else dict(before["identities"])
-    for device in result.devices.values():
-        identities |= device.identities
-    files = {path: one for path, one in before["files"].items() if path not in gone} | hashes
-    data = {"identities": dict(sorted(identities.items())), "files": dict(sorted(files.items()))}
-    return (json.dumps(data, indent=1) + "\n").encode("utf-8")
-
-
-def _report(stale: Sequence[str], gone: Sequence[str]) -> int:
-    for path in stale:
-        print(f"not fresh: {path}")
+def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str]) -> int:
+    for path, reason in stale:
+        print(f"not fresh: {path}" + (f" ({reason})" if path != manifest.NAME else ""))
     for path in gone:
         print(f"no longer produced: {path}")
     if not stale and not gone:
