@@ -288,7 +288,7 @@ def test_a_check_and_a_build_without_the_cache_do_all_the_work(place: Place, opt
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        (lambda place: replaced(place.spec, "unit: mm", "unit: rev"), "changed: gadget/device.yaml"),
+        (lambda place: replaced(place.spec, "name: Gadget", "name: Gidget"), "changed: gadget/device.yaml"),
         (
             lambda place: replaced(place.specs / "protocols/words.yaml", "name: on", "name: up"),
             "changed: protocols/words.yaml",
@@ -310,7 +310,7 @@ def test_a_check_says_why_a_file_is_not_fresh(
 
 
 def test_the_manifest_of_a_part_does_not_speak_for_the_rest(place: Place, capsys: pytest.CaptureFixture[str]) -> None:
-    replaced(place.spec, "unit: mm", "unit: rev")
+    replaced(place.spec, "name: Gadget", "name: Gidget")
     assert place.build(to="vectors") == 0
     capsys.readouterr()
     assert place.build("--check") == 1
