@@ -47,6 +47,8 @@ COLUMNS = (
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
 Row: TypeAlias = dict[str, Cell]
 
+_BLANK: Row = dict.fromkeys(COLUMNS)
+
 # What another place states again, and the column that shows it.
 _CLAIMED = {
     "at": "address",
@@ -75,13 +77,15 @@ _CLAIMED = {
 
 def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row:
     """A row with the first place of the manual; cells that are empty texts stay empty."""
-    made: Row = dict.fromkeys(COLUMNS)
-    made.update(kind=kind, path=path, errata=[])
+    made = _BLANK.copy()
+    made["kind"], made["path"], made["errata"] = kind, path, []
     cited = tuple(sources)
     if cited:
         text = "; ".join(citation.text() for citation in cited)
         made.update(section=cited[0].section or None, line=cited[0].line(), sources=text)
-    made.update({key: cell for key, cell in cells.items() if cell not in ("", None)})
+    for key, cell in cells.items():
+        if cell is not None and cell != "":
+            made[key] = cell
     return made
 
 

@@ -1,6 +1,7 @@
 """The audit of a device as a page that stands on its own, to be read, printed and handed on.
 
-The template has the page; the rows of its tables are written here, as a template takes eight times as long.
+The template has the page; the rows of its tables and the boxes of its drawings are written here, as a template takes
+eight times as long.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.render.audit_cells import cell_text
-from fieldspec.render.audit_map import Map, maps, states
+from fieldspec.render.audit_map import Box, Drawing, maps, states
 from fieldspec.source import Span
 
 _SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
@@ -66,6 +67,22 @@ class _Table:
 
 
 @dataclass(frozen=True, slots=True)
+class _Drawn:
+    """A drawing, whose boxes and marks are written already."""
+
+    drawing: Drawing
+    shapes: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Map:
+    """The drawings of a space."""
+
+    title: str
+    drawings: tuple[_Drawn, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class _Part:
     """A section: its figures, its texts, its tables, and its drawings."""
 
@@ -75,7 +92,7 @@ class _Part:
     figures: tuple[_Number, ...]
     tables: tuple[_Table, ...]
     folded: tuple[_Table, ...]
-    maps: tuple[Map, ...]
+    maps: tuple[_Map, ...]
     legend: tuple[tuple[str, str], ...]
 
 
@@ -114,7 +131,7 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
     """The page; `links` leads from paths of facts to where they are documented, where there is such a place."""
     found = [(section, one) for section in report.sections for one in in_order(section.findings)]
     parts = [_part(section, links) for section in report.sections]
-    rows = {section.name: _rows_by_place(section) for section in report.sections}
+    rows = {section.name: _rows_by_place(section) for section in report.sections if section.findings}
     findings = [_finding(number, section, one, rows[section.name]) for number, (section, one) in enumerate(found, 1)]
     return fill("audit.html.j2", head=_head(report, device, [one for _, one in found]), parts=parts, findings=findings)
 
@@ -169,7 +186,7 @@ def _part(section: Section, links: Mapping[str, str]) -> _Part:
         tuple(map(_number, section.figures)),
         tuple(table for table in tables if not table.detail),
         tuple(table for table in tables if table.detail),
-        maps(spaces),
+        tuple(_Map(held.title, tuple(map(_drawn, held.drawings))) for held in maps(spaces)),
         tuple(states(spaces)),
     )
 
@@ -180,11 +197,24 @@ def _number(figure: Figure) -> _Number:
     return _Number(str(figure.number), whole, clean(figure.what), kind, *_SIGNS[kind])
 
 
+def _drawn(drawing: Drawing) -> _Drawn:
+    marks = [
+        f'<text class="address" x="{mark.x}" y="{mark.y}" text-anchor="{mark.anchor}">{escaped(mark.text)}</text>\n'
+        for mark in drawing.marks
+    ]
+    return _Drawn(drawing, "".join([*marks, *map(_box, drawing.boxes)]))
+
+
+def _box(box: Box) -> str:
+    rect = f'<rect class="{box.state}" x="{box.x}" y="{box.y}" width="{box.width}" height="{box.height}"/>'
+    texts = [f'<text class="name" x="{one.x}" y="{one.y}">{escaped(one.text)}</text>' for one in box.texts]
+    return f"<g><title>{escaped(box.title)}</title>{rect}{''.join(texts)}</g>\n"
+
+
 def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Table:
     marked = any(table.kinds)
     full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
-    styles = {at: ' class="number"' if _counts(table, at) else "" for at in full}
-    rows = "".join(_row(section, table, number, styles, marked, links) for number in range(len(table.rows)))
+    texts = {at: [clean(cell_text(row[at])) for row in table.rows] for at in full}
     many = len(table.rows)
     return _Table(
         f"{section}-{table.name}",
@@ -193,19 +223,19 @@ def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Tabl
         f"{many} row" if many == 1 else f"{many} rows",
         tuple(clean(table.columns[at].replace("_", " ")) for at in full),
         marked,
-        rows,
+        "".join(_rows(f"{section}-{table.name}", table, texts, marked, links)),
         table.detail,
         many <= OPEN,
-        _shares(table, full, marked) if len(full) >= BROAD else (),
+        _shares(table, texts, marked) if len(full) >= BROAD else (),
     )
 
 
-def _shares(table: SectionTable, full: Sequence[int], marked: bool) -> tuple[str, ...]:
+def _shares(table: SectionTable, held: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
     """How much of the width each column gets, in percent: room for its words, and more where there is more to read."""
     needs, wishes = ([_EDGES], [0]) if marked else ([], [])
-    for at in full:
-        texts = [table.columns[at].replace("_", " "), *(cell_text(row[at]) for row in table.rows)]
-        longest = max((len(word) for text in texts for word in _LETTERS.findall(text)), default=0)
+    for at, cells in held.items():
+        texts = [table.columns[at].replace("_", " "), *cells]
+        longest = max(map(len, _LETTERS.findall(" ".join(texts))), default=0)
         room = min(longest, _WORD)
         needs.append(room + _EDGES)
         wishes.append(max(min(sum(map(len, texts)) // len(texts), _MOST) - room, 0))
@@ -220,15 +250,19 @@ def _counts(table: SectionTable, at: int) -> bool:
     return bool(held) and all(isinstance(cell, int) for cell in held)
 
 
-def _row(
-    section: str, table: SectionTable, number: int, styles: Mapping[int, str], marked: bool, links: Mapping[str, str]
-) -> str:
-    """A row with the cells of some columns, each in its style."""
-    kind = table.kinds[number] if table.kinds else ""
-    cells = [_sign(kind)] if marked else []
-    cells += [f"<td{style}>{_cell(table.rows[number][at], links)}</td>" for at, style in styles.items()]
-    style = f' class="{kind}"' if kind else ""
-    return f'<tr id="{section}-{table.name}-{number + 1}"{style}>{"".join(cells)}</tr>\n'
+def _rows(
+    anchor: str, table: SectionTable, texts: Mapping[int, Sequence[str]], marked: bool, links: Mapping[str, str]
+) -> Iterator[str]:
+    """The rows, with the cells of the columns that have texts."""
+    columns = []
+    for at, held in texts.items():
+        style = ' class="number"' if _counts(table, at) else ""
+        cells = zip((cells[at] for cells in table.rows), held, strict=True)
+        columns.append([f"<td{style}>{_cell(cell, text, links)}</td>" for cell, text in cells])
+    for number, row in enumerate(zip(*columns, strict=True)):
+        kind = table.kinds[number] if table.kinds else ""
+        style = f' class="{kind}"' if kind else ""
+        yield f'<tr id="{anchor}-{number + 1}"{style}>{_sign(kind) if marked else ""}{"".join(row)}</tr>\n'
 
 
 def _sign(kind: str) -> str:
@@ -236,18 +270,17 @@ def _sign(kind: str) -> str:
     return f'<td class="sign"><span aria-hidden="true">{sign}</span><span class="said">{said}</span></td>'
 
 
-def _cell(cell: Cell, links: Mapping[str, str]) -> str:
-    if cell is None:
-        return ""
+def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
+    """A cell with its text."""
+    if cell is None or isinstance(cell, int):
+        return text
+    text = escaped(text)
     if isinstance(cell, Span):
-        return f"<code>{escaped(clean(_place(cell)))}</code>"
+        return f"<code>{text}</code>"
     if isinstance(cell, Citation):
-        return f'<span class="source">{escaped(clean(cell.text()))}</span>'
-    text = escaped(clean(str(cell)))
-    link = links.get(cell) if isinstance(cell, str) else None
-    if link is not None:
-        return f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
-    return text
+        return f'<span class="source">{text}</span>'
+    link = links.get(cell)
+    return text if link is None else f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
 
 
 def _place(span: Span) -> str:

@@ -6,7 +6,7 @@ pattern, so that it can be told on paper and without colours, and each drawing s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import DECLARED, STATES, UNDECLARED, UNDESCRIBED, UNLISTED, Block, Run, Space
 from fieldspec.backends.docs.document import clean
@@ -138,16 +138,17 @@ def _block(space: Space, block: Block) -> Drawing:
     boxes: list[Box] = []
     marks = [Mark(_LEFT + at * _BOX + _BOX // 2, _HEAD - 4, f"{at:X}", "middle") for at in range(A_ROW)]
     y = _HEAD
-    for first, last in _lines(block):
+    by_line = _by_line(block)
+    for first, last in _lines(block, by_line):
         folded = last - first >= A_ROW
         marks.append(Mark(_LEFT - 6, y + (14 if folded else 19), space.written(first), "end"))
         if folded:
-            run = next(run for run in block.runs if run.first <= first <= run.last)
+            run = next(run for run in by_line[first] if run.first <= first <= run.last)
             text = f"to {space.written(last)}: {_said(run)}"
             boxes.append(Box(_LEFT, y + 1, A_ROW * _BOX, _FOLDED - 2, run.state, _fitting(text, A_ROW * _BOX, 1), text))
             y += _FOLDED
             continue
-        boxes += _pieces(space, block, first, y)
+        boxes += _pieces(space, by_line.get(first, ()), first, y)
         y += _HIGH
     if block.repeats > 1:
         text = f"and {block.repeats - 1} more elements, {block.stride} apart, to {space.written(block.last)}"
@@ -167,13 +168,25 @@ def _block(space: Space, block: Block) -> Drawing:
     )
 
 
-def _lines(block: Block) -> Iterator[tuple[int, int]]:
+def _by_line(block: Block) -> dict[int, list[Run]]:
+    """The runs that share addresses with each row, by its first address; of a long empty run the rows at its ends."""
+    held: dict[int, list[Run]] = {}
+    for run in block.runs:
+        lines: Sequence[int] = range(run.first // A_ROW * A_ROW, run.last + 1, A_ROW)
+        if run.state in _EMPTY and len(lines) > 4:
+            lines = [*lines[:2], *lines[-2:]]
+        for line in lines:
+            held.setdefault(line, []).append(run)
+    return held
+
+
+def _lines(block: Block, by_line: Mapping[int, Sequence[Run]]) -> Iterator[tuple[int, int]]:
     """The first and last addresses of the rows of a block; several rows that are one empty run are one."""
     end = block.runs[-1].last if block.repeats == 1 else max(run.last for run in block.runs)
     start = block.runs[0].first
     line = start // A_ROW * A_ROW
     while line <= end:
-        run = next((run for run in block.runs if run.first <= max(line, start) <= run.last), None)
+        run = next((run for run in by_line.get(line, ()) if run.first <= max(line, start) <= run.last), None)
         whole = (run.last + 1) // A_ROW * A_ROW if run is not None else line
         if run is not None and run.state in _EMPTY and line >= run.first and whole - line >= 2 * A_ROW:
             yield line, whole - 1
@@ -183,12 +196,10 @@ def _lines(block: Block) -> Iterator[tuple[int, int]]:
             line += A_ROW
 
 
-def _pieces(space: Space, block: Block, line: int, y: int) -> Iterator[Box]:
+def _pieces(space: Space, runs: Iterable[Run], line: int, y: int) -> Iterator[Box]:
     """The boxes in a row: of a run that goes over several rows, its part in this one."""
-    for run in block.runs:
+    for run in runs:
         first, last = max(run.first, line), min(run.last, line + A_ROW - 1)
-        if first > last:
-            continue
         width = (last - first + 1) * _BOX
         name = " and ".join(holder.name for holder in run.holders)
         about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))

@@ -19,7 +19,7 @@ from fieldspec.render.audit_html import rendered
 NAME = "audit.html"
 """The file of the page, in the folder of the device's documentation."""
 
-_ANCHOR = re.compile(r'\bid="([^"]+)"')
+_ANCHOR = re.compile(r' id="([^"]+)"')
 
 
 def pages(

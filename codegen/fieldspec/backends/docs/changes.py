@@ -6,7 +6,6 @@ from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
 from fieldspec.backends.docs.anchors import innermost
-from fieldspec.backends.docs.context import Context
 from fieldspec.backends.docs.document import (
     Block,
     Column,
@@ -104,7 +103,7 @@ def changed(held: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]
 
 def _section(step: Step, ending: str, anchors: dict[str, frozenset[str]]) -> Section:
     new, old = step.new, step.old
-    title = f"{version_title(Context(new))}, after {old.device.version}"
+    title = f"{version_title(new.device)}, after {old.device.version}"
     pages = _Pages(step, ending, anchors)
     inner = (_effect(step, effect, pages) for effect in Effect)
     return Section(

@@ -20,7 +20,7 @@ from fieldspec.backends.docs.document import (
     styled,
     table,
 )
-from fieldspec.model.device import Version, VersionLine
+from fieldspec.model.device import Device, Version, VersionLine
 
 VERSIONS = (Column("Version"), Column("What it is"), Column("Source"))
 
@@ -39,7 +39,7 @@ def identity(context: Context) -> Section:
 def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
     device, manual = context.device, context.device.manual
     yield "Device", ((plain(f"{device.vendor} {device.name}, "), code(device.id)),)
-    yield "Version", ((plain(version_title(context)),),)
+    yield "Version", ((plain(version_title(device)),),)
     yield "Identity", ((code(context.layout.identity), plain(": equal in all outputs that agree on every byte")),)
     yield "Manual", ((label(manual.title),),)
     if manual.edition:
@@ -50,9 +50,8 @@ def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
     yield "SHA-256", ((code(manual.sha256),),)
 
 
-def version_title(context: Context) -> str:
+def version_title(device: Device) -> str:
     """`firmware 2.0`, or the version alone where the device declares no versions."""
-    device = context.device
     for line in device.lines:
         for version in line.versions:
             if version.id == device.version:

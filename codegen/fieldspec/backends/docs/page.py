@@ -52,7 +52,7 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
     device = layout.device
     made = [section(context) for section in SECTIONS]
     sections = tuple(section for section in made if section.blocks or section.sections)
-    title = f"{device.name}, {version_title(context)}" if device.lines else device.name
+    title = f"{device.name}, {version_title(device)}" if device.lines else device.name
     return Document(
         clean(title),
         clean(device.title),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.backends.docs.changes import Step, link, page_name
-from fieldspec.backends.docs.context import Context, cited
+from fieldspec.backends.docs.context import cited
 from fieldspec.backends.docs.document import (
     Cell,
     Column,
@@ -72,7 +72,7 @@ def _row(layout: DeviceLayout, version: Version | None, step: Step | None, endin
         doc.append((plain(f"The same holds for {', '.join(layout.twins)}."),))
     return Row(
         (
-            cell(plain(version_title(Context(layout)), f"{page_name(device.version)}{ending}")),
+            cell(plain(version_title(device), f"{page_name(device.version)}{ending}")),
             cell(*doc),
             _count(sum(register.count for register in device.registers())),
             _count(len(device.messages)),
