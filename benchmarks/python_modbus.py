@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers import modbus
-from peers.kaitai import reader
+from peers.kaitai import reader, writer, written
 from rows import Row, printed, timed, use_generated
 
 use_generated()
@@ -37,6 +37,9 @@ def rows() -> Iterator[Row]:
     def by_hand() -> object:
         return modbus.ReadRequest.parse(modbus.ReadRequest(1, 0x1000, 1).build())
 
+    def by_position() -> object:
+        return modbus.read(modbus.written(1, modbus.Message(0x1000, 1)))
+
     def by_pymodbus() -> object:
         framer.buildFrame(ReadHoldingRegistersRequest(address=0x1000, count=1, dev_id=1))
         return framer.handleFrame(FRAME, 1, 0)
@@ -46,24 +49,42 @@ def rows() -> Iterator[Row]:
         return modbus.CONSTRUCT.parse(modbus.CONSTRUCT.build({"body": {"value": values}}))
 
     assert built() == modbus.ReadRequest(1, 0x1000, 1).build() == FRAME
+    assert modbus.written(1, modbus.Message(0x1000, 1)) == FRAME
     assert by_construct().body.value.start == 0x1000
-    kaitai = reader("request")
+    kaitai, writing = reader("request"), writer("request")
 
-    def by_kaitai() -> object:
+    def read_by_kaitai() -> object:
         request = kaitai.from_bytes(FRAME)
         if modbus.crc16(FRAME[:6]) != request.check:
             raise ValueError("CRC")
         return request
 
+    def by_kaitai() -> object:
+        request = writing()
+        request.station, request.function, request.start, request.count = 1, 3, 0x1000, 1
+        request.check = 0
+        data = written(request, 8)[:6]
+        frame = data + modbus.crc16(data).to_bytes(2, "little")
+        parsed = writing.from_bytes(frame)
+        parsed._read()
+        if modbus.crc16(frame[:6]) != parsed.check:
+            raise ValueError("CRC")
+        return frame, parsed
+
+    assert by_kaitai()[0] == FRAME
     hand = "struct, CRC by a loop over 256 entries"
     yield timed(GROUP, "build", built, hand, lambda: modbus.ReadRequest(1, 0x1000, 1).build())
     yield timed(GROUP, "parse", parsed, hand, lambda: modbus.ReadRequest.parse(FRAME))
     yield timed(GROUP, "build and parse", both, hand, by_hand, at_most=0.55)
+    position = "the least by hand that makes the same objects: tables by position, no link, one message"
+    yield timed(GROUP, "build and parse", both, position, by_position)
     yield timed(GROUP, "build and parse", both, f"pymodbus {version('pymodbus')}", by_pymodbus, at_least=8)
     yield timed(
         GROUP, "build and parse", both, f"construct {version('construct')}, compiled", by_construct, at_least=30
     )
-    yield timed(GROUP, "parse", parsed, f"Kaitai {version('kaitaistruct')}, CRC by hand", by_kaitai, at_least=13)
+    peer = f"Kaitai {version('kaitaistruct')}"
+    yield timed(GROUP, "build and parse", both, f"{peer}, --read-write, CRC by hand", by_kaitai, at_least=13)
+    yield timed(GROUP, "parse", parsed, f"{peer}, a class that only reads, CRC by hand", read_by_kaitai)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers.can import message
-from peers.kaitai import reader
+from peers.kaitai import reader, writer, written
 from peers.point import CONSTRUCT, FIELDS, Bare, Checked
 from rows import Row, printed, timed, use_generated
 
@@ -27,23 +27,31 @@ def rows() -> Iterator[Row]:
     assert point == Point(**named)
     assert point.encode() == bare.encode() == CONSTRUCT.build(VALUES) == data
 
-    kaitai, can = reader("point"), message()
+    kaitai, writing, can = reader("point"), writer("point"), message()
     assert kaitai.from_bytes(data).push_speed == can.decode(data)["push_speed"] == point.push_speed
 
     def decoded() -> object:
         return Point.decode(data)
 
+    held = writing.from_bytes(data)
+    held._read()
+
+    def by_kaitai() -> bytes:
+        return written(held, 64)
+
+    assert by_kaitai() == data
+
     hand, library = "struct, slotted class", f"construct {version('construct')}, compiled"
     yield timed(GROUP, "decode", decoded, hand, lambda: Bare.decode(data), at_most=1.10)
     yield timed(GROUP, "decode", decoded, library, lambda: CONSTRUCT.parse(data), at_least=9)
-    yield timed(
-        GROUP, "decode", decoded, f"Kaitai {version('kaitaistruct')}", lambda: kaitai.from_bytes(data), at_least=12
-    )
+    peer = f"Kaitai {version('kaitaistruct')}"
+    yield timed(GROUP, "decode", decoded, peer, lambda: kaitai.from_bytes(data), at_least=12)
     cantools = f"cantools {version('cantools')}"
     yield timed(GROUP, "decode", decoded, cantools, lambda: can.decode(data), at_least=5.5)
     yield timed(GROUP, "encode", point.encode, f"{hand}, same tests of ranges", checked.encode, at_most=1.10)
     yield timed(GROUP, "encode", point.encode, f"{hand}, no tests of ranges", bare.encode)
     yield timed(GROUP, "encode", point.encode, library, lambda: CONSTRUCT.build(VALUES), at_least=20)
+    yield timed(GROUP, "encode", point.encode, f"{peer}, --read-write", by_kaitai, at_least=28)
     yield timed(GROUP, "encode", point.encode, cantools, lambda: can.encode(VALUES), at_least=16)
 
 

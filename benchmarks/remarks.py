@@ -20,8 +20,29 @@ ALL = (
     "It is all work of Python, for texts as long as that. Versions that share most of their facts are written anew, "
     "but for wrapped and escaped texts, and a device keeps one processor busy."
 )
+TURNS = (
+    "pymodbus takes 3.7 times as long as the loop over 256 entries; when the goal was set, it took 4.7 times as long. "
+    "The least by hand that makes the same objects, for one message and with no link between, is at 8.1. What remains "
+    "is a call of the link each way, and the look-up of the class by the code."
+)
+TESTS = (
+    "Eighteen fields have ranges, and a comparison takes 9 ns: the tests are half of the time. Without any, the same "
+    "class by hand is at 23 beside construct, and at 39 beside Kaitai. With them, nothing was found to be faster: to "
+    "test the packed bytes as one large number takes as long for fields of one interval alone; a regular expression, "
+    "`min` and `max`, sets, and `map` take longer. Limits that are those of the type are left to `struct`."
+)
+SUMS = "What is written by hand with the same tests is at 30, with none at 34; the goal was set without tests."
+CLASSES = (
+    "One file of such classes by hand takes 3.1 ms, most of it for making 100 classes of 21 slots. The rest are nine "
+    "modules instead of one, so that devices share what they can (1.3 ms), and what says which field is refused and "
+    "decodes many records at once (0.6 ms)."
+)
 
 REMARKS = {
+    ("Python, Modbus request", "build and parse"): TURNS,
+    ("Python, CK10 point record", "encode"): TESTS,
+    ("Python, ESC11 packet", "build and parse"): SUMS,
+    ("Python, import", "100 records of 21 fields, added to python -c pass"): CLASSES,
     ("Command line", "decode of one frame"): READS,
     ("Command line", "show"): READS,
     ("400 registers", "C, Python, Markdown and HTML"): f"{START} {RICHER}",

@@ -65,6 +65,64 @@ class ReadRequest:
         return cls(station, start, count)
 
 
+def _position(following: int) -> tuple[int, ...]:
+    """What each byte adds to the CRC, its bytes exchanged, of a frame in which so many bytes follow."""
+    shares = TABLE
+    for _ in range(following):
+        shares = [crc >> 8 ^ TABLE[crc & 255] for crc in shares]
+    return tuple((crc & 255) << 8 | crc >> 8 for crc in shares)
+
+
+WHOLE = struct.Struct(">BBHHH")
+pack, unpack, new = WHOLE.pack, WHOLE.unpack, object.__new__
+P0, P2, P3 = _position(0), _position(2), _position(3)
+ALWAYS = crc16(bytes((0, 3, 0, 0, 0, 0)))
+STATIONS = tuple((ALWAYS & 255) << 8 ^ ALWAYS >> 8 ^ share for share in _position(5)[:17])
+
+
+class Message:
+    """What a request to read registers says; the least that `written` and `read` can do with it is all there is."""
+
+    __slots__ = ("count", "start")
+
+    def __init__(self, start: int, count: int) -> None:
+        self.start = start
+        self.count = count
+
+
+class Addressed:
+    """A message and its station."""
+
+    __slots__ = ("message", "station")
+    station: int
+    message: Message
+
+
+def written(station: int, message: Message) -> bytes:
+    """A frame in one `pack`, its CRC by a table for each place: nothing by hand was found to be faster."""
+    start, count = message.start, message.count
+    try:
+        if 1 <= count <= 60:
+            return pack(station, 3, start, count, STATIONS[station] ^ P3[start >> 8] ^ P2[start & 255] ^ P0[count])
+    except (struct.error, LookupError):
+        pass
+    raise ValueError(f"{station}, {start}, {count}")
+
+
+def read(frame: bytes) -> Addressed:
+    """The other way round, with one `unpack`."""
+    station, function, start, count, check = unpack(frame)
+    if check != STATIONS[station] ^ P3[start >> 8] ^ P2[start & 255] ^ P0[count] or function != 3:
+        raise ValueError("CRC or function")
+    message = new(Message)
+    message.start = start
+    message.count = count
+    addressed = new(Addressed)
+    addressed.station = station
+    addressed.message = message
+    return addressed
+
+
 CONSTRUCT = c.Struct(
     "body"
     / c.RawCopy(
