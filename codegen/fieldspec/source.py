@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from fieldspec.classes import dataclass, field
+from fieldspec.classes import TYPE_CHECKING, dataclass, field
+
+if TYPE_CHECKING:
+    from typing import Protocol
+
+    class Spanned(Protocol):
+        """What stands somewhere in a file."""
+
+        @property
+        def span(self) -> Span:
+            """Where it stands."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -19,7 +29,10 @@ class SourceFile:
         """Offsets of the first character of every line."""
         if not self._line_starts:
             self._line_starts.append(0)
-            self._line_starts.extend(at + 1 for at, char in enumerate(self.text) if char == "\n")
+            at = self.text.find("\n")
+            while at >= 0:
+                self._line_starts.append(at + 1)
+                at = self.text.find("\n", at + 1)
         return self._line_starts
 
     def line(self, number: int) -> str:
@@ -36,6 +49,11 @@ class Span:
     file: SourceFile
     start: int
     end: int
+
+    @property
+    def span(self) -> Span:
+        """Itself, as it is `Spanned` too."""
+        return self
 
     def position(self) -> tuple[int, int]:
         """Line and column of the start, both counted from 1."""

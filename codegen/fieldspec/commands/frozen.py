@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+_NODES = "fieldspec.reading.nodes"
 HOMES = ("fieldspec.model.", "fieldspec.layout.", "fieldspec.names:")
 """Where the classes of a layout come from."""
 
@@ -64,7 +65,8 @@ class _Freezing:
             return ["dict", *(self.value(one) for pair in held.items() for one in pair)]
         if kind is bytes:
             return ["bytes", held.hex()]
-        if kind is Span:  # most of all objects, and each of them in one place: a line would be too much
+        # Most of all objects, and each of them in one place: a line would be too much. Of nodes, nothing else counts.
+        if kind is Span or kind.__module__ == _NODES:
             return ["span", self.files.setdefault(held.file.path, len(self.files)), held.start, held.end]
         if isinstance(held, Enum):
             return ["enum", self.class_number(kind), held.name]

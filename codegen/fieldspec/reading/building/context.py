@@ -128,8 +128,7 @@ class Entry:
 
     def place(self) -> Place:
         """The place of this entry in the spec."""
-        spans = {key: value.span for key, value in self.node.values.items()}
-        return Place(self.path, self.node.span, spans)
+        return Place(self.path, self.node, self.own)
 
     def span(self, key: str) -> Span:
         """The span of a key's value, or of the name."""
