@@ -48,16 +48,19 @@ def says(row: Row, held: Held, elided: Collection[str]) -> bool:
     return any(_counts(row, column, held) for column in _ALSO.get(held.column, (held.column,)))
 
 
+_reduced = lru_cache(maxsize=16384)(reduced)
+
+
 @lru_cache(maxsize=16384)
 def _words(text: str) -> tuple[str, ...]:
     """The words of a text, as far as an index has them."""
-    return words(reduced(text))
+    return words(_reduced(text))
 
 
 @lru_cache(maxsize=16384)
 def _numbers(text: str) -> frozenset[Decimal]:
     """The numbers in a text, as far as an index has them."""
-    return numbers(reduced(text.replace("..", "~"))).values
+    return numbers(_reduced(text.replace("..", "~"))).values
 
 
 def _ranges(row: Row, held: Held) -> bool:
@@ -87,14 +90,14 @@ def _named(row: Row, text: str) -> bool:
 
 def _counts(row: Row, column: str, held: Held) -> bool:
     """Whether a number of a fact is the printed one; bounds and defaults may be printed in the unit."""
-    if (
-        column == "code"
-        and (row["kind"] == "bit" or str(row["type"]).startswith("bool"))
-        and set(_means(held)) & {0, 1}
-    ):
-        return True
-    if column in ("min", "max") and _bounds(row, column) & {*_means(held)}:
-        return True
+    if column == "code" and (row["kind"] == "bit" or str(row["type"]).startswith("bool")):
+        if 0 in (means := _means(held)) or 1 in means:
+            return True
+    elif column in ("min", "max") and row["ranges"] is not None:
+        known = tuple([one if isinstance(one, int | Decimal) else None for one in (row["scale"], row["bytes"])])
+        ends = _ends(str(row["ranges"]), column, str(row["type"]), *known)
+        if not ends.isdisjoint(_means(held)):
+            return True
     cell = row[column]
     if cell is None:
         return False
@@ -103,24 +106,23 @@ def _counts(row: Row, column: str, held: Held) -> bool:
     if not isinstance(cell, int | Decimal):
         return False
     scale = row["scale"]
-    known = {Decimal(cell)}
-    if column in _SCALED and isinstance(scale, Decimal):
-        known.add(cell * scale)
     means = _means(held)
-    return bool(known.intersection(means))
+    return cell in means or (column in _SCALED and isinstance(scale, Decimal) and cell * scale in means)
 
 
-def _bounds(row: Row, column: str) -> set[Decimal]:
+@lru_cache(maxsize=16384)
+def _ends(
+    ranges: str, column: str, kind: str, scale: int | Decimal | None, size: int | Decimal | None
+) -> frozenset[Decimal]:
     """The lower, or the upper, bounds of all intervals of a fact, in counts and in its unit."""
-    scale = row["scale"] if isinstance(row["scale"], Decimal) else 1
-    found = _INTERVAL.findall(str(row["ranges"]))
+    found = _INTERVAL.findall(ranges)
     ends = [Decimal(high or low) if column == "max" else Decimal(low) for low, high in found]
-    size = row["bytes"]
-    if str(row["type"]).startswith("i") and isinstance(size, int):
+    if kind.startswith("i") and isinstance(size, int):
         ends += [end + (1 << 8 * size) for end in ends if end < 0]  # a negative bound as its bytes show it
-    return {*ends, *(end * scale for end in ends)}
+    return frozenset((*ends, *(end * scale for end in ends if isinstance(scale, Decimal))))
 
 
+@lru_cache(maxsize=16384)
 def _means(held: Held) -> tuple[Decimal, ...]:
     if held.form == "mask":
         return tuple(
@@ -144,14 +146,18 @@ def _one_of(row: Row, cell: str, held: Held) -> bool:
 
 def _in_text(row: Row, held: Held) -> bool:
     """Whether a number stands in a text of a fact."""
-    texts = (row[key] for key in ("printed_name", "label", "ranges", "name"))
-    return any(_numbers(str(text)).intersection(_means(held)) for text in texts if text)
+    means = _means(held)
+    for key in ("printed_name", "label", "ranges", "name"):
+        text = row[key]
+        if text and not _numbers(str(text)).isdisjoint(means):
+            return True
+    return False
 
 
 def corrects(erratum: Erratum, held: Held) -> bool:
     """Whether an erratum is about what is printed: its print has the number, the word or the bytes."""
     values = [_plain(value) for value in erratum.printed.values()]
-    texts = [reduced(text.replace("..", "~")) for text in (erratum.literal, *values) if text]
+    texts = [_reduced(text.replace("..", "~")) for text in (erratum.literal, *values) if text]
     if held.column == "frame":
         return any(bytes(byte_pairs(held.text)) in bytes(byte_pairs(text)) for text in texts)
     if held.column in ("name", "type", "access"):

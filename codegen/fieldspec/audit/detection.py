@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 
 from fieldspec.audit.ledger import EFFECTS, by_effect
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
@@ -12,9 +12,10 @@ from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
 from fieldspec.model.erratum import Erratum
 from fieldspec.proofs.errata import Proof, finding_key, printed_tree, put_back
-from fieldspec.proofs.running import everything
+from fieldspec.proofs.remembered import Remembered
+from fieldspec.proofs.running import Outcome, everything
 from fieldspec.reading.building.device import built
-from fieldspec.reading.nodes import Mapping as Tree
+from fieldspec.reading.nodes import Mapping
 from fieldspec.reading.project import DeviceSpec
 
 WIRE = ("bytes", "range")
@@ -92,34 +93,31 @@ def misprint(erratum: Erratum) -> str:
     return next(kinds, OTHER if erratum.printed else WORDING)
 
 
-def as_printed(
-    spec: DeviceSpec,
-    proofs: Sequence[Proof],
-    thorough: bool,
-    known: Mapping[str, Sequence[Diagnostic]] | None = None,
-) -> Printed:
+def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known: Outcome | None = None) -> Printed:
     """The findings in the print of a device that the right spec does not have.
 
     Where an erratum is proven, its proof has run one check on its print already; `thorough` runs all the others too.
-    `known` has what is found in the right spec by version, as far as somebody knows it.
+    `known` is what running everything on the right spec has given.
     """
     of_version: dict[str, list[Proof]] = {}
     for proof in proofs:
         of_version.setdefault(proof.version, []).append(proof)
+    remembered = known.remembered if known is not None else Remembered()
+    right = known.by_version if known is not None else {}
     detections: list[Detection] = []
     findings: list[Diagnostic] = []
     for version, proven in of_version.items():
         device, _ = spec.at(version)
         tree = spec.tree_at(version)
-        right = known[version] if known and version in known else everything(device, ())
-        clean = {finding_key(found) for found in right}
-        whole = _new(_whole(spec, tree, version, device), clean)
+        found = right[version] if version in right else everything(device, (), remembered=remembered)
+        clean = {finding_key(one) for one in found}
+        whole = _new(_whole(spec, tree, version, device, remembered), clean)
         findings += whole
         for proof in proven:
             erratum = proof.erratum
             alone = proof.evidence
             if thorough or not alone:
-                alone = tuple(in_order(_new(_alone(spec, tree, version, device, erratum), clean)))
+                alone = tuple(in_order(_new(_alone(spec, tree, version, device, erratum, remembered), clean)))
             detections.append(Detection(erratum, alone, _shows(erratum, alone, whole)))
     order = [proof.erratum.id for proof in by_effect(proofs)]
     detections.sort(key=lambda one: order.index(one.erratum.id))
@@ -131,21 +129,25 @@ def _new(found: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) ->
     return [one for one in found if finding_key(one) not in clean and one.code not in OF_WRITING]
 
 
-def _alone(spec: DeviceSpec, tree: Tree, version: str, device: Device, erratum: Erratum) -> list[Diagnostic]:
+def _alone(
+    spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratum: Erratum, remembered: Remembered
+) -> list[Diagnostic]:
     if not erratum.printed:
         return []
     wrong, broken = put_back(spec, tree, version, device, erratum)
-    return everything(wrong, broken, not TEXTS.issuperset(erratum.printed)) if wrong is not device else broken
+    if wrong is device:
+        return broken
+    return everything(wrong, broken, not TEXTS.issuperset(erratum.printed), remembered)
 
 
-def _whole(spec: DeviceSpec, tree: Tree, version: str, device: Device) -> list[Diagnostic]:
+def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device, remembered: Remembered) -> list[Diagnostic]:
     """What is found with all prints at once. What cannot stand in the language is found by reading, and left out."""
     refused: list[Diagnostic] = []
     for erratum in device.errata:
         tree, broken = printed_tree(tree, erratum)
         refused += broken
     wrong, found = built(tree, version, spec.kept)
-    return [*refused, *everything(wrong, found)]
+    return [*refused, *everything(wrong, found, remembered=remembered)]
 
 
 def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagnostic]) -> bool:
@@ -165,7 +167,7 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 def detection(subject: Subject) -> Section:
     """The section of the report: how many errata a check finds by itself, by class, and which ones none does."""
-    return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.findings))
+    return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.known))
 
 
 def section(made: Printed) -> Section:

@@ -36,7 +36,7 @@ def report(subject: Subject) -> Report:
 
 def printed_report(subject: Subject) -> tuple[Report, tuple[Diagnostic, ...]]:
     """What the checks find in the print, as a report of one section, and these findings."""
-    printed = as_printed(subject.spec, subject.proofs, thorough=True, known=subject.findings)
+    printed = as_printed(subject.spec, subject.proofs, thorough=True, known=subject.known)
     return _report(subject, (section(printed),)), printed.findings
 
 

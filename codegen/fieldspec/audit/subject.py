@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from fieldspec.audit.manual_index import ManualIndex
-from fieldspec.classes import dataclass, field
-from fieldspec.diagnostics import Diagnostic
+from fieldspec.classes import dataclass
 from fieldspec.facts import Row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.proofs.errata import Proof
+from fieldspec.proofs.running import Outcome
 from fieldspec.reading.project import DeviceSpec
 
 
@@ -20,7 +20,7 @@ class Subject:
 
     `layouts` are those of all versions that are built, the oldest first, `facts` the rows of each of them. `recorded`
     is the index of the manual that stands beside the spec, `manual` that of the text at hand; either may be missing.
-    `findings` are those of versions whose checks have run already.
+    `known` is what running everything on the device has given, where that has happened.
     """
 
     spec: DeviceSpec
@@ -30,7 +30,7 @@ class Subject:
     proofs: Sequence[Proof] = ()
     recorded: ManualIndex | None = None
     manual: ManualIndex | None = None
-    findings: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)
+    known: Outcome | None = None
 
     @property
     def device(self) -> Device:

@@ -83,12 +83,13 @@ def _in_order(made: Sequence[Proof]) -> list[Proof]:
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What running everything on a device gives: all findings, what becomes of every erratum, in the order of the spec,
-    and by version the findings without those of errata and of other versions.
+    and by version the findings without those of errata and of other versions. `remembered` has those of examples.
     """
 
     findings: list[Diagnostic]
     proofs: list[Proof]
     by_version: Mapping[str, Sequence[Diagnostic]]
+    remembered: Remembered
 
 
 def proven(spec: DeviceSpec) -> list[Diagnostic]:
@@ -119,4 +120,4 @@ def outcome(spec: DeviceSpec) -> Outcome:
         made += of_version
     if len(identities) == len(spec.versions()):
         found += lines_alike(spec, identities)
-    return Outcome([*found, *accepted(spec)], _in_order(made), by_version)
+    return Outcome([*found, *accepted(spec)], _in_order(made), by_version, remembered)

@@ -37,8 +37,7 @@ def pages(
     """
     newest = layouts[-1]
     proofs = known.proofs if known is not None else errata_proofs(spec)
-    found = known.by_version if known is not None else {}
-    subject = Subject(spec, newest, layouts, [*map(rows, layouts)], proofs, recorded, findings=found)
+    subject = Subject(spec, newest, layouts, [*map(rows, layouts)], proofs, recorded, known=known)
     page = rendered(report(subject), newest.device, _documented(newest, documentation))
     texts = {f"{spec.id}/{NAME}": page, **index(layouts, [("audit", NAME)])}
     return {f"docs/{path}": text.encode("utf-8") for path, text in texts.items()}
