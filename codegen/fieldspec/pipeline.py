@@ -8,7 +8,7 @@ from fieldspec.backends import OUTPUTS, Files
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.proofs.running import proven
+from fieldspec.proofs.running import Outcome, proven
 from fieldspec.proofs.twins import twins
 from fieldspec.reading.project import DeviceSpec, Project, read
 
@@ -24,13 +24,19 @@ def checked(project: Project) -> list[Diagnostic]:
     return in_order([*project.found, *found])
 
 
-def layouts(spec: DeviceSpec) -> list[DeviceLayout]:
-    """The layouts of all versions of a device that has no findings, the oldest first, with those that share them."""
-    made = {version: device_layout(spec.at(version)[0]) for version in spec.versions()}
-    shared = twins(spec, {version: layout.identity for version, layout in made.items()})
+def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
+    """The layouts of all versions of a device that has no findings, the oldest first, with those that share them.
+
+    `ran` is what running everything on the device has given, where that is known.
+    """
+    if ran is not None:
+        made, shared = ran.layouts, ran.shared
+    else:
+        made = {version: device_layout(spec.at(version)[0]) for version in spec.versions()}
+        shared = twins(spec, {version: layout.identity for version, layout in made.items()})
     return [
-        replace(layout, twins=tuple(one for one, other in shared.items() if other == version))
-        for version, layout in made.items()
+        replace(made[version], twins=tuple(one for one, other in shared.items() if other == version))
+        for version in spec.versions()
     ]
 
 

@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from fieldspec import checks
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
-from fieldspec.layout.device import device_layout
+from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
 from fieldspec.proofs.errata import Findings, Proof, errata_by_version, proofs
 from fieldspec.proofs.remembered import Remembered
-from fieldspec.proofs.twins import LAYING_OUT, lines_alike
+from fieldspec.proofs.twins import LAYING_OUT, lines_alike, twins
 from fieldspec.reading.project import DeviceSpec
 
 EXAMPLE_PROOFS = (
@@ -84,12 +84,16 @@ def _in_order(made: Sequence[Proof]) -> list[Proof]:
 class Outcome:
     """What running everything on a device gives: all findings, what becomes of every erratum, in the order of the spec,
     and by version the findings without those of errata and of other versions. `remembered` has those of examples.
+
+    `layouts` are those of the versions with outputs that can be laid out; `shared` is what `twins` gives, where all can.
     """
 
     findings: list[Diagnostic]
     proofs: list[Proof]
     by_version: Mapping[str, Sequence[Diagnostic]]
     remembered: Remembered
+    layouts: Mapping[str, DeviceLayout]
+    shared: Mapping[str, str]
 
 
 def proven(spec: DeviceSpec) -> list[Diagnostic]:
@@ -103,7 +107,8 @@ def outcome(spec: DeviceSpec) -> Outcome:
     made: list[Proof] = []
     by_version: dict[str, Sequence[Diagnostic]] = {}
     settled: set[str] = set()
-    identities: dict[str, str] = {}
+    layouts: dict[str, DeviceLayout] = {}
+    shared: dict[str, str] = {}
     remembered = Remembered()
     for version in reversed(spec.versions()):
         device, broken = spec.at(version)
@@ -112,12 +117,13 @@ def outcome(spec: DeviceSpec) -> Outcome:
         found += broken
         if has_errors(broken):
             continue
-        identities[version] = device_layout(device).identity
+        layouts[version] = device_layout(device)
         errata = [erratum for erratum in device.errata if erratum.id not in settled]
         settled |= {erratum.id for erratum in errata}
         of_version = [*proofs(spec, version, device, errata, _finding(remembered), known())]
         found += (fault for proof in of_version for fault in proof.faults)
         made += of_version
-    if len(identities) == len(spec.versions()):
-        found += lines_alike(spec, identities)
-    return Outcome([*found, *accepted(spec)], _in_order(made), by_version, remembered)
+    if len(layouts) == len(spec.versions()):
+        shared = twins(spec, {version: layout.identity for version, layout in layouts.items()})
+        found += lines_alike(spec, shared)
+    return Outcome([*found, *accepted(spec)], _in_order(made), by_version, remembered, layouts, shared)

@@ -42,9 +42,12 @@ def _members(spec: DeviceSpec, line: str) -> list[str]:
     return [identity(member) or "" for held in lines for member in mappings(held.values.get("members"))]
 
 
-def lines_alike(spec: DeviceSpec, identities: Mapping[str, str]) -> Iterator[Diagnostic]:
-    """A finding for every version that is on the wire like none of the line that its own line is like."""
-    for version, other in twins(spec, identities).items():
+def lines_alike(spec: DeviceSpec, shared: Mapping[str, str]) -> Iterator[Diagnostic]:
+    """A finding for every version that is on the wire like none of the line that its own line is like.
+
+    `shared` is what `twins` gives.
+    """
+    for version, other in shared.items():
         if not other:
             line = spec.lines.alike[version]
             text = f"no version of the line `{line.text}` is on the wire as `{version}` is"
