@@ -22,7 +22,7 @@ class SourceFile:
     """A text and the path by which users know it, with forward slashes."""
 
     path: str
-    text: str
+    text: str = field(repr=False)
     _line_starts: list[int] = field(default_factory=list, repr=False)
 
     def line_starts(self) -> list[int]:

@@ -85,7 +85,7 @@ class Outcome:
     """What running everything on a device gives: all findings, what becomes of every erratum, in the order of the spec,
     and by version the findings without those of errata and of other versions. `remembered` has those of examples.
 
-    `layouts` are those of the versions with outputs that can be laid out; `shared` is what `twins` gives, where all can.
+    `layouts` are those of the versions that can be laid out; where all can, `shared` is what `twins` gives.
     """
 
     findings: list[Diagnostic]
