@@ -19,8 +19,9 @@ from fieldspec.backends.c.signals import conversion_lines, signal_lines
 from fieldspec.backends.c.support import STATUSES, check_lines, number_lines, status_lines
 from fieldspec.backends.c.text import folded, plain, string
 from fieldspec.backends.c.words import flags_lines
-from fieldspec.backends.templates import fill
+from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Device
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
@@ -71,8 +72,8 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         ("Parameters", [b for held in device.parameters.values() for b in parameter_lines(naming, device, held)]),
         ("Frames", [link_lines(naming, layout, link) for link in layout.links.values()]),
     ]
-    return fill(
-        "c/header.h.j2",
+    return filled(
+        "backends/c/header.h.in",
         title=plain(f"{device.name} ({device.vendor}), version {device.version}"),
         manual=plain(f"{device.manual.title} {device.manual.edition}".strip()),
         identity=layout.identity,
@@ -82,11 +83,30 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         version=string(device.version),
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity),
-        sections=[(name, ["\n".join(folded(block)) for block in blocks]) for name, blocks in sections if blocks],
         switches=_switches(naming, algorithms, bool(coded(device)), bool(device.conversions)),
-        texts_macro=naming.own_macro("with_texts"),
-        text_type=naming.own("code_text"),
-        texts=["\n".join(text_lines(naming, enum)) for enum in coded(device)],
+        sections="".join([_section(name, blocks) for name, blocks in sections if blocks]) + _texts(naming, device),
+    )
+
+
+def _section(name: str, blocks: Sequence[list[str]]) -> str:
+    return "".join([f"\n/* ---- {name} ---- */\n", *(_block(folded(block)) for block in blocks)])
+
+
+def _block(lines: Sequence[str]) -> str:
+    """Lines behind an empty one."""
+    return "\n".join(["", *lines, ""])
+
+
+def _texts(naming: Naming, device: Device) -> str:
+    """The texts of codes, where there are some."""
+    held = coded(device)
+    if not held:
+        return ""
+    return filled(
+        "backends/c/texts.h.in",
+        macro=naming.own_macro("with_texts"),
+        type=naming.own("code_text"),
+        texts="".join([_block(text_lines(naming, enum)) for enum in held]),
     )
 
 
@@ -100,14 +120,15 @@ def _claim(naming: Naming, version: str, versions: Sequence[str]) -> None:
     claim_selection(naming, versions)
 
 
-def _switches(naming: Naming, algorithms: set[str], texts: bool, converting: bool) -> list[str]:
-    """What may be defined before the header is included."""
+def _switches(naming: Naming, algorithms: set[str], texts: bool, converting: bool) -> str:
+    """What may be defined before the header is included, as lines of a comment."""
     known = (
         ("with_texts", "for the texts of codes, which take memory", texts),
         ("without_double", "to leave conversions out, which need double", converting),
         ("wide_crc_table", "for a faster check with a table of 512 bytes", "crc16_modbus" in algorithms),
     )
-    return [f"{naming.own_macro(name)} {what}" for name, what, used in known if used]
+    lines = [f" *   {naming.own_macro(name)} {what}\n" for name, what, used in known if used]
+    return "".join([" *\n * Before it is included there may be defined:\n", *lines] if lines else [])
 
 
 def _conversions(naming: Naming, layout: DeviceLayout) -> list[list[str]]:

@@ -11,7 +11,7 @@ from fieldspec.backends.c.naming import Naming, Noun, frame_member
 from fieldspec.backends.c.packing import packed
 from fieldspec.backends.c.text import indented, plain
 from fieldspec.backends.c.values import Wire, declaration
-from fieldspec.backends.templates import fill
+from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
@@ -146,19 +146,20 @@ def target(layout: DeviceLayout, naming: Naming, header: str) -> str:
     macros = [*_records(layout, naming), *_values(layout, naming), *_others(layout, naming)]
     choices = [*calls, *(f"{name}({', '.join(arguments)});" for name, *arguments in macros)]
     used = {name for name, *_ in macros}
-    return fill(
-        "c/fuzz.c.j2",
+    functions = [
+        lines
+        for number, (link, direction) in enumerate(shapes)
+        for lines in _frame(naming, link, direction, 2 * number)
+    ]
+    return filled(
+        "backends/c/fuzz.c.in",
         header=header,
         source=header.replace(".h", "_fuzz.c"),
         title=plain(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
-        macros=[_macro(naming, text) for name, text in _MACROS.items() if name in used],
-        functions=[
-            "\n".join(lines)
-            for number, (link, direction) in enumerate(shapes)
-            for lines in _frame(naming, link, direction, 2 * number)
-        ],
-        choices=list(enumerate(choices)),
+        macros="".join([f"\n{_macro(naming, text)}\n" for name, text in _MACROS.items() if name in used]),
+        functions="".join(["\n".join(["", *lines, ""]) for lines in functions]),
+        choices="".join([f"    case {at}:\n        {choice}\n        break;\n" for at, choice in enumerate(choices)]),
         number_of_choices=len(choices),
     )
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from fieldspec.backends.c.naming import Naming, stem, version_word
 from fieldspec.backends.c.text import plain
-from fieldspec.backends.templates import fill
+from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name
 
@@ -26,18 +26,18 @@ def selection(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     headers = [(version, layout) for layout in versions for version in (layout.device.version, *layout.twins)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in headers}
     header = f"{Name.of(device.id).snake()}.h"
-    text = fill(
-        "c/selection.h.j2",
+    select = naming.own_macro(_SELECT)
+    taken = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in headers]
+    text = filled(
+        "backends/c/selection.h.in",
         title=plain(f"{device.name} ({device.vendor}), in any of its versions"),
-        header=header,
         identity=versions[-1].identity,
-        select=naming.own_macro(_SELECT),
+        select=select,
         latest=naming.own_macro(_SELECT, _LATEST),
         newest=macros[device.version],
-        versions=[
-            (number, macros[version], f"{stem(device.id, layout.device.version)}.h", layout.identity)
-            for number, (version, layout) in enumerate(headers, 1)
-        ],
+        listed="".join([f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in taken]),
+        defined="".join([f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(taken, 1)]),
+        included="".join([f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in taken]),
         choices=", ".join(macros.values()),
     )
     return {header: text}

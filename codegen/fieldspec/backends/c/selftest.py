@@ -14,8 +14,8 @@ from fieldspec.backends.c.naming import Naming, member
 from fieldspec.backends.c.proofs_of_constants import constants
 from fieldspec.backends.c.proofs_of_examples import example_lines
 from fieldspec.backends.c.proofs_of_values import conversions, values_at_bounds
-from fieldspec.backends.c.text import array, integer, plain, string
-from fieldspec.backends.templates import fill
+from fieldspec.backends.c.text import array, indented, integer, plain, string
+from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 
@@ -25,15 +25,21 @@ def program(layout: DeviceLayout, naming: Naming, header: str) -> str:
     tests = [*constants(layout, naming), *_fields(layout, naming), *values_at_bounds(layout, naming)]
     tests += [*conversions(layout, naming)]
     tests += [example_lines(layout, naming, example) for example in layout.device.examples.values()]
-    return fill(
-        "c/selftest.c.j2",
+    switches = f"#define {naming.own_macro('with_texts')}\n" if coded(layout.device) else ""
+    return filled(
+        "backends/c/selftest.c.in",
         header=header,
         title=plain(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
         selftest=naming.own("selftest"),
-        texts_macro=naming.own_macro("with_texts") if coded(layout.device) else "",
-        tests=[(f"test_{at}", "\n".join(lines)) for at, lines in enumerate(tests)],
+        switches=switches,
+        tests="".join([_function(f"test_{at}", lines) for at, lines in enumerate(tests)]),
+        calls="".join([f"    test_{at}();\n" for at in range(len(tests))]),
     )
+
+
+def _function(name: str, lines: list[str]) -> str:
+    return "\n".join(["", f"static void {name}(void)", "{", *indented("\n".join(lines).split("\n")), "}", ""])
 
 
 def _records(layout: DeviceLayout) -> Iterator[RecordLayout]:
