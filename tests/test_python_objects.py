@@ -345,6 +345,19 @@ def test_the_fast_crc_is_that_of_the_standard(data: bytes) -> None:
         assert getattr(checks, name)(data) == CHECKSUMS[name](data)
 
 
+def checked(text: str) -> bytes:
+    """A frame with its CRC."""
+    data = bytes.fromhex(text)
+    return data + CHECKSUMS["crc16_modbus"](data).to_bytes(2, "little")
+
+
+def test_numbers_beyond_those_that_may_be_sent_are_read_as_they_came() -> None:
+    request = TC100.rtu.decode_request(checked("C8 03 10 00 12 34"))
+    assert (request.station, request.message) == (200, TC100.ReadRegistersRequest(0x1000, 0x1234))
+    response = TC100.rtu.decode_response(checked("C8 06 10 00 12 34"))
+    assert (response.station, response.message) == (200, TC100.WriteRegisterResponse(0x1000, 0x1234))
+
+
 def test_a_link_knows_its_stations() -> None:
     assert WIDGET.packet.stations == ((0, 7), (32, 39))
     assert (WIDGET.rtu.stations, WIDGET.rtu.broadcast) == (((1, 16),), 0)
