@@ -19,11 +19,13 @@ Files = dict[str, str | Workbook]
 class Output:
     """An output by the name of its folder here and below `generated/`.
 
-    Its module is imported when it is first used, so that nobody pays for outputs that are not asked for.
+    Its module is imported when it is first used, so that nobody pays for outputs that are not asked for. Outputs of one
+    `family` are made of the same declarations: one process makes them for less than two.
     """
 
     name: str
     title: str
+    family: str = ""
 
     def files(self, versions: Sequence[DeviceLayout]) -> Files:
         """The files for all versions of one device, the oldest first, by path."""
@@ -54,10 +56,10 @@ OUTPUTS = {
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
         Output("hmi", "Texts of alarms, faults and warnings for operator panels as CSV and XLSX"),
-        Output("scl", "Types, data blocks, functions and constants for TIA Portal"),
+        Output("scl", "Types, data blocks, functions and constants for TIA Portal", "structured"),
         Output("kv", "Word maps and device comments for word-based PLCs as CSV"),
-        Output("st", "Structured Text for CODESYS and TwinCAT 3"),
-        Output("twincat", "Structured Text as source files of TwinCAT 3"),
-        Output("plcopen", "Structured Text as PLCopen TC6 XML"),
+        Output("st", "Structured Text for CODESYS and TwinCAT 3", "structured"),
+        Output("twincat", "Structured Text as source files of TwinCAT 3", "structured"),
+        Output("plcopen", "Structured Text as PLCopen TC6 XML", "structured"),
     )
 }

@@ -10,7 +10,7 @@ from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.caching import checksum
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
 LIBRARIES = {
     "construct": "construct",
@@ -28,6 +28,8 @@ LAYING_OUT = (
     *("classes.py", "diagnostics.py", "names.py", "reserved.py", "source.py"),
 )
 """What takes part when the specs of a device become its layout."""
+WHOLE = ("",)
+"""All of the compiler."""
 
 _PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 _OTHERS = ("__pycache__", "_specs")
@@ -47,14 +49,14 @@ def identity() -> str:
     return checksum(*contents)
 
 
-def state() -> str:
-    """A hash of the names, sizes and times of the files that lay out a device, of folders of libraries, and of Python.
+def state(parts: Sequence[str] = LAYING_OUT) -> str:
+    """A hash of the names, sizes and times of some files of the compiler, of the folders of libraries, and of Python.
 
     It is another one whenever one of them is, and takes a tenth of the time of `identity`; that it is another one may
     mean no more than that files were copied. Raises OSError where they cannot be looked at.
     """
     lines: list[str] = []
-    for name in LAYING_OUT:
+    for name in parts:
         path = os.path.join(_PACKAGE, name)
         lines += _states(path, name) if os.path.isdir(path) else [_state(name, os.stat(path))]
     for folder in sys.path[1:]:  # the first is that of the script, or the current one

@@ -114,16 +114,16 @@ def devices_in(paths: Iterable[str]) -> list[str]:
     return sorted({folder for path in paths if (folder := path.partition("/")[0]) != PROTOCOLS})
 
 
-_at_start: list[str] = []
-"""The compiler that this process began with, once it is known."""
+_at_start: dict[str, str] = {}
+"""The compiler that this process began with, by the state of its files, once it is known."""
 
 
 def _running() -> str:
     """The compiler that runs; empty where it cannot be told, as its files are not those any more that it began with."""
     try:
-        now = compiler.identity()
+        state = compiler.state(compiler.WHOLE)
+        if not _at_start:
+            _at_start[state] = compiler.identity()
     except OSError:
         return ""
-    if not _at_start:
-        _at_start.append(now)
-    return now if _at_start == [now] else ""
+    return _at_start.get(state, "")

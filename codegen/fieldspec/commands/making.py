@@ -103,13 +103,14 @@ def _anew(
         if plan.check or plan.outputs:
             manual = _manual(spec.id, files)
             tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
+    lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
+    common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
     done = {one.device: one for one in carried_out(project, tasks, sum(map(len, files.values())))}
     found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
     shown = _from_here(found, sources.shown(path))
     if has_errors(found):
         return Made(shown, {}, {}, {}, False)
     contents = {path: content for one in done.values() for path, content in one.files.items()}
-    common = {name: pipeline.shared(name) for name in wanted.outputs if name not in shared}
     for held in common.values():
         contents |= held
     marked = {finding.span.file.path for finding in found}

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec import pipeline
 from fieldspec.audit.manual_index import ManualIndex
+from fieldspec.backends import OUTPUTS
 from fieldspec.classes import dataclass, replace
 from fieldspec.diagnostics import Diagnostic, has_errors
-from fieldspec.proofs.running import outcome
+from fieldspec.proofs.running import Outcome, outcome
 from fieldspec.reading.project import DeviceSpec, Project
 
 DOCUMENTATION = "docs"
@@ -53,27 +54,44 @@ class Done:
 
 
 def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done]:
-    """The results of tasks in any order. `size` is that of the specs, in bytes."""
+    """The results of tasks in any order. `size` is that of the specs, in bytes.
+
+    Each processor has one device at a time. Where there are more processors than devices, these are checked first, and
+    then each of them has outputs of a device.
+    """
     tasks = sorted(tasks, key=lambda task: -_work(project.devices[task.device]))  # who is left alone has a small one
-    processes = min(_processors(), sum(len(task.outputs) or 1 for task in tasks))
-    if processes < 2 or size < WORTH_IT or sys.platform != "linux":
+    processes = _processors()
+    if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
         return [carry_out(project, task) for task in tasks]
+    if len(tasks) >= processes:
+        return _in_processes(project, {}, tasks, processes)
+    known = {task.device: outcome(project.devices[task.device]) for task in tasks if task.check}
+    checked = [Done(task.device, known[task.device].findings if task.check else [], {}, {}) for task in tasks]
+    if any(has_errors(done.found) for done in checked):
+        return checked
+    single = [replace(task, check=False, outputs=names) for task in tasks for names in _families(task.outputs)]
+    parts = _in_processes(project, known, single, processes) if single else []
+    return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
+
+
+def _in_processes(project: Project, known: Mapping[str, Outcome], tasks: Sequence[Task], processes: int) -> list[Done]:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing import get_context
 
     try:
-        pool = ProcessPoolExecutor(processes, get_context("fork"), _start, (project,))
+        pool = ProcessPoolExecutor(min(processes, len(tasks)), get_context("fork"), _start, (project, known))
     except OSError:  # the system has no semaphores for us
-        return [carry_out(project, task) for task in tasks]
+        return [carry_out(project, task, known.get(task.device)) for task in tasks]
     with pool:
-        if len(tasks) >= processes:
-            return list(pool.map(_carry_out, tasks))
-        checked = list(pool.map(_carry_out, [replace(task, outputs=()) for task in tasks]))
-        if any(has_errors(done.found) for done in checked):
-            return checked
-        single = [replace(task, check=False, outputs=(name,)) for task in tasks for name in task.outputs]
-        parts = list(pool.map(_carry_out, single))
-    return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
+        return list(pool.map(_carry_out, tasks))
+
+
+def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
+    """The outputs that one process makes, those that take the longest first."""
+    found: dict[str, list[str]] = {}
+    for name in sorted(names, key=lambda name: name != DOCUMENTATION):
+        found.setdefault(OUTPUTS[name].family or name, []).append(name)
+    return [*map(tuple, found.values())]
 
 
 def _work(spec: DeviceSpec) -> int:
@@ -94,14 +112,16 @@ def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def carry_out(project: Project, task: Task) -> Done:
-    """The result of one task."""
+def carry_out(project: Project, task: Task, known: Outcome | None = None) -> Done:
+    """The result of one task. `known` is what checking the device has come to, where that has happened already."""
     spec = project.devices[task.device]
-    ran = outcome(spec) if task.check else None
-    found = ran.findings if ran is not None else []
+    ran = outcome(spec) if task.check else known
+    found = [*ran.findings] if ran is not None and task.check else []
     if has_errors(found) or not task.outputs:
         return Done(task.device, found, {}, {})
-    layouts = [laid for laid in pipeline.layouts(spec) if not task.versions or laid.device.version in task.versions]
+    layouts = pipeline.layouts(spec, ran)
+    if task.versions:
+        layouts = [laid for laid in layouts if laid.device.version in task.versions]
     found += pipeline.refusals(layouts, task.outputs)
     if has_errors(found):
         return Done(task.device, found, {}, {})
@@ -117,12 +137,13 @@ def carry_out(project: Project, task: Task) -> Done:
 
 
 _project: Project
+_known: Mapping[str, Outcome]
 
 
-def _start(project: Project) -> None:
-    global _project
-    _project = project
+def _start(project: Project, known: Mapping[str, Outcome]) -> None:
+    global _project, _known
+    _project, _known = project, known
 
 
 def _carry_out(task: Task) -> Done:
-    return carry_out(_project, task)
+    return carry_out(_project, task, _known.get(task.device))
