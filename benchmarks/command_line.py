@@ -35,6 +35,7 @@ def rows() -> Iterator[Row]:
             NOTHING: (*PYTHON, "-c", "pass"),
             "fieldspec --help": (*FIELDSPEC, "--help"),
             "fieldspec decode": (*FIELDSPEC, "decode", "tc100", FRAME, *specs),
+            "fieldspec decode --no-cache": (*FIELDSPEC, "decode", "tc100", FRAME, "--no-cache", *specs),
             "fieldspec show": (*FIELDSPEC, "show", "tc100", *specs),
             f"{cantools} --help": (*PYTHON, str(BIN / "cantools"), "--help"),
             f"{cantools} dump": (*PYTHON, str(BIN / "cantools"), "dump", str(database)),
@@ -45,6 +46,7 @@ def rows() -> Iterator[Row]:
     yield compared(GROUP, "--help", took, "fieldspec --help", f"{cantools} --help")
     yield compared(GROUP, "--help", took, "fieldspec --help", f"{peakrdl} --help")
     yield compared(GROUP, "decode of one frame", took, "fieldspec decode", NOTHING, at_most=3.5)
+    yield compared(GROUP, "decode, from the spec itself", took, "fieldspec decode --no-cache", NOTHING)
     yield compared(GROUP, "show", took, "fieldspec show", NOTHING, at_most=4)
     yield compared(GROUP, "show", took, "fieldspec show", f"{cantools} dump")
 
