@@ -15,9 +15,10 @@ _PACKAGE = Path(__file__).resolve().parent.parent
 
 def filled(form: str, **texts: object) -> str:
     """The text of a form, given by its path in the package. Raises KeyError for a place that nothing is given for."""
-    return _form(form).substitute(texts)
+    return Template(text(form)).substitute(texts)
 
 
 @cache
-def _form(path: str) -> Template:
-    return Template(_PACKAGE.joinpath(path).read_text("utf-8"))
+def text(path: str) -> str:
+    """The text of a file that stands in an output as it is, by its path in the package."""
+    return _PACKAGE.joinpath(path).read_text("utf-8")

@@ -6,6 +6,9 @@ from fieldspec.audit.section import Cell, Figure
 from fieldspec.model.fact import Citation
 from fieldspec.source import Span
 
+SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
+"""How something stands, as a sign and in words."""
+
 
 def cell_text(cell: Cell) -> str:
     """A cell for people: nothing is empty, a place in a file is `path:line`, one in the manual as specs cite it."""

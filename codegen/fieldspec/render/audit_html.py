@@ -1,142 +1,75 @@
 """The audit of a device as a page that stands on its own, to be read, printed and handed on.
 
-The template has the page; the rows of its tables and the boxes of its drawings are written here, as a template takes
-eight times as long.
+The form has what is on every page.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import Space
-from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
+from fieldspec.audit.section import Figure, Report, Section, SectionTable
 from fieldspec.backends.docs.document import clean
 from fieldspec.backends.docs.html import escaped
-from fieldspec.backends.templates import fill
-from fieldspec.classes import dataclass
+from fieldspec.backends.forms import filled, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Citation
-from fieldspec.render.audit_cells import cell_text
+from fieldspec.render.audit_cells import SIGNS
 from fieldspec.render.audit_map import Box, Drawing, maps, states
+from fieldspec.render.audit_rows import table_html
 from fieldspec.source import Span
 
-_SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to be looked at"), "": ("", "")}
 OPEN = 100
 """A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
 
-BROAD = 8
-"""A table of so many columns shares out the width, as it would else be wider than paper."""
-
-_WORD, _MOST, _WHOLE, _EDGES = 11, 60, 205, 4
-"""When the width is shared out, in letters: the longest word that is never broken, how long a text counts at most, how
-much there is to share, and what the edges of a cell and bold letters take."""
-
-_LETTERS = re.compile(r"[A-Za-z]+")
-
 _GOOD = {True: "good", False: "bad", None: ""}
-
-
-@dataclass(frozen=True, slots=True)
-class _Number:
-    """A figure: the number, the whole, what it counts, and how it stands, as a word and as a sign."""
-
-    number: str
-    whole: str
-    what: str
-    kind: str
-    sign: str
-    said: str
-
-
-@dataclass(frozen=True, slots=True)
-class _Table:
-    """A table: its rows are written already."""
-
-    anchor: str
-    title: str
-    short: str
-    count: str
-    headings: tuple[str, ...]
-    marked: bool
-    rows: str
-    detail: bool
-    open: bool
-    shares: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class _Drawn:
-    """A drawing, whose boxes and marks are written already."""
-
-    drawing: Drawing
-    shapes: str
-
-
-@dataclass(frozen=True, slots=True)
-class _Map:
-    """The drawings of a space."""
-
-    title: str
-    drawings: tuple[_Drawn, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class _Part:
-    """A section: its figures, its texts, its tables, and its drawings."""
-
-    anchor: str
-    title: str
-    says: tuple[str, ...]
-    figures: tuple[_Number, ...]
-    tables: tuple[_Table, ...]
-    folded: tuple[_Table, ...]
-    maps: tuple[_Map, ...]
-    legend: tuple[tuple[str, str], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class _Finding:
-    """A finding: how grave it is, what it says, what would make it right, and where it shows."""
-
-    anchor: str
-    kind: str
-    sign: str
-    severity: str
-    rule: str
-    message: str
-    help: str
-    place: str
-    link: str
-    section: str
-    labels: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class _Head:
-    """What the report is about, and what it comes to; `questions` has a link and a text for each part with any."""
-
-    title: str
-    subtitle: str
-    identity: str
-    rows: tuple[tuple[str, str], ...]
-    verdict: str
-    kind: str
-    sign: str
-    questions: tuple[tuple[str, str], ...]
 
 
 def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
     """The page; `links` leads from paths of facts to where they are documented, where there is such a place."""
     found = [(section, one) for section in report.sections for one in in_order(section.findings)]
-    parts = [_part(section, links) for section in report.sections]
     rows = {section.name: _rows_by_place(section) for section in report.sections if section.findings}
     findings = [_finding(number, section, one, rows[section.name]) for number, (section, one) in enumerate(found, 1)]
-    return fill("audit.html.j2", head=_head(report, device, [one for _, one in found]), parts=parts, findings=findings)
+    return filled(
+        "render/audit.html.in",
+        title=_shown(f"Audit of {report.title}"),
+        identity=_shown(report.identity),
+        style=text("backends/docs/page.css") + text("render/audit.css"),
+        contents="".join(map(_entry, report.sections)),
+        head=_head(report, device, [one for _, one in found]),
+        glance="".join(map(_glance, report.sections)),
+        findings="".join(['<ol class="findings">\n', *findings, "</ol>\n"]) if findings else "<p>There is none.</p>\n",
+        parts="".join([_part(section, links) for section in report.sections]),
+    )
 
 
-def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
+def _shown(held: str) -> str:
+    return escaped(clean(held))
+
+
+def _entry(section: Section) -> str:
+    """A section in the table of contents, with its tables, the folded ones behind the others."""
+    inner = [
+        f'<li><a href="#{_anchor(section, table)}{ending}">{_shown(table.title.partition(". ")[0])}</a></li>\n'
+        for table, ending in (
+            *((table, "") for table in _tables(section, False)),
+            *((table, "-folded") for table in _tables(section, True)),
+        )
+    ]
+    within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
+    return f'<li><a href="#{section.name}">{_shown(section.title)}</a>\n{within}</li>\n'
+
+
+def _tables(section: Section, folded: bool) -> list[SectionTable]:
+    return [table for table in section.tables if table.rows and table.detail is folded]
+
+
+def _anchor(section: Section, table: SectionTable) -> str:
+    return f"{section.name}-{table.name}"
+
+
+def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> str:
+    """What the report is about, and what it comes to, with a link to each part that has questions."""
     manual = device.manual
     edition = f", {manual.edition}" if manual.edition else ""
     rows = (
@@ -155,16 +88,17 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> _Head:
         verdict, kind = f"No error; {_many(warnings, 'warning')} to be looked at.", "warning"
     else:
         verdict, kind = "No finding in any part of the audit.", "good"
-    return _Head(
-        clean(f"Audit of {report.title}"),
-        clean(device.title),
-        clean(report.identity),
-        tuple((term, clean(text)) for term, text in rows),
-        verdict,
-        kind,
-        _SIGNS[kind][0],
-        tuple((one.name, clean(_questions(one))) for one in report.sections if one.questions),
+    subtitle = f'<p class="subtitle">{_shown(device.title)}</p>\n' if clean(device.title) else ""
+    facts = "".join([f"<div><dt>{term}</dt><dd>{_shown(held)}</dd></div>\n" for term, held in rows])
+    questions = "".join(
+        [
+            f' <span class="questions"><a href="#{one.name}">{_questions(one)}</a>.</span>'
+            for one in report.sections
+            if one.questions
+        ]
     )
+    said = f'<p class="verdict {kind}"><span aria-hidden="true">{SIGNS[kind][0]}</span> {verdict}{questions}</p>\n'
+    return f'{subtitle}<dl class="facts">\n{facts}</dl>\n{said}'
 
 
 def _questions(section: Section) -> str:
@@ -175,112 +109,92 @@ def _many(number: int, what: str) -> str:
     return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
-def _part(section: Section, links: Mapping[str, str]) -> _Part:
-    tables = [_table(section.name, table, links) for table in section.tables if table.rows]
-    drawn = section.drawn if isinstance(section.drawn, tuple) else ()
-    spaces = tuple(space for space in drawn if isinstance(space, Space))
-    return _Part(
-        section.name,
-        clean(section.title),
-        tuple(map(clean, section.says)),
-        tuple(map(_number, section.figures)),
-        tuple(table for table in tables if not table.detail),
-        tuple(table for table in tables if table.detail),
-        tuple(_Map(held.title, tuple(map(_drawn, held.drawings))) for held in maps(spaces)),
-        tuple(states(spaces)),
+def _glance(section: Section) -> str:
+    """The figures of a section, for the top of the page."""
+    if not section.figures:
+        return ""
+    title = f'<h3><a href="#{section.name}">{_shown(section.title)}</a></h3>'
+    return f"<section>\n{title}\n{_figures(section)}\n</section>\n"
+
+
+def _figures(section: Section) -> str:
+    return "".join(['<ul class="figures">\n', *map(_figure, section.figures), "</ul>\n"])
+
+
+def _figure(figure: Figure) -> str:
+    kind = _GOOD[figure.good]
+    sign, said = SIGNS[kind]
+    whole = "" if figure.whole is None else f'<span class="whole">of {figure.whole}</span> '
+    standing = f'<span class="said">: {said}</span>' if said else ""
+    mark = f'<span class="mark" aria-hidden="true">{sign}</span><b>{figure.number}</b>'
+    return f'<li class="{kind}">{mark}<span>{whole}{_shown(figure.what)}{standing}</span></li>\n'
+
+
+def _part(section: Section, links: Mapping[str, str]) -> str:
+    """A section: its texts, its figures, its drawings, and its tables, the folded ones behind the others."""
+    return "".join(
+        [
+            f'<section id="{section.name}">\n<h2>{_shown(section.title)}</h2>\n',
+            *(f"<p>{_shown(said)}</p>\n" for said in section.says),
+            f"{_figures(section)}\n" if section.figures else "",
+            *_drawn(section),
+            *(f"{table_html(section.name, table, links)}\n" for table in _tables(section, False)),
+            *(_folded(section, table, links) for table in _tables(section, True)),
+            "</section>\n",
+        ]
     )
 
 
-def _number(figure: Figure) -> _Number:
-    kind = _GOOD[figure.good]
-    whole = "" if figure.whole is None else f"of {figure.whole}"
-    return _Number(str(figure.number), whole, clean(figure.what), kind, *_SIGNS[kind])
+def _folded(section: Section, table: SectionTable, links: Mapping[str, str]) -> str:
+    many = len(table.rows)
+    return (
+        f'<details id="{_anchor(section, table)}-folded"{" open" if many <= OPEN else ""}>\n'
+        f"<summary>{_shown(table.title)} ({_many(many, 'row')})</summary>\n"
+        f"{table_html(section.name, table, links)}\n</details>\n"
+    )
 
 
-def _drawn(drawing: Drawing) -> _Drawn:
+def _drawn(section: Section) -> Iterator[str]:
+    """The legend, and the drawings of each space under its title."""
+    drawn = section.drawn if isinstance(section.drawn, tuple) else ()
+    spaces = tuple(space for space in drawn if isinstance(space, Space))
+    legend = [
+        '<li><svg viewBox="0 0 38 20" aria-hidden="true" focusable="false">'
+        f'<rect class="{state}" x="1" y="1" width="36" height="18"/></svg>{escaped(words)}</li>\n'
+        for state, words in states(spaces)
+    ]
+    if legend:
+        yield "".join(['<ul class="legend" aria-label="Legend">\n', *legend, "</ul>\n"])
+    for held in maps(spaces):
+        yield f"<h3>{escaped(held.title)}</h3>\n"
+        yield from map(_drawing, held.drawings)
+
+
+def _drawing(drawing: Drawing) -> str:
+    anchor, caption = escaped(drawing.anchor), escaped(drawing.caption)
     marks = [
         f'<text class="address" x="{mark.x}" y="{mark.y}" text-anchor="{mark.anchor}">{escaped(mark.text)}</text>\n'
         for mark in drawing.marks
     ]
-    return _Drawn(drawing, "".join([*marks, *map(_box, drawing.boxes)]))
+    return "".join(
+        [
+            f'<figure id="{anchor}">\n<figcaption>{caption}</figcaption>\n',
+            f'<div tabindex="0" role="region" aria-label="{caption}">\n',
+            f'<svg role="img" viewBox="0 0 {drawing.width} {drawing.height}"',
+            f' aria-labelledby="{anchor}-title {anchor}-text">\n',
+            f'<title id="{anchor}-title">{escaped(drawing.title)}</title>\n',
+            f'<desc id="{anchor}-text">{escaped(drawing.description)}</desc>\n',
+            *marks,
+            *map(_box, drawing.boxes),
+            "</svg>\n</div>\n</figure>\n\n",
+        ]
+    )
 
 
 def _box(box: Box) -> str:
     rect = f'<rect class="{box.state}" x="{box.x}" y="{box.y}" width="{box.width}" height="{box.height}"/>'
     texts = [f'<text class="name" x="{one.x}" y="{one.y}">{escaped(one.text)}</text>' for one in box.texts]
     return f"<g><title>{escaped(box.title)}</title>{rect}{''.join(texts)}</g>\n"
-
-
-def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Table:
-    marked = any(table.kinds)
-    full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
-    texts = {at: [clean(cell_text(row[at])) for row in table.rows] for at in full}
-    many = len(table.rows)
-    return _Table(
-        f"{section}-{table.name}",
-        clean(table.title),
-        clean(table.title.partition(". ")[0]),
-        f"{many} row" if many == 1 else f"{many} rows",
-        tuple(clean(table.columns[at].replace("_", " ")) for at in full),
-        marked,
-        "".join(_rows(f"{section}-{table.name}", table, texts, marked, links)),
-        table.detail,
-        many <= OPEN,
-        _shares(table, texts, marked) if len(full) >= BROAD else (),
-    )
-
-
-def _shares(table: SectionTable, held: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
-    """How much of the width each column gets, in percent: room for its words, and more where there is more to read."""
-    needs, wishes = ([_EDGES], [0]) if marked else ([], [])
-    for at, cells in held.items():
-        texts = [table.columns[at].replace("_", " "), *cells]
-        longest = max(map(len, _LETTERS.findall(" ".join(texts))), default=0)
-        room = min(longest, _WORD)
-        needs.append(room + _EDGES)
-        wishes.append(max(min(sum(map(len, texts)) // len(texts), _MOST) - room, 0))
-    spare = max(_WHOLE - sum(needs), 0) / max(sum(wishes), 1)
-    widths = [need + wish * spare for need, wish in zip(needs, wishes, strict=True)]
-    return tuple(f"{100 * width / sum(widths):.1f}" for width in widths)
-
-
-def _counts(table: SectionTable, at: int) -> bool:
-    """Whether a column holds numbers alone."""
-    held = [row[at] for row in table.rows if row[at] is not None]
-    return bool(held) and all(isinstance(cell, int) for cell in held)
-
-
-def _rows(
-    anchor: str, table: SectionTable, texts: Mapping[int, Sequence[str]], marked: bool, links: Mapping[str, str]
-) -> Iterator[str]:
-    """The rows, with the cells of the columns that have texts."""
-    columns = []
-    for at, held in texts.items():
-        style = ' class="number"' if _counts(table, at) else ""
-        cells = zip((cells[at] for cells in table.rows), held, strict=True)
-        columns.append([f"<td{style}>{_cell(cell, text, links)}</td>" for cell, text in cells])
-    for number, row in enumerate(zip(*columns, strict=True)):
-        kind = table.kinds[number] if table.kinds else ""
-        style = f' class="{kind}"' if kind else ""
-        yield f'<tr id="{anchor}-{number + 1}"{style}>{_sign(kind) if marked else ""}{"".join(row)}</tr>\n'
-
-
-def _sign(kind: str) -> str:
-    sign, said = _SIGNS[kind]
-    return f'<td class="sign"><span aria-hidden="true">{sign}</span><span class="said">{said}</span></td>'
-
-
-def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
-    """A cell with its text."""
-    if cell is None or isinstance(cell, int):
-        return text
-    text = escaped(text)
-    if isinstance(cell, Span):
-        return f"<code>{text}</code>"
-    if isinstance(cell, Citation):
-        return f'<span class="source">{text}</span>'
-    link = links.get(cell)
-    return text if link is None else f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
 
 
 def _place(span: Span) -> str:
@@ -298,25 +212,20 @@ def _rows_by_place(section: Section) -> dict[str, str]:
     return anchors
 
 
-def _finding(number: int, section: Section, found: Diagnostic, rows: Mapping[str, str]) -> _Finding:
+def _finding(number: int, section: Section, found: Diagnostic, rows: Mapping[str, str]) -> str:
+    """A finding: how grave it is, what it says, what would make it right, and where it shows."""
     kind = "bad" if found.severity is Severity.ERROR else "warning"
     places = [_place(found.span), *(_place(label.span) for label in found.labels)]
     link = next((rows[place] for place in places if place in rows), section.name)
-    return _Finding(
-        f"finding-{number}",
-        kind,
-        _SIGNS[kind][0],
-        found.severity.value,
-        found.code,
-        clean(found.message),
-        clean(found.help),
-        clean(places[0]),
-        link,
-        clean(section.title),
-        tuple(_labels(found)),
+    labels = [f"; <code>{_shown(f'{_place(label.span)}: {label.text}')}</code>" for label in found.labels]
+    mark = f'<span class="mark" aria-hidden="true">{SIGNS[kind][0]}</span>'
+    said = f"<strong>{found.severity.value}</strong> <code>{found.code}</code>: {_shown(found.message)}"
+    return "".join(
+        [
+            f'<li id="finding-{number}" class="{kind}">\n<p>{mark} {said}</p>\n',
+            f'<p class="quiet"><code>{_shown(places[0])}</code>{"".join(labels)}.',
+            f' See <a href="#{link}">{_shown(section.title)}</a>.</p>\n',
+            f"<p>{_shown(found.help)}</p>\n" if clean(found.help) else "",
+            "</li>\n",
+        ]
     )
-
-
-def _labels(found: Diagnostic) -> Iterator[str]:
-    for label in found.labels:
-        yield clean(f"{_place(label.span)}: {label.text}")

@@ -11,7 +11,6 @@ from fieldspec.backends.docs.document import Document, plain
 from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.page import page
 from fieldspec.backends.docs.versions import versions
-from fieldspec.backends.templates import fill
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 
@@ -29,14 +28,14 @@ def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:
     if held:
         rows = {version: frozenset(every(made.sections)) for version, made in pages.items()}
         sections = {version: frozenset(headings(made.sections)) for version, made in pages.items()}
-        texts[f"{folder}/{NAME}.html"] = _html(changed(held, ".html", rows))
-        texts[f"{folder}/{NAME}.md"] = _markdown(changed(held, ".md", sections))
+        texts[f"{folder}/{NAME}.html"] = html.page(changed(held, ".html", rows))
+        texts[f"{folder}/{NAME}.md"] = markdown.page(changed(held, ".md", sections))
     came_by = {step.new.device.version for step in held}
     for version, made in pages.items():
         name = page_name(version)
         fresh = version in came_by
-        texts[f"{folder}/{name}.html"] = _html(_leading(made, version, ".html") if fresh else made)
-        texts[f"{folder}/{name}.md"] = _markdown(_leading(made, version, ".md") if fresh else made)
+        texts[f"{folder}/{name}.html"] = html.page(_leading(made, version, ".html") if fresh else made)
+        texts[f"{folder}/{name}.md"] = markdown.page(_leading(made, version, ".md") if fresh else made)
     return texts
 
 
@@ -48,8 +47,8 @@ def index(layouts: Sequence[DeviceLayout], beside: Sequence[tuple[str, str]]) ->
 def _index(layouts: Sequence[DeviceLayout], held: Sequence[Step], beside: Sequence[tuple[str, str]]) -> dict[str, str]:
     folder = layouts[-1].device.id
     return {
-        f"{folder}/index.html": _html(versions(layouts, held, ".html", beside)),
-        f"{folder}/README.md": _markdown(versions(layouts, held, ".md", beside)),
+        f"{folder}/index.html": html.page(versions(layouts, held, ".html", beside)),
+        f"{folder}/README.md": markdown.page(versions(layouts, held, ".md", beside)),
     }
 
 
@@ -61,24 +60,3 @@ def _leading(made: Document, version: str, ending: str) -> Document:
 def shared() -> dict[str, str]:
     """No file: every page holds all that it needs."""
     return {}
-
-
-def _html(document: Document) -> str:
-    return fill(
-        "docs/page.html.j2",
-        page=document,
-        summary=html.lines(document, document.summary),
-        parts=html.parts(document),
-    )
-
-
-def _markdown(document: Document) -> str:
-    return fill(
-        "docs/page.md.j2",
-        title=markdown.escaped(document.title),
-        subtitle=markdown.escaped(document.subtitle),
-        identity=document.identity,
-        summary=[markdown.line(held) for held in document.summary],
-        contents=markdown.contents(document),
-        parts=markdown.parts(document),
-    )

@@ -1,6 +1,6 @@
 """A document as HTML: every text escaped, every block as lines.
 
-The template has the page; what is in it by the ten thousand is written here, as a template takes eight times as long.
+The form has what is on every page.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from fieldspec.backends.docs.document import (
     Strips,
     Table,
 )
-from fieldspec.classes import dataclass
+from fieldspec.backends.forms import filled, text
 
 _TAGS = {
     "": ("", ""),
@@ -34,25 +34,21 @@ _TAGS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A section as HTML: what its title says with and without tags, its blocks, and the sections within it."""
-
-    anchor: str
-    title: str
-    text: str
-    blocks: str
-    parts: tuple[Part, ...]
-
-
-def parts(document: Document) -> tuple[Part, ...]:
-    """All sections, with those within them."""
-    return tuple(map(_Page(document).part, document.sections))
-
-
-def lines(document: Document, held: tuple[Line, ...]) -> tuple[str, ...]:
-    """Lines of a document."""
-    return tuple(map(_writer(document.language).line, held))
+def page(document: Document) -> str:
+    """A whole page."""
+    made = _Page(document)
+    subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>\n' if document.subtitle else ""
+    summary = "".join([f"<li>{_writer(document.language).line(line)}</li>" for line in document.summary])
+    return filled(
+        "backends/docs/page.html.in",
+        title=escaped(document.title),
+        identity=escaped(document.identity),
+        style=text("backends/docs/page.css"),
+        script=text("backends/docs/filter.js"),
+        head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
+        contents="".join(map(made.entry, document.sections)),
+        sections="".join([made.section(section, 2) for section in document.sections]),
+    )
 
 
 @lru_cache(maxsize=KEPT)
@@ -113,15 +109,21 @@ class _Page:
         self._anchors = Anchors(document.sections)
         self._writer = _writer(document.language)
 
-    def part(self, section: Section) -> Part:
-        """A section, and those within it."""
-        return Part(
-            escaped(section.anchor),
-            self._line(section.title),
-            "".join(escaped(piece.text) for piece in section.title),
-            "".join([text for block in section.blocks for text in self._block(block)]),
-            tuple(map(self.part, section.sections)),
-        )
+    def entry(self, section: Section) -> str:
+        """A section in the table of contents, with those within it."""
+        inner = [
+            f'<li><a href="#{escaped(one.anchor)}">{"".join(escaped(piece.text) for piece in one.title)}</a></li>\n'
+            for one in section.sections
+        ]
+        within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
+        return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{within}</li>\n'
+
+    def section(self, section: Section, level: int) -> str:
+        """A section, and those within it, under a heading of a level."""
+        blocks = "".join([text for block in section.blocks for text in self._block(block)])
+        inner = "".join([self.section(one, level + 1) for one in section.sections])
+        heading = f"<h{level}>{self._line(section.title)}</h{level}>"
+        return f'<section id="{escaped(section.anchor)}">\n{heading}\n{blocks}\n{inner}</section>\n'
 
     def _line(self, pieces: Line) -> str:
         return self._writer.line(self._anchors.line(pieces))

@@ -22,7 +22,7 @@ from fieldspec.backends.docs.document import (
     Table,
     paths,
 )
-from fieldspec.classes import dataclass
+from fieldspec.backends.forms import filled
 
 _ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
 _SPECIAL = re.compile(r"[&<>]|[\\`*\[\]|~$!]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(?=\w)|@(?=\w)")
@@ -30,46 +30,34 @@ _SPECIAL = re.compile(r"[&<>]|[\\`*\[\]|~$!]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|
 _BLOCK = re.compile(r"^(?:[#+\-=]|\d+(?=[.)](?:\s|$)))")
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
-    """A line of the table of contents."""
-
-    indent: str
-    text: str
-    anchor: str
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A heading with its blocks, each a text of whole lines."""
-
-    hashes: str
-    title: str
-    anchor: str
-    blocks: tuple[str, ...]
+def page(document: Document) -> str:
+    """A whole page."""
+    subtitle = f"{escaped(document.subtitle)}\n\n" if document.subtitle else ""
+    summary = "".join([f"- {line(held)}\n" for held in document.summary])
+    return filled(
+        "backends/docs/page.md.in",
+        title=escaped(document.title),
+        identity=document.identity,
+        head=subtitle + (f"{summary}\n" if summary else ""),
+        contents="".join(_contents(document.sections, "")),
+        sections="".join(_sections(document.sections, "##", _Page(document))),
+    )
 
 
-def contents(document: Document) -> tuple[Entry, ...]:
-    """The sections, and those within them."""
-    return tuple(_entries(document.sections, ""))
-
-
-def _entries(sections: tuple[Section, ...], indent: str) -> Iterator[Entry]:
+def _contents(sections: tuple[Section, ...], indent: str) -> Iterator[str]:
+    """The table of contents: the sections, and those within them."""
     for section in sections:
-        yield Entry(indent, line(section.title), section.anchor)
-        yield from _entries(section.sections, indent + "  ")
+        yield f"{indent}- [{line(section.title)}](#{section.anchor})\n"
+        yield from _contents(section.sections, indent + "  ")
 
 
-def parts(document: Document) -> tuple[Part, ...]:
+def _sections(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterator[str]:
     """All sections in order, those within a section behind it."""
-    return tuple(_parts(document.sections, "##", _Page(document)))
-
-
-def _parts(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterator[Part]:
     for section in sections:
-        blocks = tuple(["\n".join(page.block(block)) for block in section.blocks])
-        yield Part(hashes, line(section.title), section.anchor, blocks)
-        yield from _parts(section.sections, hashes + "#", page)
+        yield f'\n<a id="{section.anchor}"></a>\n\n{hashes} {line(section.title)}\n'
+        for block in section.blocks:
+            yield "\n".join(["", *page.block(block), ""])
+        yield from _sections(section.sections, hashes + "#", page)
 
 
 @lru_cache(maxsize=KEPT)
