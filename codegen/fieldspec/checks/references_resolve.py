@@ -34,8 +34,10 @@ _PARTS = frozenset(
 
 def references_resolve(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
-        yield from _named(fact.place, "flags", "word of flags", value.flags, device.flags)
+        if value.enum:
+            yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
+        if value.flags:
+            yield from _named(fact.place, "flags", "word of flags", value.flags, device.flags)
         if value.parameter is not None:
             yield from _of_part(device, fact.place, value.parameter)
     for record in device.records.values():
@@ -52,8 +54,9 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _of_flags(device, flags)
     registers = {register.name for register in device.registers()}
     for register in device.registers():
-        yield from _named(register.place, "same_as", "register", register.same_as, registers)
-        yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
+        if register.same_as or register.copy_of:
+            yield from _named(register.place, "same_as", "register", register.same_as, registers)
+            yield from _named(register.place, "copy_of", "register", register.copy_of, registers)
     for held in device.parameters.values():
         for parameter in held.parameters:
             yield from _all(parameter.place, "messages", "message", parameter.messages, device.messages)
@@ -63,8 +66,9 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
     for fact in facts(device):
         said = getattr(fact, "handling", NOTHING_SAID)
-        yield from _named(fact.place, "saved_by", "fact", said.saved_by, paths)
-        yield from _named(fact.place, "opposite_of", "fact", said.opposite_of, paths)
+        if said is not NOTHING_SAID:
+            yield from _named(fact.place, "saved_by", "fact", said.saved_by, paths)
+            yield from _named(fact.place, "opposite_of", "fact", said.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
         yield from _all(note.place, "about", "fact", map(_holder, note.about), paths)
@@ -102,7 +106,8 @@ def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diag
 
 def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
     for bit in flags.bits:
-        yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
+        if bit.enum:
+            yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
     bits = {bit.name for bit in flags.bits}
     for state in flags.states:
         for key, names in (("set", state.set), ("clear", state.clear)):

