@@ -2,11 +2,13 @@
 
 A CRC is linear in the bits of its data. So a byte's share of it depends only on the byte and on how many bytes
 follow: `CRC[d][byte]` is the share of a byte that `d` bytes follow. Frames of a fixed length take one
-look-up for each byte that varies; longer data take eight look-ups for eight bytes at once. `CRC_EXCHANGED` holds
+look-up for each byte that varies; other data take eight look-ups for eight bytes at once. `CRC_EXCHANGED` holds
 the same shares with their two bytes exchanged, for Structs whose order is not that of the check.
 """
 
 from __future__ import annotations
+
+from struct import Struct
 
 from ._typing import TYPE_CHECKING
 
@@ -33,6 +35,21 @@ CRC = tuple(map(tuple, _TABLES))
 CRC_EXCHANGED = tuple(tuple((crc & 0xFF) << 8 | crc >> 8 for crc in table) for table in _TABLES)
 BYTES = tuple(bytes((number,)) for number in range(256))
 _T0, _T1, _T2, _T3, _T4, _T5, _T6, _T7 = CRC
+_EIGHTS = Struct("<H6B").iter_unpack
+
+
+def _starts() -> list[tuple[bytes, int]]:
+    """Zeros to put before data, and the start value that these zeros make 0xFFFF: for none to seven of them."""
+    highs = {crc >> 8: byte for byte, crc in enumerate(_T0)}
+    crc, starts = 0xFFFF, []
+    for number in range(8):
+        starts.append((bytes(number), crc))
+        byte = highs[crc >> 8]
+        crc = (crc ^ _T0[byte]) << 8 & 0xFFFF | byte
+    return starts
+
+
+_STARTS = _starts()
 
 
 def crc16_modbus(data: Data) -> int:
@@ -40,13 +57,10 @@ def crc16_modbus(data: Data) -> int:
 
     It is sent low byte first; so the CRC of data with their CRC is 0.
     """
-    crc, table = 0xFFFF, _T0
-    long = len(data) - len(data) % 8 if len(data) > 15 else 0
-    for at in range(0, long, 8):
-        a, b, c, d, e, f, g, h = data[at : at + 8]
-        crc = _T7[a ^ crc & 0xFF] ^ _T6[b ^ crc >> 8] ^ _T5[c] ^ _T4[d] ^ _T3[e] ^ _T2[f] ^ _T1[g] ^ table[h]
-    for byte in data[long:] if long else data:
-        crc = crc >> 8 ^ table[(crc ^ byte) & 0xFF]
+    zeros, crc = _STARTS[-len(data) % 8]
+    for word, c, d, e, f, g, h in _EIGHTS(zeros + data):
+        crc ^= word
+        crc = _T7[crc & 0xFF] ^ _T6[crc >> 8] ^ _T5[c] ^ _T4[d] ^ _T3[e] ^ _T2[f] ^ _T1[g] ^ _T0[h]
     return crc
 
 

@@ -9,8 +9,8 @@ from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._typing import TYPE_CHECKING, R
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Protocol, TypeVar
+    from collections.abc import Callable, Sequence
+    from typing import Any, Protocol, TypeVar
 
     from typing_extensions import Self
 
@@ -25,6 +25,16 @@ if TYPE_CHECKING:
 new = object.__new__
 UNFIT = (StructError, TypeError, AttributeError, OverflowError, ValueError, IndexError)
 """What straight-line code raises for values that cannot be encoded, `CodecError` among them."""
+
+
+UNREAD = (StructError, IndexError)
+"""What straight-line code raises for frames that it does not read: of another length, or with greater numbers."""
+
+
+def packing(letters: str) -> tuple[Callable[..., bytes], Callable[[Data], tuple[Any, ...]]]:
+    """`pack` and `unpack` of a Struct: to take them from it at each call would be a tenth of the time."""
+    struct = Struct(letters)
+    return struct.pack, struct.unpack
 
 
 class Repeated(dict[int, Struct]):

@@ -129,12 +129,7 @@ class Framer:
             if not frame.endswith(frames.end):
                 return False
             frame = frame[len(frames.start) : len(frame) - len(frames.end)]
-        if frames.algorithm is None:
-            return True
-        size = frames.tail_size
-        if size == 1:
-            return frames.algorithm(frame[:-1]) == frame[-1]
-        return frames.algorithm(frame[:-size]) == int.from_bytes(frame[-size:], frames.check_order)
+        return frames.agrees(frame)
 
 
 class LengthFramer(Framer):
@@ -290,12 +285,7 @@ class MarkFramer(Framer):
         if not self.shortest <= len(frame) <= self.longest or len(inner) % 2 or not _hexadecimal(inner):
             return False
         data = bytearray.fromhex(inner.decode("ascii"))
-        if self._foreign(data, 0):
-            return False
-        at = len(data) - frames.tail_size
-        if frames.algorithm is None:
-            return True
-        return frames.algorithm(data[:at]) == int.from_bytes(data[at:], frames.check_order)
+        return not self._foreign(data, 0) and frames.agrees(data)
 
 
 _HEX = b"0123456789ABCDEFabcdef"

@@ -87,6 +87,7 @@ class Frames:
         "longest",
         "start",
         "tail_size",
+        "vanishes",
     )
 
     def __init__(
@@ -111,6 +112,8 @@ class Frames:
         self.algorithm: Callable[[Data], int] | None
         self.algorithm, self.tail_size = _CHECKS.get(check, (None, 0))
         self.check_order: Literal["big", "little"] = check_order
+        # Over data with their check, these give 0.
+        self.vanishes = check == "lrc" or (check == "crc16_modbus" and check_order == "little")
         self.code, self.code_offset = code, code_offset
         self.length, self.length_offset, self.length_name, self.longest = length, length_offset, length_name, longest
         self.start, self.end, self.hexadecimal, self.constants = start, end, hexadecimal, constants
@@ -138,6 +141,16 @@ class Frames:
         """Parts with the marks around them, as characters where the link has them."""
         inner = hexlify(data).upper() if self.hexadecimal else data
         return self.start + inner + self.end
+
+    def agrees(self, data: Data) -> bool:
+        """Whether the check at the end of a frame's parts is right."""
+        algorithm = self.algorithm
+        if algorithm is None:
+            return True
+        if self.vanishes:
+            return not algorithm(data)
+        at = len(data) - self.tail_size
+        return algorithm(data[:at]) == int.from_bytes(data[at:], self.check_order)
 
     def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
         """The head and the body of a frame's parts, whose length and check are right. Raises CodecError."""

@@ -22,7 +22,9 @@ from .._checks import BYTES as _BYTES
 from .._checks import CRC_EXCHANGED as _CRC_EXCHANGED
 from .._conversions import Repeated as _Repeated
 from .._conversions import UNFIT as _UNFIT
+from .._conversions import UNREAD as _UNREAD
 from .._conversions import new as _new
+from .._conversions import packing as _packing
 from .._error import CodecError as _CodecError
 from .._error import unknown_member as _unknown_member
 from .._error import wrong_const as _wrong_const
@@ -3162,7 +3164,7 @@ class PointOutputSetting(_Flags):
         return _OUTPUT_MOMENT_MEMBERS.get(self.raw >> 3 & 0x3, self.raw >> 3 & 0x3)
 
 
-_EXCEPTION_RECORD_STRUCT = _Struct(">B")
+_EXCEPTION_RECORD_PACK, _EXCEPTION_RECORD_UNPACK = _packing(">B")
 
 
 class ExceptionRecord(_Record):
@@ -3197,7 +3199,7 @@ class ExceptionRecord(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_exception_code,) = _EXCEPTION_RECORD_STRUCT.unpack(data)
+            (record._held_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
         return record
@@ -3205,7 +3207,7 @@ class ExceptionRecord(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _EXCEPTION_RECORD_STRUCT.pack(self._held_exception_code)
+            return _EXCEPTION_RECORD_PACK(self._held_exception_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("exception")
@@ -3222,7 +3224,7 @@ class ExceptionRecord(_Record):
         return _refused_number("exception_code", self.exception_code, 0, 255)
 
 
-_POINT_STRUCT = _Struct(">iIIHHHH2xHHHHHHHHHiHHIiH2x2x2x")
+_POINT_PACK, _POINT_UNPACK = _packing(">iIIHHHH2xHHHHHHHHHiHHIiH2x2x2x")
 
 
 class Point(_Record):
@@ -3402,7 +3404,7 @@ class Point(_Record):
                 record.push_speed,
                 record.push_position,
                 record.push_mode,
-            ) = _POINT_STRUCT.unpack(data)
+            ) = _POINT_UNPACK(data)
         except _StructError:
             raise _wrong_length("point", len(data), 64, 64) from None
         try:
@@ -3443,22 +3445,22 @@ class Point(_Record):
                 and 1 <= raw_high_speed <= 500000
                 and 1 <= raw_acceleration_time <= 9999
                 and 1 <= raw_deceleration_time <= 9999
-                and (0 <= raw_command <= 11 or raw_command == 65535)
-                and 0 <= raw_waiting_time <= 60000
-                and (0 <= raw_jump_point <= 127 or 10000 <= raw_jump_point <= 10127 or raw_jump_point == 65535)
-                and (0 <= raw_jump_point_of_input_0 <= 127 or 10000 <= raw_jump_point_of_input_0 <= 10127 or raw_jump_point_of_input_0 == 65535)
-                and (0 <= raw_jump_point_of_input_1 <= 127 or 10000 <= raw_jump_point_of_input_1 <= 10127 or raw_jump_point_of_input_1 == 65535)
-                and (0 <= raw_jump_point_of_input_2 <= 127 or 10000 <= raw_jump_point_of_input_2 <= 10127 or raw_jump_point_of_input_2 == 65535)
-                and 0 <= raw_loop_count <= 100
-                and (0 <= raw_loop_jump_point <= 127 or 10000 <= raw_loop_jump_point <= 10127)
-                and 0 <= raw_output_setting <= 23
-                and (0 <= raw_clear_loop_counter_of <= 127 or raw_clear_loop_counter_of == 65535)
-                and 0 <= raw_check_in_position <= 1
+                and (raw_command <= 11 or raw_command == 65535)
+                and raw_waiting_time <= 60000
+                and (raw_jump_point <= 127 or 10000 <= raw_jump_point <= 10127 or raw_jump_point == 65535)
+                and (raw_jump_point_of_input_0 <= 127 or 10000 <= raw_jump_point_of_input_0 <= 10127 or raw_jump_point_of_input_0 == 65535)
+                and (raw_jump_point_of_input_1 <= 127 or 10000 <= raw_jump_point_of_input_1 <= 10127 or raw_jump_point_of_input_1 == 65535)
+                and (raw_jump_point_of_input_2 <= 127 or 10000 <= raw_jump_point_of_input_2 <= 10127 or raw_jump_point_of_input_2 == 65535)
+                and raw_loop_count <= 100
+                and (raw_loop_jump_point <= 127 or 10000 <= raw_loop_jump_point <= 10127)
+                and raw_output_setting <= 23
+                and (raw_clear_loop_counter_of <= 127 or raw_clear_loop_counter_of == 65535)
+                and raw_check_in_position <= 1
                 and 20 <= raw_push_torque_ratio <= 90
                 and 1 <= raw_push_speed <= 33333
-                and 0 <= raw_push_mode <= 10000
+                and raw_push_mode <= 10000
             ):
-                return _POINT_STRUCT.pack(
+                return _POINT_PACK(
                     self.position, raw_low_speed, raw_high_speed, raw_acceleration_time,
                     raw_deceleration_time, raw_command, raw_waiting_time, raw_jump_point,
                     raw_jump_point_of_input_0, raw_jump_point_of_input_1, raw_jump_point_of_input_2,
@@ -3588,10 +3590,11 @@ class ReadRegistersResponse(_Record):
         return _ASCII_RESPONSES.joined([station, 0x03], body)
 
 
-_READ_REGISTERS_RTU_REQUEST = _Struct(">BBHHH")
-_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH")
-_READ_REGISTERS_ASCII_REQUEST_CHECKED = _Struct(">BBHHx")
-_READ_REGISTERS_REQUEST_STRUCT = _Struct(">HH")
+_PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
+_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ share for share in _X5[:17])
+_PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
+_UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
+_READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
 
 
 class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
@@ -3620,7 +3623,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.word_count = _READ_REGISTERS_REQUEST_STRUCT.unpack(data)
+            record.address, record.word_count = _READ_REGISTERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_registers_request", len(data), 4, 4) from None
         return record
@@ -3630,7 +3633,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 125:
-                return _READ_REGISTERS_REQUEST_STRUCT.pack(self.address, raw_word_count)
+                return _READ_REGISTERS_REQUEST_PACK(self.address, raw_word_count)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_registers_request")
@@ -3654,16 +3657,14 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if 0 <= station <= 16 and 1 <= raw_word_count <= 125:
+            if 1 <= raw_word_count <= 125:
                 check = (
-                    17435
-                    ^ _X5[station]
+                    _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
                     ^ _X3[raw_address >> 8]
                     ^ _X2[raw_address & 255]
-                    ^ _X1[raw_word_count >> 8]
-                    ^ _X0[raw_word_count & 255]
+                    ^ _X0[raw_word_count]
                 )
-                return _READ_REGISTERS_RTU_REQUEST.pack(station, 0x03, raw_address, raw_word_count, check)
+                return _PACK_READ_REGISTERS_RTU_REQUEST(station, 0x03, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
@@ -3676,17 +3677,15 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_rtu(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            station, _, raw_address, raw_word_count, check = _READ_REGISTERS_RTU_REQUEST.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_word_count, check = _UNPACK_READ_REGISTERS_RTU_REQUEST(data)
+            expected = (
+                _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X0[raw_word_count]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            17435
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_word_count >> 8]
-            ^ _X0[raw_word_count & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -3699,8 +3698,8 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if 0 <= station <= 16 and 1 <= raw_word_count <= 125:
-                data = _READ_REGISTERS_ASCII_REQUEST.pack(station, 0x03, self.address, raw_word_count)
+            if station <= 16 and 1 <= raw_word_count <= 125:
+                data = _PACK_READ_REGISTERS_ASCII_REQUEST(station, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -3714,12 +3713,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_ascii(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            (
-                station,
-                _,
-                message.address,
-                message.word_count,
-            ) = _READ_REGISTERS_ASCII_REQUEST_CHECKED.unpack(data)
+            station, _, message.address, message.word_count = _UNPACK_READ_REGISTERS_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -3730,10 +3724,11 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         return frame
 
 
-_WRITE_REGISTER_RTU_RESPONSE = _Struct(">BBHHH")
-_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH")
-_WRITE_REGISTER_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
-_WRITE_REGISTER_RESPONSE_STRUCT = _Struct(">HH")
+_PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
+_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ share for share in _X5[:17])
+_PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
+_UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
+_WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
 
 
 class WriteRegisterResponse(_Record):
@@ -3761,7 +3756,7 @@ class WriteRegisterResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.value = _WRITE_REGISTER_RESPONSE_STRUCT.unpack(data)
+            record.address, record.value = _WRITE_REGISTER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_register_response", len(data), 4, 4) from None
         return record
@@ -3769,7 +3764,7 @@ class WriteRegisterResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_REGISTER_RESPONSE_STRUCT.pack(self.address, self.value)
+            return _WRITE_REGISTER_RESPONSE_PACK(self.address, self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_register_response")
@@ -3793,16 +3788,14 @@ class WriteRegisterResponse(_Record):
         try:
             raw_address = self.address
             raw_value = self.value
-            if 0 <= station <= 16:
-                check = (
-                    34843
-                    ^ _X5[station]
-                    ^ _X3[raw_address >> 8]
-                    ^ _X2[raw_address & 255]
-                    ^ _X1[raw_value >> 8]
-                    ^ _X0[raw_value & 255]
-                )
-                return _WRITE_REGISTER_RTU_RESPONSE.pack(station, 0x06, raw_address, raw_value, check)
+            check = (
+                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+            return _PACK_WRITE_REGISTER_RTU_RESPONSE(station, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
@@ -3815,17 +3808,16 @@ class WriteRegisterResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, raw_address, raw_value, check = _WRITE_REGISTER_RTU_RESPONSE.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_RESPONSE(data)
+            expected = (
+                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            34843
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_value >> 8]
-            ^ _X0[raw_value & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -3837,8 +3829,8 @@ class WriteRegisterResponse(_Record):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _WRITE_REGISTER_ASCII_RESPONSE.pack(station, 0x06, self.address, self.value)
+            if station <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_RESPONSE(station, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -3852,7 +3844,7 @@ class WriteRegisterResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, message.address, message.value = _WRITE_REGISTER_ASCII_RESPONSE_CHECKED.unpack(data)
+            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -3863,10 +3855,11 @@ class WriteRegisterResponse(_Record):
         return frame
 
 
-_WRITE_REGISTER_RTU_REQUEST = _Struct(">BBHHH")
-_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH")
-_WRITE_REGISTER_ASCII_REQUEST_CHECKED = _Struct(">BBHHx")
-_WRITE_REGISTER_REQUEST_STRUCT = _Struct(">HH")
+_PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
+_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ share for share in _X5[:17])
+_PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
+_UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
+_WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
 
 
 class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
@@ -3895,7 +3888,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.value = _WRITE_REGISTER_REQUEST_STRUCT.unpack(data)
+            record.address, record.value = _WRITE_REGISTER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_register_request", len(data), 4, 4) from None
         return record
@@ -3903,7 +3896,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_REGISTER_REQUEST_STRUCT.pack(self.address, self.value)
+            return _WRITE_REGISTER_REQUEST_PACK(self.address, self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_register_request")
@@ -3927,16 +3920,14 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         try:
             raw_address = self.address
             raw_value = self.value
-            if 0 <= station <= 16:
-                check = (
-                    34843
-                    ^ _X5[station]
-                    ^ _X3[raw_address >> 8]
-                    ^ _X2[raw_address & 255]
-                    ^ _X1[raw_value >> 8]
-                    ^ _X0[raw_value & 255]
-                )
-                return _WRITE_REGISTER_RTU_REQUEST.pack(station, 0x06, raw_address, raw_value, check)
+            check = (
+                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+            return _PACK_WRITE_REGISTER_RTU_REQUEST(station, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
@@ -3949,17 +3940,16 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_rtu(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, raw_address, raw_value, check = _WRITE_REGISTER_RTU_REQUEST.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_REQUEST(data)
+            expected = (
+                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            34843
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_value >> 8]
-            ^ _X0[raw_value & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -3971,8 +3961,8 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _WRITE_REGISTER_ASCII_REQUEST.pack(station, 0x06, self.address, self.value)
+            if station <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_REQUEST(station, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -3986,7 +3976,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_ascii(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, message.address, message.value = _WRITE_REGISTER_ASCII_REQUEST_CHECKED.unpack(data)
+            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -3997,10 +3987,11 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         return frame
 
 
-_WRITE_REGISTERS_RTU_RESPONSE = _Struct(">BBHHH")
-_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH")
-_WRITE_REGISTERS_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
-_WRITE_REGISTERS_RESPONSE_STRUCT = _Struct(">HH")
+_PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
+_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ share for share in _X5[:17])
+_PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
+_UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
+_WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
 
 
 class WriteRegistersResponse(_Record):
@@ -4028,7 +4019,7 @@ class WriteRegistersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_STRUCT.unpack(data)
+            record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_registers_response", len(data), 4, 4) from None
         return record
@@ -4036,7 +4027,7 @@ class WriteRegistersResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_REGISTERS_RESPONSE_STRUCT.pack(self.address, self.word_count)
+            return _WRITE_REGISTERS_RESPONSE_PACK(self.address, self.word_count)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_registers_response")
@@ -4060,16 +4051,14 @@ class WriteRegistersResponse(_Record):
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if 0 <= station <= 16:
-                check = (
-                    49624
-                    ^ _X5[station]
-                    ^ _X3[raw_address >> 8]
-                    ^ _X2[raw_address & 255]
-                    ^ _X1[raw_word_count >> 8]
-                    ^ _X0[raw_word_count & 255]
-                )
-                return _WRITE_REGISTERS_RTU_RESPONSE.pack(station, 0x10, raw_address, raw_word_count, check)
+            check = (
+                _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_word_count >> 8]
+                ^ _X0[raw_word_count & 255]
+            )
+            return _PACK_WRITE_REGISTERS_RTU_RESPONSE(station, 0x10, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
@@ -4082,17 +4071,16 @@ class WriteRegistersResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            station, _, raw_address, raw_word_count, check = _WRITE_REGISTERS_RTU_RESPONSE.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_word_count, check = _UNPACK_WRITE_REGISTERS_RTU_RESPONSE(data)
+            expected = (
+                _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_word_count >> 8]
+                ^ _X0[raw_word_count & 255]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            49624
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_word_count >> 8]
-            ^ _X0[raw_word_count & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -4104,8 +4092,8 @@ class WriteRegistersResponse(_Record):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _WRITE_REGISTERS_ASCII_RESPONSE.pack(station, 0x10, self.address, self.word_count)
+            if station <= 16:
+                data = _PACK_WRITE_REGISTERS_ASCII_RESPONSE(station, 0x10, self.address, self.word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -4119,12 +4107,7 @@ class WriteRegistersResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            (
-                station,
-                _,
-                message.address,
-                message.word_count,
-            ) = _WRITE_REGISTERS_ASCII_RESPONSE_CHECKED.unpack(data)
+            station, _, message.address, message.word_count = _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -4211,10 +4194,11 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         return _ASCII_REQUESTS.joined([station, 0x10], body)
 
 
-_REPORT_SERVER_ID_RTU_RESPONSE = _Struct(">BBBBBH")
-_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBB")
-_REPORT_SERVER_ID_ASCII_RESPONSE_CHECKED = _Struct(">BBBBBx")
-_REPORT_SERVER_ID_RESPONSE_STRUCT = _Struct(">BBB")
+_PACK_REPORT_SERVER_ID_RTU_RESPONSE, _UNPACK_REPORT_SERVER_ID_RTU_RESPONSE = _packing(">BBBBBH")
+_STATIONS_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ share for share in _X4[:17])
+_PACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBB").pack
+_UNPACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBBx").unpack
+_REPORT_SERVER_ID_RESPONSE_PACK, _REPORT_SERVER_ID_RESPONSE_UNPACK = _packing(">BBB")
 
 
 class ReportServerIdResponse(_Record):
@@ -4236,7 +4220,7 @@ class ReportServerIdResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            raw_byte_count, raw_server_id, raw_run_status = _REPORT_SERVER_ID_RESPONSE_STRUCT.unpack(data)
+            raw_byte_count, raw_server_id, raw_run_status = _REPORT_SERVER_ID_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("report_server_id_response", len(data), 3, 3) from None
         if raw_byte_count != 2:
@@ -4250,7 +4234,7 @@ class ReportServerIdResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _REPORT_SERVER_ID_RESPONSE_STRUCT.pack(2, 104, 255)
+            return _REPORT_SERVER_ID_RESPONSE_PACK(2, 104, 255)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("report_server_id_response")
@@ -4270,9 +4254,8 @@ class ReportServerIdResponse(_Record):
 
     def _to_rtu(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                check = 61308 ^ _X4[station]
-                return _REPORT_SERVER_ID_RTU_RESPONSE.pack(station, 0x11, 2, 104, 255, check)
+            check = _STATIONS_REPORT_SERVER_ID_RTU_RESPONSE[station]
+            return _PACK_REPORT_SERVER_ID_RTU_RESPONSE(station, 0x11, 2, 104, 255, check)
         except _UNFIT:
             pass
         raise (
@@ -4292,10 +4275,10 @@ class ReportServerIdResponse(_Record):
                 raw_server_id,
                 raw_run_status,
                 check,
-            ) = _REPORT_SERVER_ID_RTU_RESPONSE.unpack(data)
-        except _StructError:
+            ) = _UNPACK_REPORT_SERVER_ID_RTU_RESPONSE(data)
+            expected = _STATIONS_REPORT_SERVER_ID_RTU_RESPONSE[station]
+        except _UNREAD:
             return None
-        expected = 61308 ^ _X4[station]
         if check != expected:
             return None
         if raw_byte_count != 2:
@@ -4311,8 +4294,8 @@ class ReportServerIdResponse(_Record):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _REPORT_SERVER_ID_ASCII_RESPONSE.pack(station, 0x11, 2, 104, 255)
+            if station <= 16:
+                data = _PACK_REPORT_SERVER_ID_ASCII_RESPONSE(station, 0x11, 2, 104, 255)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -4332,7 +4315,7 @@ class ReportServerIdResponse(_Record):
                 raw_byte_count,
                 raw_server_id,
                 raw_run_status,
-            ) = _REPORT_SERVER_ID_ASCII_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_REPORT_SERVER_ID_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -4349,10 +4332,11 @@ class ReportServerIdResponse(_Record):
         return frame
 
 
-_REPORT_SERVER_ID_RTU_REQUEST = _Struct(">BBH")
-_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BB")
-_REPORT_SERVER_ID_ASCII_REQUEST_CHECKED = _Struct(">BBx")
-_REPORT_SERVER_ID_REQUEST_STRUCT = _Struct(">")
+_PACK_REPORT_SERVER_ID_RTU_REQUEST, _UNPACK_REPORT_SERVER_ID_RTU_REQUEST = _packing(">BBH")
+_STATIONS_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ share for share in _X1[:17])
+_PACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BB").pack
+_UNPACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BBx").unpack
+_REPORT_SERVER_ID_REQUEST_PACK, _REPORT_SERVER_ID_REQUEST_UNPACK = _packing(">")
 
 
 class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
@@ -4374,7 +4358,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _REPORT_SERVER_ID_REQUEST_STRUCT.unpack(data)
+            _REPORT_SERVER_ID_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("report_server_id_request", len(data), 0, 0) from None
         return record
@@ -4382,7 +4366,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _REPORT_SERVER_ID_REQUEST_STRUCT.pack()
+            return _REPORT_SERVER_ID_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("report_server_id_request")
@@ -4392,9 +4376,8 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
 
     def _to_rtu(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                check = 49596 ^ _X1[station]
-                return _REPORT_SERVER_ID_RTU_REQUEST.pack(station, 0x11, check)
+            check = _STATIONS_REPORT_SERVER_ID_RTU_REQUEST[station]
+            return _PACK_REPORT_SERVER_ID_RTU_REQUEST(station, 0x11, check)
         except _UNFIT:
             pass
         raise (
@@ -4407,10 +4390,10 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def _from_rtu(data: _Data) -> _Request[ReportServerIdRequest] | None:
         message = _new(ReportServerIdRequest)
         try:
-            station, _, check = _REPORT_SERVER_ID_RTU_REQUEST.unpack(data)
-        except _StructError:
+            station, _, check = _UNPACK_REPORT_SERVER_ID_RTU_REQUEST(data)
+            expected = _STATIONS_REPORT_SERVER_ID_RTU_REQUEST[station]
+        except _UNREAD:
             return None
-        expected = 49596 ^ _X1[station]
         if check != expected:
             return None
         frame = _new(_Request)
@@ -4420,8 +4403,8 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _REPORT_SERVER_ID_ASCII_REQUEST.pack(station, 0x11)
+            if station <= 16:
+                data = _PACK_REPORT_SERVER_ID_ASCII_REQUEST(station, 0x11)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -4435,7 +4418,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
     def _from_ascii(data: _Data) -> _Request[ReportServerIdRequest] | None:
         message = _new(ReportServerIdRequest)
         try:
-            station, _ = _REPORT_SERVER_ID_ASCII_REQUEST_CHECKED.unpack(data)
+            station, _ = _UNPACK_REPORT_SERVER_ID_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -4602,7 +4585,7 @@ class RtuLink:
             extents={
                 0x03: (8, 0, 0, 0),
                 0x06: (8, 0, 0, 0),
-                0x10: (9, 4, 2, 2),
+                0x10: (9, 6, 1, 1),
                 0x11: (4, 0, 0, 0),
             },
         )

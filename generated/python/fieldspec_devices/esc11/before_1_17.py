@@ -26,6 +26,7 @@ from .._conversions import counts as _counts
 from .._conversions import decoded_at as _decoded_at
 from .._conversions import decoded_each as _decoded_each
 from .._conversions import new as _new
+from .._conversions import packing as _packing
 from .._conversions import text as _text
 from .._error import CodecError as _CodecError
 from .._error import no_boolean as _no_boolean
@@ -1322,7 +1323,7 @@ class IoStateOutputs(_Flags):
         return self.raw & 0x80 != 0
 
 
-_ALARM_HISTORY_ENTRY_STRUCT = _Struct("<HBB")
+_ALARM_HISTORY_ENTRY_PACK, _ALARM_HISTORY_ENTRY_UNPACK = _packing("<HBB")
 
 
 class AlarmHistoryEntry(_Record):
@@ -1362,7 +1363,7 @@ class AlarmHistoryEntry(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_STRUCT.unpack(data)
+            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
         except _StructError:
             raise _wrong_length("alarm_history_entry", len(data), 4, 4) from None
         return record
@@ -1371,8 +1372,8 @@ class AlarmHistoryEntry(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_minutes = self.minutes
-            if 0 <= raw_minutes <= 60:
-                return _ALARM_HISTORY_ENTRY_STRUCT.pack(self.hours, raw_minutes, self._held_alarm_code)
+            if raw_minutes <= 60:
+                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._held_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("alarm_history_entry")
@@ -1395,7 +1396,7 @@ class AlarmHistoryEntry(_Record):
         )
 
 
-_POINT_STRUCT = _Struct("<BBiBBii")
+_POINT_PACK, _POINT_UNPACK = _packing("<BBiBBii")
 
 
 class Point(_Record):
@@ -1452,7 +1453,7 @@ class Point(_Record):
                 record.force,
                 record.zone_limit_1,
                 record.zone_limit_2,
-            ) = _POINT_STRUCT.unpack(data)
+            ) = _POINT_UNPACK(data)
         except _StructError:
             raise _wrong_length("point", len(data), 16, 16) from None
         try:
@@ -1475,12 +1476,12 @@ class Point(_Record):
                 1 <= raw_number <= 31
                 and raw_mode in _POINT_MODE_MEMBERS
                 and -134217727 <= raw_distance <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
             ):
-                return _POINT_STRUCT.pack(
+                return _POINT_PACK(
                     raw_number, raw_mode, raw_distance, raw_speed, raw_force, raw_zone_limit_1,
                     raw_zone_limit_2,
                 )
@@ -1547,7 +1548,7 @@ class Point(_Record):
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
-_TEMPORARY_POINT_STRUCT = _Struct("<BBiBBii")
+_TEMPORARY_POINT_PACK, _TEMPORARY_POINT_UNPACK = _packing("<BBiBBii")
 
 
 class TemporaryPoint(_Record):
@@ -1598,7 +1599,7 @@ class TemporaryPoint(_Record):
                 record.force,
                 record.zone_limit_1,
                 record.zone_limit_2,
-            ) = _TEMPORARY_POINT_STRUCT.unpack(data)
+            ) = _TEMPORARY_POINT_UNPACK(data)
         except _StructError:
             raise _wrong_length("temporary_point", len(data), 16, 16) from None
         if raw_number != 0:
@@ -1621,12 +1622,12 @@ class TemporaryPoint(_Record):
             if (
                 raw_mode in _POINT_MODE_MEMBERS
                 and -134217727 <= raw_distance <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
             ):
-                return _TEMPORARY_POINT_STRUCT.pack(
+                return _TEMPORARY_POINT_PACK(
                     0, raw_mode, raw_distance, raw_speed, raw_force, raw_zone_limit_1, raw_zone_limit_2,
                 )
         except _UNFIT:
@@ -1749,9 +1750,9 @@ class ReadPointsResponse(_Record):
         return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
 
 
-_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB")
-_READ_POINTS_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_READ_POINTS_REQUEST_STRUCT = _Struct(">B")
+_PACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_READ_POINTS_REQUEST_PACK, _READ_POINTS_REQUEST_UNPACK = _packing(">B")
 
 
 class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
@@ -1779,7 +1780,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.first_point,) = _READ_POINTS_REQUEST_STRUCT.unpack(data)
+            (record.first_point,) = _READ_POINTS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_points_request", len(data), 1, 1) from None
         return record
@@ -1789,7 +1790,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         try:
             raw_first_point = self.first_point
             if 1 <= raw_first_point <= 31:
-                return _READ_POINTS_REQUEST_STRUCT.pack(raw_first_point)
+                return _READ_POINTS_REQUEST_PACK(raw_first_point)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_points_request")
@@ -1808,8 +1809,8 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_first_point = self.first_point
-            if 0 <= station <= 15 and 1 <= raw_first_point <= 31:
-                data = _READ_POINTS_SERIAL_REQUEST.pack(5, station, 0x50, raw_first_point)
+            if station <= 15 and 1 <= raw_first_point <= 31:
+                data = _PACK_READ_POINTS_SERIAL_REQUEST(5, station, 0x50, raw_first_point)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -1823,13 +1824,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointsRequest] | None:
         message = _new(ReadPointsRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                message.first_point,
-                check,
-            ) = _READ_POINTS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.first_point, check = _UNPACK_READ_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -1840,9 +1835,11 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         return frame
 
 
-_READ_PARAMETERS_SERIAL_RESPONSE = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
-_READ_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB")
-_READ_PARAMETERS_RESPONSE_STRUCT = _Struct("<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
+_PACK_READ_PARAMETERS_SERIAL_RESPONSE = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH").pack
+_UNPACK_READ_PARAMETERS_SERIAL_RESPONSE = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB").unpack
+_READ_PARAMETERS_RESPONSE_PACK, _READ_PARAMETERS_RESPONSE_UNPACK = _packing(
+    "<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH",
+)
 
 
 class ReadParametersResponse(_Record):
@@ -1868,7 +1865,7 @@ class ReadParametersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (*record.parameters,) = _READ_PARAMETERS_RESPONSE_STRUCT.unpack(data)
+            (*record.parameters,) = _READ_PARAMETERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameters_response", len(data), 64, 64) from None
         return record
@@ -1878,7 +1875,7 @@ class ReadParametersResponse(_Record):
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
-                return _READ_PARAMETERS_RESPONSE_STRUCT.pack(*raw_parameters)
+                return _READ_PARAMETERS_RESPONSE_PACK(*raw_parameters)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameters_response")
@@ -1897,8 +1894,8 @@ class ReadParametersResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_parameters = self.parameters
-            if 0 <= station <= 15 and len(raw_parameters) == 32:
-                data = _READ_PARAMETERS_SERIAL_RESPONSE.pack(68, station, part_status.raw, *raw_parameters)
+            if station <= 15 and len(raw_parameters) == 32:
+                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(68, station, part_status.raw, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -1919,7 +1916,7 @@ class ReadParametersResponse(_Record):
                 part_status,
                 *message.parameters,
                 check,
-            ) = _READ_PARAMETERS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 68 or (sum(data) - check) & 255 != check:
@@ -1931,9 +1928,9 @@ class ReadParametersResponse(_Record):
         return frame
 
 
-_READ_PARAMETERS_SERIAL_REQUEST = _Struct(">BBB")
-_READ_PARAMETERS_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_PARAMETERS_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_PARAMETERS_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_PARAMETERS_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_PARAMETERS_REQUEST_PACK, _READ_PARAMETERS_REQUEST_UNPACK = _packing(">")
 
 
 class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
@@ -1954,7 +1951,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            _READ_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameters_request", len(data), 0, 0) from None
         return record
@@ -1962,7 +1959,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_PARAMETERS_REQUEST_STRUCT.pack()
+            return _READ_PARAMETERS_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameters_request")
@@ -1972,8 +1969,8 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_PARAMETERS_SERIAL_REQUEST.pack(4, station, 0x51)
+            if station <= 15:
+                data = _PACK_READ_PARAMETERS_SERIAL_REQUEST(4, station, 0x51)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -1987,7 +1984,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadParametersRequest] | None:
         message = _new(ReadParametersRequest)
         try:
-            part_length, station, _, check = _READ_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -1998,9 +1995,9 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         return frame
 
 
-_READ_IO_STATUS_SERIAL_RESPONSE = _Struct(">BBBBBB")
-_READ_IO_STATUS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBBBB")
-_READ_IO_STATUS_RESPONSE_STRUCT = _Struct(">BBB")
+_PACK_READ_IO_STATUS_SERIAL_RESPONSE = _Struct(">BBBBBB").pack
+_UNPACK_READ_IO_STATUS_SERIAL_RESPONSE = _Struct(">BBBBBBB").unpack
+_READ_IO_STATUS_RESPONSE_PACK, _READ_IO_STATUS_RESPONSE_UNPACK = _packing(">BBB")
 
 
 class ReadIoStatusResponse(_Record):
@@ -2075,7 +2072,7 @@ class ReadIoStatusResponse(_Record):
                 record._held_inputs,
                 record._held_outputs,
                 record._held_state_outputs,
-            ) = _READ_IO_STATUS_RESPONSE_STRUCT.unpack(data)
+            ) = _READ_IO_STATUS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_response", len(data), 3, 3) from None
         return record
@@ -2083,7 +2080,7 @@ class ReadIoStatusResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_IO_STATUS_RESPONSE_STRUCT.pack(
+            return _READ_IO_STATUS_RESPONSE_PACK(
                 self._held_inputs, self._held_outputs, self._held_state_outputs,
             )
         except _UNFIT:
@@ -2109,8 +2106,8 @@ class ReadIoStatusResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_IO_STATUS_SERIAL_RESPONSE.pack(
+            if station <= 15:
+                data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
                     7, station, part_status.raw, self._held_inputs, self._held_outputs,
                     self._held_state_outputs,
                 )
@@ -2136,7 +2133,7 @@ class ReadIoStatusResponse(_Record):
                 message._held_outputs,
                 message._held_state_outputs,
                 check,
-            ) = _READ_IO_STATUS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_IO_STATUS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -2148,9 +2145,9 @@ class ReadIoStatusResponse(_Record):
         return frame
 
 
-_READ_IO_STATUS_SERIAL_REQUEST = _Struct(">BBB")
-_READ_IO_STATUS_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_IO_STATUS_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_IO_STATUS_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_IO_STATUS_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_IO_STATUS_REQUEST_PACK, _READ_IO_STATUS_REQUEST_UNPACK = _packing(">")
 
 
 class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
@@ -2171,7 +2168,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_IO_STATUS_REQUEST_STRUCT.unpack(data)
+            _READ_IO_STATUS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_request", len(data), 0, 0) from None
         return record
@@ -2179,7 +2176,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_IO_STATUS_REQUEST_STRUCT.pack()
+            return _READ_IO_STATUS_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_io_status_request")
@@ -2189,8 +2186,8 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_IO_STATUS_SERIAL_REQUEST.pack(4, station, 0x52)
+            if station <= 15:
+                data = _PACK_READ_IO_STATUS_SERIAL_REQUEST(4, station, 0x52)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2204,7 +2201,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadIoStatusRequest] | None:
         message = _new(ReadIoStatusRequest)
         try:
-            part_length, station, _, check = _READ_IO_STATUS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_IO_STATUS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2272,9 +2269,9 @@ class ReadAlarmHistoryResponse(_Record):
         return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
 
 
-_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB")
-_READ_ALARM_HISTORY_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_ALARM_HISTORY_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_ALARM_HISTORY_REQUEST_PACK, _READ_ALARM_HISTORY_REQUEST_UNPACK = _packing(">")
 
 
 class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
@@ -2296,7 +2293,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_ALARM_HISTORY_REQUEST_STRUCT.unpack(data)
+            _READ_ALARM_HISTORY_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_history_request", len(data), 0, 0) from None
         return record
@@ -2304,7 +2301,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_HISTORY_REQUEST_STRUCT.pack()
+            return _READ_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_history_request")
@@ -2314,8 +2311,8 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ALARM_HISTORY_SERIAL_REQUEST.pack(4, station, 0x53)
+            if station <= 15:
+                data = _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x53)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2329,7 +2326,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmHistoryRequest] | None:
         message = _new(ReadAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _READ_ALARM_HISTORY_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2340,9 +2337,9 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         return frame
 
 
-_WRITE_POINTS_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_POINTS_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_POINTS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_POINTS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_POINTS_RESPONSE_PACK, _WRITE_POINTS_RESPONSE_UNPACK = _packing(">")
 
 
 class WritePointsResponse(_Record):
@@ -2362,7 +2359,7 @@ class WritePointsResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_POINTS_RESPONSE_STRUCT.unpack(data)
+            _WRITE_POINTS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_points_response", len(data), 0, 0) from None
         return record
@@ -2370,7 +2367,7 @@ class WritePointsResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_POINTS_RESPONSE_STRUCT.pack()
+            return _WRITE_POINTS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_points_response")
@@ -2380,8 +2377,8 @@ class WritePointsResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_POINTS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2396,7 +2393,7 @@ class WritePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WritePointsResponse] | None:
         message = _new(WritePointsResponse)
         try:
-            part_length, station, part_status, check = _WRITE_POINTS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2462,9 +2459,9 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
         return _SERIAL_REQUESTS.joined([0, station, 0x60], body)
 
 
-_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_PARAMETERS_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_PARAMETERS_RESPONSE_PACK, _WRITE_PARAMETERS_RESPONSE_UNPACK = _packing(">")
 
 
 class WriteParametersResponse(_Record):
@@ -2484,7 +2481,7 @@ class WriteParametersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_PARAMETERS_RESPONSE_STRUCT.unpack(data)
+            _WRITE_PARAMETERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameters_response", len(data), 0, 0) from None
         return record
@@ -2492,7 +2489,7 @@ class WriteParametersResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_PARAMETERS_RESPONSE_STRUCT.pack()
+            return _WRITE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameters_response")
@@ -2502,8 +2499,8 @@ class WriteParametersResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_PARAMETERS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2518,7 +2515,7 @@ class WriteParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParametersResponse] | None:
         message = _new(WriteParametersResponse)
         try:
-            part_length, station, part_status, check = _WRITE_PARAMETERS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2530,9 +2527,11 @@ class WriteParametersResponse(_Record):
         return frame
 
 
-_WRITE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
-_WRITE_PARAMETERS_SERIAL_REQUEST_CHECKED = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB")
-_WRITE_PARAMETERS_REQUEST_STRUCT = _Struct("<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
+_PACK_WRITE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH").pack
+_UNPACK_WRITE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB").unpack
+_WRITE_PARAMETERS_REQUEST_PACK, _WRITE_PARAMETERS_REQUEST_UNPACK = _packing(
+    "<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH",
+)
 
 
 class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
@@ -2559,7 +2558,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameters_request", len(data), 64, 64) from None
         return record
@@ -2569,7 +2568,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
-                return _WRITE_PARAMETERS_REQUEST_STRUCT.pack(*raw_parameters)
+                return _WRITE_PARAMETERS_REQUEST_PACK(*raw_parameters)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameters_request")
@@ -2588,8 +2587,8 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_parameters = self.parameters
-            if 0 <= station <= 15 and len(raw_parameters) == 32:
-                data = _WRITE_PARAMETERS_SERIAL_REQUEST.pack(68, station, 0x61, *raw_parameters)
+            if station <= 15 and len(raw_parameters) == 32:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_REQUEST(68, station, 0x61, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2609,7 +2608,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
                 _,
                 *message.parameters,
                 check,
-            ) = _WRITE_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_WRITE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 68 or (sum(data) - check) & 255 != check:
@@ -2620,9 +2619,9 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         return frame
 
 
-_WRITE_PARAMETER_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_PARAMETER_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_PARAMETER_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_PARAMETER_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_PARAMETER_RESPONSE_PACK, _WRITE_PARAMETER_RESPONSE_UNPACK = _packing(">")
 
 
 class WriteParameterResponse(_Record):
@@ -2642,7 +2641,7 @@ class WriteParameterResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_PARAMETER_RESPONSE_STRUCT.unpack(data)
+            _WRITE_PARAMETER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameter_response", len(data), 0, 0) from None
         return record
@@ -2650,7 +2649,7 @@ class WriteParameterResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_PARAMETER_RESPONSE_STRUCT.pack()
+            return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameter_response")
@@ -2660,8 +2659,8 @@ class WriteParameterResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_PARAMETER_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2676,7 +2675,7 @@ class WriteParameterResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParameterResponse] | None:
         message = _new(WriteParameterResponse)
         try:
-            part_length, station, part_status, check = _WRITE_PARAMETER_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2688,9 +2687,9 @@ class WriteParameterResponse(_Record):
         return frame
 
 
-_WRITE_PARAMETER_SERIAL_REQUEST = _Struct("<BBBBH")
-_WRITE_PARAMETER_SERIAL_REQUEST_CHECKED = _Struct("<BBBBHB")
-_WRITE_PARAMETER_REQUEST_STRUCT = _Struct("<BH")
+_PACK_WRITE_PARAMETER_SERIAL_REQUEST = _Struct("<BBBBH").pack
+_UNPACK_WRITE_PARAMETER_SERIAL_REQUEST = _Struct("<BBBBHB").unpack
+_WRITE_PARAMETER_REQUEST_PACK, _WRITE_PARAMETER_REQUEST_UNPACK = _packing("<BH")
 
 
 class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
@@ -2720,7 +2719,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_STRUCT.unpack(data)
+            record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameter_request", len(data), 3, 3) from None
         return record
@@ -2729,8 +2728,8 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= raw_parameter_number <= 31:
-                return _WRITE_PARAMETER_REQUEST_STRUCT.pack(raw_parameter_number, self.value)
+            if raw_parameter_number <= 31:
+                return _WRITE_PARAMETER_REQUEST_PACK(raw_parameter_number, self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameter_request")
@@ -2753,8 +2752,8 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= station <= 15 and 0 <= raw_parameter_number <= 31:
-                data = _WRITE_PARAMETER_SERIAL_REQUEST.pack(
+            if station <= 15 and raw_parameter_number <= 31:
+                data = _PACK_WRITE_PARAMETER_SERIAL_REQUEST(
                     7, station, 0x62, raw_parameter_number, self.value,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -2777,7 +2776,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
                 message.parameter_number,
                 message.value,
                 check,
-            ) = _WRITE_PARAMETER_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_WRITE_PARAMETER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -2788,9 +2787,9 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return frame
 
 
-_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_TEMPORARY_POINT_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_TEMPORARY_POINT_RESPONSE_PACK, _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK = _packing(">")
 
 
 class WriteTemporaryPointResponse(_Record):
@@ -2812,7 +2811,7 @@ class WriteTemporaryPointResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_TEMPORARY_POINT_RESPONSE_STRUCT.unpack(data)
+            _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_temporary_point_response", len(data), 0, 0) from None
         return record
@@ -2820,7 +2819,7 @@ class WriteTemporaryPointResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_TEMPORARY_POINT_RESPONSE_STRUCT.pack()
+            return _WRITE_TEMPORARY_POINT_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_temporary_point_response")
@@ -2830,8 +2829,8 @@ class WriteTemporaryPointResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_TEMPORARY_POINT_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2846,12 +2845,7 @@ class WriteTemporaryPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteTemporaryPointResponse] | None:
         message = _new(WriteTemporaryPointResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _WRITE_TEMPORARY_POINT_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2863,9 +2857,9 @@ class WriteTemporaryPointResponse(_Record):
         return frame
 
 
-_WRITE_TEMPORARY_POINT_SERIAL_REQUEST = _Struct(">BBB16s")
-_WRITE_TEMPORARY_POINT_SERIAL_REQUEST_CHECKED = _Struct(">BBB16sB")
-_WRITE_TEMPORARY_POINT_REQUEST_STRUCT = _Struct(">16s")
+_PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST = _Struct(">BBB16s").pack
+_UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST = _Struct(">BBB16sB").unpack
+_WRITE_TEMPORARY_POINT_REQUEST_PACK, _WRITE_TEMPORARY_POINT_REQUEST_UNPACK = _packing(">16s")
 
 
 class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
@@ -2894,7 +2888,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_STRUCT.unpack(data)
+            (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_temporary_point_request", len(data), 16, 16) from None
         record.point = _decoded_at(TemporaryPoint, raw_point, 0)
@@ -2903,7 +2897,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_TEMPORARY_POINT_REQUEST_STRUCT.pack(self.point.encode())
+            return _WRITE_TEMPORARY_POINT_REQUEST_PACK(self.point.encode())
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_temporary_point_request")
@@ -2921,8 +2915,8 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_TEMPORARY_POINT_SERIAL_REQUEST.pack(20, station, 0x63, self.point.encode())
+            if station <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(20, station, 0x63, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2936,13 +2930,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def _from_serial(data: _Data) -> _Request[WriteTemporaryPointRequest] | None:
         message = _new(WriteTemporaryPointRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                raw_point,
-                check,
-            ) = _WRITE_TEMPORARY_POINT_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, raw_point, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
@@ -2954,9 +2942,9 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         return frame
 
 
-_CLEAR_POINTS_SERIAL_RESPONSE = _Struct(">BBB")
-_CLEAR_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_CLEAR_POINTS_RESPONSE_STRUCT = _Struct(">")
+_PACK_CLEAR_POINTS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_CLEAR_POINTS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_CLEAR_POINTS_RESPONSE_PACK, _CLEAR_POINTS_RESPONSE_UNPACK = _packing(">")
 
 
 class ClearPointsResponse(_Record):
@@ -2976,7 +2964,7 @@ class ClearPointsResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_POINTS_RESPONSE_STRUCT.unpack(data)
+            _CLEAR_POINTS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_points_response", len(data), 0, 0) from None
         return record
@@ -2984,7 +2972,7 @@ class ClearPointsResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_POINTS_RESPONSE_STRUCT.pack()
+            return _CLEAR_POINTS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_points_response")
@@ -2994,8 +2982,8 @@ class ClearPointsResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_POINTS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3010,7 +2998,7 @@ class ClearPointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearPointsResponse] | None:
         message = _new(ClearPointsResponse)
         try:
-            part_length, station, part_status, check = _CLEAR_POINTS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_CLEAR_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3022,9 +3010,9 @@ class ClearPointsResponse(_Record):
         return frame
 
 
-_CLEAR_POINTS_SERIAL_REQUEST = _Struct(">BBBBB")
-_CLEAR_POINTS_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_CLEAR_POINTS_REQUEST_STRUCT = _Struct(">BB")
+_PACK_CLEAR_POINTS_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_CLEAR_POINTS_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_CLEAR_POINTS_REQUEST_PACK, _CLEAR_POINTS_REQUEST_UNPACK = _packing(">BB")
 
 
 class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
@@ -3053,7 +3041,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_STRUCT.unpack(data)
+            record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_points_request", len(data), 2, 2) from None
         return record
@@ -3064,7 +3052,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
             raw_first_point = self.first_point
             raw_point_count = self.point_count
             if 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
-                return _CLEAR_POINTS_REQUEST_STRUCT.pack(raw_first_point, raw_point_count)
+                return _CLEAR_POINTS_REQUEST_PACK(raw_first_point, raw_point_count)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_points_request")
@@ -3088,8 +3076,8 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
-            if 0 <= station <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
-                data = _CLEAR_POINTS_SERIAL_REQUEST.pack(6, station, 0x70, raw_first_point, raw_point_count)
+            if station <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
+                data = _PACK_CLEAR_POINTS_SERIAL_REQUEST(6, station, 0x70, raw_first_point, raw_point_count)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3110,7 +3098,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
                 message.first_point,
                 message.point_count,
                 check,
-            ) = _CLEAR_POINTS_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_CLEAR_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -3121,9 +3109,9 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         return frame
 
 
-_INITIALIZE_POINTS_SERIAL_RESPONSE = _Struct(">BBB")
-_INITIALIZE_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_INITIALIZE_POINTS_RESPONSE_STRUCT = _Struct(">")
+_PACK_INITIALIZE_POINTS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_INITIALIZE_POINTS_RESPONSE_PACK, _INITIALIZE_POINTS_RESPONSE_UNPACK = _packing(">")
 
 
 class InitializePointsResponse(_Record):
@@ -3143,7 +3131,7 @@ class InitializePointsResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _INITIALIZE_POINTS_RESPONSE_STRUCT.unpack(data)
+            _INITIALIZE_POINTS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_points_response", len(data), 0, 0) from None
         return record
@@ -3151,7 +3139,7 @@ class InitializePointsResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_POINTS_RESPONSE_STRUCT.pack()
+            return _INITIALIZE_POINTS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_points_response")
@@ -3161,8 +3149,8 @@ class InitializePointsResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_POINTS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3177,7 +3165,7 @@ class InitializePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializePointsResponse] | None:
         message = _new(InitializePointsResponse)
         try:
-            part_length, station, part_status, check = _INITIALIZE_POINTS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3189,9 +3177,9 @@ class InitializePointsResponse(_Record):
         return frame
 
 
-_INITIALIZE_POINTS_SERIAL_REQUEST = _Struct(">BBB")
-_INITIALIZE_POINTS_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_INITIALIZE_POINTS_REQUEST_STRUCT = _Struct(">")
+_PACK_INITIALIZE_POINTS_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_INITIALIZE_POINTS_REQUEST_PACK, _INITIALIZE_POINTS_REQUEST_UNPACK = _packing(">")
 
 
 class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
@@ -3212,7 +3200,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _INITIALIZE_POINTS_REQUEST_STRUCT.unpack(data)
+            _INITIALIZE_POINTS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_points_request", len(data), 0, 0) from None
         return record
@@ -3220,7 +3208,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_POINTS_REQUEST_STRUCT.pack()
+            return _INITIALIZE_POINTS_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_points_request")
@@ -3230,8 +3218,8 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_POINTS_SERIAL_REQUEST.pack(4, station, 0x71)
+            if station <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_REQUEST(4, station, 0x71)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3245,7 +3233,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _from_serial(data: _Data) -> _Request[InitializePointsRequest] | None:
         message = _new(InitializePointsRequest)
         try:
-            part_length, station, _, check = _INITIALIZE_POINTS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3256,9 +3244,9 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         return frame
 
 
-_INITIALIZE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB")
-_INITIALIZE_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_INITIALIZE_PARAMETERS_RESPONSE_STRUCT = _Struct(">")
+_PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_INITIALIZE_PARAMETERS_RESPONSE_PACK, _INITIALIZE_PARAMETERS_RESPONSE_UNPACK = _packing(">")
 
 
 class InitializeParametersResponse(_Record):
@@ -3279,7 +3267,7 @@ class InitializeParametersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _INITIALIZE_PARAMETERS_RESPONSE_STRUCT.unpack(data)
+            _INITIALIZE_PARAMETERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_response", len(data), 0, 0) from None
         return record
@@ -3287,7 +3275,7 @@ class InitializeParametersResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_RESPONSE_STRUCT.pack()
+            return _INITIALIZE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_response")
@@ -3297,8 +3285,8 @@ class InitializeParametersResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_PARAMETERS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3313,12 +3301,7 @@ class InitializeParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializeParametersResponse] | None:
         message = _new(InitializeParametersResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _INITIALIZE_PARAMETERS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3330,9 +3313,9 @@ class InitializeParametersResponse(_Record):
         return frame
 
 
-_INITIALIZE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBH")
-_INITIALIZE_PARAMETERS_SERIAL_REQUEST_CHECKED = _Struct("<BBBHB")
-_INITIALIZE_PARAMETERS_REQUEST_STRUCT = _Struct("<H")
+_PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBH").pack
+_UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHB").unpack
+_INITIALIZE_PARAMETERS_REQUEST_PACK, _INITIALIZE_PARAMETERS_REQUEST_UNPACK = _packing("<H")
 
 
 class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
@@ -3370,7 +3353,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_request", len(data), 2, 2) from None
         return record
@@ -3378,7 +3361,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_REQUEST_STRUCT.pack(self._held_actuator_type)
+            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._held_actuator_type)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_request")
@@ -3396,8 +3379,8 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_PARAMETERS_SERIAL_REQUEST.pack(6, station, 0x72, self._held_actuator_type)
+            if station <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._held_actuator_type)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3417,7 +3400,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
                 _,
                 message._held_actuator_type,
                 check,
-            ) = _INITIALIZE_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -3428,9 +3411,9 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         return frame
 
 
-_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE = _Struct(">BBB")
-_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_CLEAR_ALARM_HISTORY_RESPONSE_STRUCT = _Struct(">")
+_PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_CLEAR_ALARM_HISTORY_RESPONSE_PACK, _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK = _packing(">")
 
 
 class ClearAlarmHistoryResponse(_Record):
@@ -3450,7 +3433,7 @@ class ClearAlarmHistoryResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ALARM_HISTORY_RESPONSE_STRUCT.unpack(data)
+            _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_alarm_history_response", len(data), 0, 0) from None
         return record
@@ -3458,7 +3441,7 @@ class ClearAlarmHistoryResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ALARM_HISTORY_RESPONSE_STRUCT.pack()
+            return _CLEAR_ALARM_HISTORY_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_alarm_history_response")
@@ -3468,8 +3451,8 @@ class ClearAlarmHistoryResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ALARM_HISTORY_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3484,12 +3467,7 @@ class ClearAlarmHistoryResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAlarmHistoryResponse] | None:
         message = _new(ClearAlarmHistoryResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _CLEAR_ALARM_HISTORY_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3501,9 +3479,9 @@ class ClearAlarmHistoryResponse(_Record):
         return frame
 
 
-_CLEAR_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB")
-_CLEAR_ALARM_HISTORY_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_CLEAR_ALARM_HISTORY_REQUEST_STRUCT = _Struct(">")
+_PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_CLEAR_ALARM_HISTORY_REQUEST_PACK, _CLEAR_ALARM_HISTORY_REQUEST_UNPACK = _packing(">")
 
 
 class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
@@ -3524,7 +3502,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ALARM_HISTORY_REQUEST_STRUCT.unpack(data)
+            _CLEAR_ALARM_HISTORY_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_alarm_history_request", len(data), 0, 0) from None
         return record
@@ -3532,7 +3510,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ALARM_HISTORY_REQUEST_STRUCT.pack()
+            return _CLEAR_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_alarm_history_request")
@@ -3542,8 +3520,8 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ALARM_HISTORY_SERIAL_REQUEST.pack(4, station, 0x73)
+            if station <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x73)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3557,7 +3535,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAlarmHistoryRequest] | None:
         message = _new(ClearAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _CLEAR_ALARM_HISTORY_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3568,9 +3546,9 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         return frame
 
 
-_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct(">BBB")
-_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT = _Struct(">")
+_PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_CLEAR_ACCUMULATED_TIME_RESPONSE_PACK, _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK = _packing(">")
 
 
 class ClearAccumulatedTimeResponse(_Record):
@@ -3590,7 +3568,7 @@ class ClearAccumulatedTimeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT.unpack(data)
+            _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_accumulated_time_response", len(data), 0, 0) from None
         return record
@@ -3598,7 +3576,7 @@ class ClearAccumulatedTimeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT.pack()
+            return _CLEAR_ACCUMULATED_TIME_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_accumulated_time_response")
@@ -3608,8 +3586,8 @@ class ClearAccumulatedTimeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3624,12 +3602,7 @@ class ClearAccumulatedTimeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAccumulatedTimeResponse] | None:
         message = _new(ClearAccumulatedTimeResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3641,9 +3614,9 @@ class ClearAccumulatedTimeResponse(_Record):
         return frame
 
 
-_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB")
-_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_CLEAR_ACCUMULATED_TIME_REQUEST_STRUCT = _Struct(">")
+_PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_CLEAR_ACCUMULATED_TIME_REQUEST_PACK, _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK = _packing(">")
 
 
 class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
@@ -3664,7 +3637,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ACCUMULATED_TIME_REQUEST_STRUCT.unpack(data)
+            _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_accumulated_time_request", len(data), 0, 0) from None
         return record
@@ -3672,7 +3645,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ACCUMULATED_TIME_REQUEST_STRUCT.pack()
+            return _CLEAR_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_accumulated_time_request")
@@ -3682,8 +3655,8 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST.pack(4, station, 0x74)
+            if station <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x74)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3697,7 +3670,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAccumulatedTimeRequest] | None:
         message = _new(ClearAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3708,9 +3681,9 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         return frame
 
 
-_STOP_SERIAL_RESPONSE = _Struct(">BBB")
-_STOP_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_STOP_RESPONSE_STRUCT = _Struct(">")
+_PACK_STOP_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_STOP_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_STOP_RESPONSE_PACK, _STOP_RESPONSE_UNPACK = _packing(">")
 
 
 class StopResponse(_Record):
@@ -3730,7 +3703,7 @@ class StopResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _STOP_RESPONSE_STRUCT.unpack(data)
+            _STOP_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("stop_response", len(data), 0, 0) from None
         return record
@@ -3738,7 +3711,7 @@ class StopResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _STOP_RESPONSE_STRUCT.pack()
+            return _STOP_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("stop_response")
@@ -3748,8 +3721,8 @@ class StopResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _STOP_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_STOP_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3764,7 +3737,7 @@ class StopResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StopResponse] | None:
         message = _new(StopResponse)
         try:
-            part_length, station, part_status, check = _STOP_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_STOP_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3776,9 +3749,9 @@ class StopResponse(_Record):
         return frame
 
 
-_STOP_SERIAL_REQUEST = _Struct(">BBB")
-_STOP_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_STOP_REQUEST_STRUCT = _Struct(">")
+_PACK_STOP_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_STOP_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_STOP_REQUEST_PACK, _STOP_REQUEST_UNPACK = _packing(">")
 
 
 class StopRequest(_RequestOf["StopResponse"]):
@@ -3799,7 +3772,7 @@ class StopRequest(_RequestOf["StopResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _STOP_REQUEST_STRUCT.unpack(data)
+            _STOP_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("stop_request", len(data), 0, 0) from None
         return record
@@ -3807,7 +3780,7 @@ class StopRequest(_RequestOf["StopResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _STOP_REQUEST_STRUCT.pack()
+            return _STOP_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("stop_request")
@@ -3817,8 +3790,8 @@ class StopRequest(_RequestOf["StopResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _STOP_SERIAL_REQUEST.pack(4, station, 0x10)
+            if station <= 15:
+                data = _PACK_STOP_SERIAL_REQUEST(4, station, 0x10)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3832,7 +3805,7 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _from_serial(data: _Data) -> _Request[StopRequest] | None:
         message = _new(StopRequest)
         try:
-            part_length, station, _, check = _STOP_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_STOP_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3843,9 +3816,9 @@ class StopRequest(_RequestOf["StopResponse"]):
         return frame
 
 
-_START_HOMING_SERIAL_RESPONSE = _Struct(">BBB")
-_START_HOMING_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_START_HOMING_RESPONSE_STRUCT = _Struct(">")
+_PACK_START_HOMING_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_START_HOMING_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_START_HOMING_RESPONSE_PACK, _START_HOMING_RESPONSE_UNPACK = _packing(">")
 
 
 class StartHomingResponse(_Record):
@@ -3865,7 +3838,7 @@ class StartHomingResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _START_HOMING_RESPONSE_STRUCT.unpack(data)
+            _START_HOMING_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("start_homing_response", len(data), 0, 0) from None
         return record
@@ -3873,7 +3846,7 @@ class StartHomingResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _START_HOMING_RESPONSE_STRUCT.pack()
+            return _START_HOMING_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("start_homing_response")
@@ -3883,8 +3856,8 @@ class StartHomingResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _START_HOMING_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3899,7 +3872,7 @@ class StartHomingResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StartHomingResponse] | None:
         message = _new(StartHomingResponse)
         try:
-            part_length, station, part_status, check = _START_HOMING_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_START_HOMING_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3911,9 +3884,9 @@ class StartHomingResponse(_Record):
         return frame
 
 
-_START_HOMING_SERIAL_REQUEST = _Struct(">BBB")
-_START_HOMING_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_START_HOMING_REQUEST_STRUCT = _Struct(">")
+_PACK_START_HOMING_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_START_HOMING_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_START_HOMING_REQUEST_PACK, _START_HOMING_REQUEST_UNPACK = _packing(">")
 
 
 class StartHomingRequest(_RequestOf["StartHomingResponse"]):
@@ -3934,7 +3907,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _START_HOMING_REQUEST_STRUCT.unpack(data)
+            _START_HOMING_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("start_homing_request", len(data), 0, 0) from None
         return record
@@ -3942,7 +3915,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _START_HOMING_REQUEST_STRUCT.pack()
+            return _START_HOMING_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("start_homing_request")
@@ -3952,8 +3925,8 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _START_HOMING_SERIAL_REQUEST.pack(4, station, 0x11)
+            if station <= 15:
+                data = _PACK_START_HOMING_SERIAL_REQUEST(4, station, 0x11)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3967,7 +3940,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _from_serial(data: _Data) -> _Request[StartHomingRequest] | None:
         message = _new(StartHomingRequest)
         try:
-            part_length, station, _, check = _START_HOMING_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_START_HOMING_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3978,9 +3951,9 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         return frame
 
 
-_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_POSITIVE_DISTANCE_RESPONSE_PACK, _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK = _packing(">")
 
 
 class MovePositiveDistanceResponse(_Record):
@@ -4001,7 +3974,7 @@ class MovePositiveDistanceResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_positive_distance_response", len(data), 0, 0) from None
         return record
@@ -4009,7 +3982,7 @@ class MovePositiveDistanceResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT.pack()
+            return _MOVE_POSITIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_positive_distance_response")
@@ -4019,8 +3992,8 @@ class MovePositiveDistanceResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4035,12 +4008,7 @@ class MovePositiveDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MovePositiveDistanceResponse] | None:
         message = _new(MovePositiveDistanceResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4052,9 +4020,9 @@ class MovePositiveDistanceResponse(_Record):
         return frame
 
 
-_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB")
-_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBBB")
-_MOVE_POSITIVE_DISTANCE_REQUEST_STRUCT = _Struct(">BBB")
+_PACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB").pack
+_UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBBB").unpack
+_MOVE_POSITIVE_DISTANCE_REQUEST_PACK, _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK = _packing(">BBB")
 
 
 class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
@@ -4087,7 +4055,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_positive_distance_request", len(data), 3, 3) from None
         return record
@@ -4098,8 +4066,8 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if 1 <= raw_distance <= 255 and 1 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _MOVE_POSITIVE_DISTANCE_REQUEST_STRUCT.pack(raw_distance, raw_speed, raw_force)
+            if raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                return _MOVE_POSITIVE_DISTANCE_REQUEST_PACK(raw_distance, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_positive_distance_request")
@@ -4137,13 +4105,8 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if (
-                0 <= station <= 15
-                and 1 <= raw_distance <= 255
-                and 1 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
-            ):
-                data = _MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST.pack(
+            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST(
                     7, station, 0x12, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -4167,7 +4130,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -4178,9 +4141,9 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return frame
 
 
-_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK, _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveNegativeDistanceResponse(_Record):
@@ -4201,7 +4164,7 @@ class MoveNegativeDistanceResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_negative_distance_response", len(data), 0, 0) from None
         return record
@@ -4209,7 +4172,7 @@ class MoveNegativeDistanceResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT.pack()
+            return _MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_negative_distance_response")
@@ -4219,8 +4182,8 @@ class MoveNegativeDistanceResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4235,12 +4198,7 @@ class MoveNegativeDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveNegativeDistanceResponse] | None:
         message = _new(MoveNegativeDistanceResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4252,9 +4210,9 @@ class MoveNegativeDistanceResponse(_Record):
         return frame
 
 
-_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB")
-_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBBB")
-_MOVE_NEGATIVE_DISTANCE_REQUEST_STRUCT = _Struct(">BBB")
+_PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB").pack
+_UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBBB").unpack
+_MOVE_NEGATIVE_DISTANCE_REQUEST_PACK, _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK = _packing(">BBB")
 
 
 class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
@@ -4287,7 +4245,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_negative_distance_request", len(data), 3, 3) from None
         return record
@@ -4298,8 +4256,8 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if 1 <= raw_distance <= 255 and 1 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _MOVE_NEGATIVE_DISTANCE_REQUEST_STRUCT.pack(raw_distance, raw_speed, raw_force)
+            if raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                return _MOVE_NEGATIVE_DISTANCE_REQUEST_PACK(raw_distance, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_negative_distance_request")
@@ -4337,13 +4295,8 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if (
-                0 <= station <= 15
-                and 1 <= raw_distance <= 255
-                and 1 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
-            ):
-                data = _MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST.pack(
+            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST(
                     7, station, 0x13, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -4367,7 +4320,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -4378,9 +4331,9 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return frame
 
 
-_MOVE_OPEN_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_OPEN_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_OPEN_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_OPEN_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_OPEN_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_OPEN_RESPONSE_PACK, _MOVE_OPEN_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveOpenResponse(_Record):
@@ -4401,7 +4354,7 @@ class MoveOpenResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_OPEN_RESPONSE_STRUCT.unpack(data)
+            _MOVE_OPEN_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_open_response", len(data), 0, 0) from None
         return record
@@ -4409,7 +4362,7 @@ class MoveOpenResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_OPEN_RESPONSE_STRUCT.pack()
+            return _MOVE_OPEN_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_open_response")
@@ -4419,8 +4372,8 @@ class MoveOpenResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_OPEN_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4435,7 +4388,7 @@ class MoveOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveOpenResponse] | None:
         message = _new(MoveOpenResponse)
         try:
-            part_length, station, part_status, check = _MOVE_OPEN_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4447,9 +4400,9 @@ class MoveOpenResponse(_Record):
         return frame
 
 
-_MOVE_OPEN_SERIAL_REQUEST = _Struct(">BBBB")
-_MOVE_OPEN_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_MOVE_OPEN_REQUEST_STRUCT = _Struct(">B")
+_PACK_MOVE_OPEN_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_MOVE_OPEN_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_MOVE_OPEN_REQUEST_PACK, _MOVE_OPEN_REQUEST_UNPACK = _packing(">B")
 
 
 class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
@@ -4477,7 +4430,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.speed,) = _MOVE_OPEN_REQUEST_STRUCT.unpack(data)
+            (record.speed,) = _MOVE_OPEN_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_open_request", len(data), 1, 1) from None
         return record
@@ -4487,7 +4440,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
-                return _MOVE_OPEN_REQUEST_STRUCT.pack(raw_speed)
+                return _MOVE_OPEN_REQUEST_PACK(raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_open_request")
@@ -4506,8 +4459,8 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_speed = self.speed
-            if 0 <= station <= 15 and 1 <= raw_speed <= 100:
-                data = _MOVE_OPEN_SERIAL_REQUEST.pack(5, station, 0x14, raw_speed)
+            if station <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_OPEN_SERIAL_REQUEST(5, station, 0x14, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4521,7 +4474,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveOpenRequest] | None:
         message = _new(MoveOpenRequest)
         try:
-            part_length, station, _, message.speed, check = _MOVE_OPEN_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.speed, check = _UNPACK_MOVE_OPEN_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -4532,9 +4485,9 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         return frame
 
 
-_MOVE_CLOSE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_CLOSE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_CLOSE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_CLOSE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_CLOSE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_CLOSE_RESPONSE_PACK, _MOVE_CLOSE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveCloseResponse(_Record):
@@ -4554,7 +4507,7 @@ class MoveCloseResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_CLOSE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_CLOSE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_close_response", len(data), 0, 0) from None
         return record
@@ -4562,7 +4515,7 @@ class MoveCloseResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_CLOSE_RESPONSE_STRUCT.pack()
+            return _MOVE_CLOSE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_close_response")
@@ -4572,8 +4525,8 @@ class MoveCloseResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_CLOSE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4588,7 +4541,7 @@ class MoveCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveCloseResponse] | None:
         message = _new(MoveCloseResponse)
         try:
-            part_length, station, part_status, check = _MOVE_CLOSE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4600,9 +4553,9 @@ class MoveCloseResponse(_Record):
         return frame
 
 
-_MOVE_CLOSE_SERIAL_REQUEST = _Struct(">BBBB")
-_MOVE_CLOSE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_MOVE_CLOSE_REQUEST_STRUCT = _Struct(">B")
+_PACK_MOVE_CLOSE_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_MOVE_CLOSE_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_MOVE_CLOSE_REQUEST_PACK, _MOVE_CLOSE_REQUEST_UNPACK = _packing(">B")
 
 
 class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
@@ -4629,7 +4582,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.speed,) = _MOVE_CLOSE_REQUEST_STRUCT.unpack(data)
+            (record.speed,) = _MOVE_CLOSE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_close_request", len(data), 1, 1) from None
         return record
@@ -4639,7 +4592,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
-                return _MOVE_CLOSE_REQUEST_STRUCT.pack(raw_speed)
+                return _MOVE_CLOSE_REQUEST_PACK(raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_close_request")
@@ -4658,8 +4611,8 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_speed = self.speed
-            if 0 <= station <= 15 and 1 <= raw_speed <= 100:
-                data = _MOVE_CLOSE_SERIAL_REQUEST.pack(5, station, 0x15, raw_speed)
+            if station <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_CLOSE_SERIAL_REQUEST(5, station, 0x15, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4673,7 +4626,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveCloseRequest] | None:
         message = _new(MoveCloseRequest)
         try:
-            part_length, station, _, message.speed, check = _MOVE_CLOSE_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.speed, check = _UNPACK_MOVE_CLOSE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -4684,9 +4637,9 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         return frame
 
 
-_MOVE_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_RELATIVE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_RELATIVE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_RELATIVE_RESPONSE_PACK, _MOVE_RELATIVE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveRelativeResponse(_Record):
@@ -4706,7 +4659,7 @@ class MoveRelativeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_RELATIVE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_RELATIVE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_relative_response", len(data), 0, 0) from None
         return record
@@ -4714,7 +4667,7 @@ class MoveRelativeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_RELATIVE_RESPONSE_STRUCT.pack()
+            return _MOVE_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_relative_response")
@@ -4724,8 +4677,8 @@ class MoveRelativeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_RELATIVE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4740,7 +4693,7 @@ class MoveRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveRelativeResponse] | None:
         message = _new(MoveRelativeResponse)
         try:
-            part_length, station, part_status, check = _MOVE_RELATIVE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4752,9 +4705,9 @@ class MoveRelativeResponse(_Record):
         return frame
 
 
-_MOVE_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiB")
-_MOVE_RELATIVE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBB")
-_MOVE_RELATIVE_REQUEST_STRUCT = _Struct("<iB")
+_PACK_MOVE_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiB").pack
+_UNPACK_MOVE_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBB").unpack
+_MOVE_RELATIVE_REQUEST_PACK, _MOVE_RELATIVE_REQUEST_UNPACK = _packing("<iB")
 
 
 class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
@@ -4784,7 +4737,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed = _MOVE_RELATIVE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed = _MOVE_RELATIVE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_relative_request", len(data), 5, 5) from None
         return record
@@ -4794,8 +4747,8 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         try:
             raw_distance = self.distance
             raw_speed = self.speed
-            if -134217727 <= raw_distance <= 134217727 and 0 <= raw_speed <= 100:
-                return _MOVE_RELATIVE_REQUEST_STRUCT.pack(raw_distance, raw_speed)
+            if -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
+                return _MOVE_RELATIVE_REQUEST_PACK(raw_distance, raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_relative_request")
@@ -4830,8 +4783,8 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         try:
             raw_distance = self.distance
             raw_speed = self.speed
-            if 0 <= station <= 15 and -134217727 <= raw_distance <= 134217727 and 0 <= raw_speed <= 100:
-                data = _MOVE_RELATIVE_SERIAL_REQUEST.pack(9, station, 0x16, raw_distance, raw_speed)
+            if station <= 15 and -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_RELATIVE_SERIAL_REQUEST(9, station, 0x16, raw_distance, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4852,7 +4805,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
                 message.distance,
                 message.speed,
                 check,
-            ) = _MOVE_RELATIVE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_RELATIVE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 9 or (sum(data) - check) & 255 != check:
@@ -4863,9 +4816,9 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return frame
 
 
-_MOVE_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_ABSOLUTE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_ABSOLUTE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_ABSOLUTE_RESPONSE_PACK, _MOVE_ABSOLUTE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveAbsoluteResponse(_Record):
@@ -4885,7 +4838,7 @@ class MoveAbsoluteResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_ABSOLUTE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_ABSOLUTE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_absolute_response", len(data), 0, 0) from None
         return record
@@ -4893,7 +4846,7 @@ class MoveAbsoluteResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_ABSOLUTE_RESPONSE_STRUCT.pack()
+            return _MOVE_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_absolute_response")
@@ -4903,8 +4856,8 @@ class MoveAbsoluteResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_ABSOLUTE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4919,7 +4872,7 @@ class MoveAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveAbsoluteResponse] | None:
         message = _new(MoveAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _MOVE_ABSOLUTE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4931,9 +4884,9 @@ class MoveAbsoluteResponse(_Record):
         return frame
 
 
-_MOVE_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiB")
-_MOVE_ABSOLUTE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBB")
-_MOVE_ABSOLUTE_REQUEST_STRUCT = _Struct("<iB")
+_PACK_MOVE_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiB").pack
+_UNPACK_MOVE_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBB").unpack
+_MOVE_ABSOLUTE_REQUEST_PACK, _MOVE_ABSOLUTE_REQUEST_UNPACK = _packing("<iB")
 
 
 class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
@@ -4963,7 +4916,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_STRUCT.unpack(data)
+            record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_absolute_request", len(data), 5, 5) from None
         return record
@@ -4973,8 +4926,8 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         try:
             raw_position = self.position
             raw_speed = self.speed
-            if -134217727 <= raw_position <= 134217727 and 0 <= raw_speed <= 100:
-                return _MOVE_ABSOLUTE_REQUEST_STRUCT.pack(raw_position, raw_speed)
+            if -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
+                return _MOVE_ABSOLUTE_REQUEST_PACK(raw_position, raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_absolute_request")
@@ -5009,8 +4962,8 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         try:
             raw_position = self.position
             raw_speed = self.speed
-            if 0 <= station <= 15 and -134217727 <= raw_position <= 134217727 and 0 <= raw_speed <= 100:
-                data = _MOVE_ABSOLUTE_SERIAL_REQUEST.pack(9, station, 0x17, raw_position, raw_speed)
+            if station <= 15 and -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_REQUEST(9, station, 0x17, raw_position, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5031,7 +4984,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
                 message.position,
                 message.speed,
                 check,
-            ) = _MOVE_ABSOLUTE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_ABSOLUTE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 9 or (sum(data) - check) & 255 != check:
@@ -5042,9 +4995,9 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return frame
 
 
-_MOVE_TO_POINT_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_TO_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_TO_POINT_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_TO_POINT_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_TO_POINT_RESPONSE_PACK, _MOVE_TO_POINT_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveToPointResponse(_Record):
@@ -5064,7 +5017,7 @@ class MoveToPointResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_TO_POINT_RESPONSE_STRUCT.unpack(data)
+            _MOVE_TO_POINT_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_to_point_response", len(data), 0, 0) from None
         return record
@@ -5072,7 +5025,7 @@ class MoveToPointResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_TO_POINT_RESPONSE_STRUCT.pack()
+            return _MOVE_TO_POINT_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_to_point_response")
@@ -5082,8 +5035,8 @@ class MoveToPointResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_TO_POINT_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5098,7 +5051,7 @@ class MoveToPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveToPointResponse] | None:
         message = _new(MoveToPointResponse)
         try:
-            part_length, station, part_status, check = _MOVE_TO_POINT_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5110,9 +5063,9 @@ class MoveToPointResponse(_Record):
         return frame
 
 
-_MOVE_TO_POINT_SERIAL_REQUEST = _Struct(">BBBBB")
-_MOVE_TO_POINT_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_MOVE_TO_POINT_REQUEST_STRUCT = _Struct(">BB")
+_PACK_MOVE_TO_POINT_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_MOVE_TO_POINT_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_MOVE_TO_POINT_REQUEST_PACK, _MOVE_TO_POINT_REQUEST_UNPACK = _packing(">BB")
 
 
 class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
@@ -5142,7 +5095,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_STRUCT.unpack(data)
+            record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_to_point_request", len(data), 2, 2) from None
         return record
@@ -5152,8 +5105,8 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
-            if 1 <= raw_point_number <= 31 and 0 <= raw_speed <= 100:
-                return _MOVE_TO_POINT_REQUEST_STRUCT.pack(raw_point_number, raw_speed)
+            if 1 <= raw_point_number <= 31 and raw_speed <= 100:
+                return _MOVE_TO_POINT_REQUEST_PACK(raw_point_number, raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_to_point_request")
@@ -5177,8 +5130,8 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
-            if 0 <= station <= 15 and 1 <= raw_point_number <= 31 and 0 <= raw_speed <= 100:
-                data = _MOVE_TO_POINT_SERIAL_REQUEST.pack(6, station, 0x1a, raw_point_number, raw_speed)
+            if station <= 15 and 1 <= raw_point_number <= 31 and raw_speed <= 100:
+                data = _PACK_MOVE_TO_POINT_SERIAL_REQUEST(6, station, 0x1a, raw_point_number, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5199,7 +5152,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
                 message.point_number,
                 message.speed,
                 check,
-            ) = _MOVE_TO_POINT_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_TO_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -5210,9 +5163,9 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         return frame
 
 
-_GRIP_OPEN_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_OPEN_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_OPEN_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_OPEN_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_OPEN_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_OPEN_RESPONSE_PACK, _GRIP_OPEN_RESPONSE_UNPACK = _packing(">")
 
 
 class GripOpenResponse(_Record):
@@ -5233,7 +5186,7 @@ class GripOpenResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_OPEN_RESPONSE_STRUCT.unpack(data)
+            _GRIP_OPEN_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_response", len(data), 0, 0) from None
         return record
@@ -5241,7 +5194,7 @@ class GripOpenResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_OPEN_RESPONSE_STRUCT.pack()
+            return _GRIP_OPEN_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_open_response")
@@ -5251,8 +5204,8 @@ class GripOpenResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_OPEN_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5267,7 +5220,7 @@ class GripOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenResponse] | None:
         message = _new(GripOpenResponse)
         try:
-            part_length, station, part_status, check = _GRIP_OPEN_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5279,9 +5232,9 @@ class GripOpenResponse(_Record):
         return frame
 
 
-_GRIP_OPEN_SERIAL_REQUEST = _Struct(">BBBBB")
-_GRIP_OPEN_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_GRIP_OPEN_REQUEST_STRUCT = _Struct(">BB")
+_PACK_GRIP_OPEN_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_GRIP_OPEN_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_GRIP_OPEN_REQUEST_PACK, _GRIP_OPEN_REQUEST_UNPACK = _packing(">BB")
 
 
 class GripOpenRequest(_RequestOf["GripOpenResponse"]):
@@ -5311,7 +5264,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.speed, record.force = _GRIP_OPEN_REQUEST_STRUCT.unpack(data)
+            record.speed, record.force = _GRIP_OPEN_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_request", len(data), 2, 2) from None
         return record
@@ -5321,8 +5274,8 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_OPEN_REQUEST_STRUCT.pack(raw_speed, raw_force)
+            if raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_OPEN_REQUEST_PACK(raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_open_request")
@@ -5346,8 +5299,8 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= station <= 15 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                data = _GRIP_OPEN_SERIAL_REQUEST.pack(6, station, 0x20, raw_speed, raw_force)
+            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_OPEN_SERIAL_REQUEST(6, station, 0x20, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5368,7 +5321,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_OPEN_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_OPEN_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -5379,9 +5332,9 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         return frame
 
 
-_GRIP_CLOSE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_CLOSE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_CLOSE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_CLOSE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_CLOSE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_CLOSE_RESPONSE_PACK, _GRIP_CLOSE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripCloseResponse(_Record):
@@ -5402,7 +5355,7 @@ class GripCloseResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_CLOSE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_CLOSE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_response", len(data), 0, 0) from None
         return record
@@ -5410,7 +5363,7 @@ class GripCloseResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_CLOSE_RESPONSE_STRUCT.pack()
+            return _GRIP_CLOSE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_close_response")
@@ -5420,8 +5373,8 @@ class GripCloseResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_CLOSE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5436,7 +5389,7 @@ class GripCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseResponse] | None:
         message = _new(GripCloseResponse)
         try:
-            part_length, station, part_status, check = _GRIP_CLOSE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5448,9 +5401,9 @@ class GripCloseResponse(_Record):
         return frame
 
 
-_GRIP_CLOSE_SERIAL_REQUEST = _Struct(">BBBBB")
-_GRIP_CLOSE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_GRIP_CLOSE_REQUEST_STRUCT = _Struct(">BB")
+_PACK_GRIP_CLOSE_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_GRIP_CLOSE_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_GRIP_CLOSE_REQUEST_PACK, _GRIP_CLOSE_REQUEST_UNPACK = _packing(">BB")
 
 
 class GripCloseRequest(_RequestOf["GripCloseResponse"]):
@@ -5480,7 +5433,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.speed, record.force = _GRIP_CLOSE_REQUEST_STRUCT.unpack(data)
+            record.speed, record.force = _GRIP_CLOSE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_request", len(data), 2, 2) from None
         return record
@@ -5490,8 +5443,8 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_CLOSE_REQUEST_STRUCT.pack(raw_speed, raw_force)
+            if raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_CLOSE_REQUEST_PACK(raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_close_request")
@@ -5515,8 +5468,8 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= station <= 15 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                data = _GRIP_CLOSE_SERIAL_REQUEST.pack(6, station, 0x21, raw_speed, raw_force)
+            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_CLOSE_SERIAL_REQUEST(6, station, 0x21, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5537,7 +5490,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_CLOSE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_CLOSE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -5548,9 +5501,9 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         return frame
 
 
-_GRIP_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_RELATIVE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_RELATIVE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_RELATIVE_RESPONSE_PACK, _GRIP_RELATIVE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripRelativeResponse(_Record):
@@ -5571,7 +5524,7 @@ class GripRelativeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_RELATIVE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_RELATIVE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_relative_response", len(data), 0, 0) from None
         return record
@@ -5579,7 +5532,7 @@ class GripRelativeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_RELATIVE_RESPONSE_STRUCT.pack()
+            return _GRIP_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_relative_response")
@@ -5589,8 +5542,8 @@ class GripRelativeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_RELATIVE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5605,7 +5558,7 @@ class GripRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripRelativeResponse] | None:
         message = _new(GripRelativeResponse)
         try:
-            part_length, station, part_status, check = _GRIP_RELATIVE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5617,9 +5570,9 @@ class GripRelativeResponse(_Record):
         return frame
 
 
-_GRIP_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBB")
-_GRIP_RELATIVE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBBB")
-_GRIP_RELATIVE_REQUEST_STRUCT = _Struct("<iBB")
+_PACK_GRIP_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBB").pack
+_UNPACK_GRIP_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBBB").unpack
+_GRIP_RELATIVE_REQUEST_PACK, _GRIP_RELATIVE_REQUEST_UNPACK = _packing("<iBB")
 
 
 class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
@@ -5652,7 +5605,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_relative_request", len(data), 6, 6) from None
         return record
@@ -5663,8 +5616,8 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if -134217727 <= raw_distance <= 134217727 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_RELATIVE_REQUEST_STRUCT.pack(raw_distance, raw_speed, raw_force)
+            if -134217727 <= raw_distance <= 134217727 and raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_RELATIVE_REQUEST_PACK(raw_distance, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_relative_request")
@@ -5703,12 +5656,12 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_distance <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_RELATIVE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_RELATIVE_SERIAL_REQUEST(
                     10, station, 0x22, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -5732,7 +5685,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_RELATIVE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_RELATIVE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
@@ -5743,9 +5696,9 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return frame
 
 
-_GRIP_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_ABSOLUTE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_ABSOLUTE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_ABSOLUTE_RESPONSE_PACK, _GRIP_ABSOLUTE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripAbsoluteResponse(_Record):
@@ -5766,7 +5719,7 @@ class GripAbsoluteResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_ABSOLUTE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_ABSOLUTE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_absolute_response", len(data), 0, 0) from None
         return record
@@ -5774,7 +5727,7 @@ class GripAbsoluteResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_ABSOLUTE_RESPONSE_STRUCT.pack()
+            return _GRIP_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_absolute_response")
@@ -5784,8 +5737,8 @@ class GripAbsoluteResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_ABSOLUTE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5800,7 +5753,7 @@ class GripAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripAbsoluteResponse] | None:
         message = _new(GripAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _GRIP_ABSOLUTE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5812,9 +5765,9 @@ class GripAbsoluteResponse(_Record):
         return frame
 
 
-_GRIP_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBB")
-_GRIP_ABSOLUTE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBBB")
-_GRIP_ABSOLUTE_REQUEST_STRUCT = _Struct("<iBB")
+_PACK_GRIP_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBB").pack
+_UNPACK_GRIP_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBBB").unpack
+_GRIP_ABSOLUTE_REQUEST_PACK, _GRIP_ABSOLUTE_REQUEST_UNPACK = _packing("<iBB")
 
 
 class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
@@ -5847,7 +5800,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_STRUCT.unpack(data)
+            record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_absolute_request", len(data), 6, 6) from None
         return record
@@ -5858,8 +5811,8 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
             raw_position = self.position
             raw_speed = self.speed
             raw_force = self.force
-            if -134217727 <= raw_position <= 134217727 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_ABSOLUTE_REQUEST_STRUCT.pack(raw_position, raw_speed, raw_force)
+            if -134217727 <= raw_position <= 134217727 and raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_ABSOLUTE_REQUEST_PACK(raw_position, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_absolute_request")
@@ -5898,12 +5851,12 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_position <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_ABSOLUTE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_REQUEST(
                     10, station, 0x23, raw_position, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -5927,7 +5880,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_ABSOLUTE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_ABSOLUTE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
@@ -5938,9 +5891,9 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return frame
 
 
-_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_OPEN_WITH_ZONE_RESPONSE_PACK, _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripOpenWithZoneResponse(_Record):
@@ -5962,7 +5915,7 @@ class GripOpenWithZoneResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_with_zone_response", len(data), 0, 0) from None
         return record
@@ -5970,7 +5923,7 @@ class GripOpenWithZoneResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT.pack()
+            return _GRIP_OPEN_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_open_with_zone_response")
@@ -5980,8 +5933,8 @@ class GripOpenWithZoneResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5996,12 +5949,7 @@ class GripOpenWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenWithZoneResponse] | None:
         message = _new(GripOpenWithZoneResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6013,9 +5961,9 @@ class GripOpenWithZoneResponse(_Record):
         return frame
 
 
-_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB")
-_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiiBBB")
-_GRIP_OPEN_WITH_ZONE_REQUEST_STRUCT = _Struct("<iiBB")
+_PACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB").pack
+_UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBBB").unpack
+_GRIP_OPEN_WITH_ZONE_REQUEST_PACK, _GRIP_OPEN_WITH_ZONE_REQUEST_UNPACK = _packing("<iiBB")
 
 
 class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
@@ -6057,7 +6005,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
                 record.zone_limit_2,
                 record.speed,
                 record.force,
-            ) = _GRIP_OPEN_WITH_ZONE_REQUEST_STRUCT.unpack(data)
+            ) = _GRIP_OPEN_WITH_ZONE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_with_zone_request", len(data), 10, 10) from None
         return record
@@ -6072,10 +6020,10 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
             if (
                 -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                return _GRIP_OPEN_WITH_ZONE_REQUEST_STRUCT.pack(
+                return _GRIP_OPEN_WITH_ZONE_REQUEST_PACK(
                     raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
         except _UNFIT:
@@ -6130,13 +6078,13 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST(
                     14, station, 0x24, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -6161,7 +6109,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 14 or (sum(data) - check) & 255 != check:
@@ -6172,9 +6120,9 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return frame
 
 
-_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK, _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripCloseWithZoneResponse(_Record):
@@ -6196,7 +6144,7 @@ class GripCloseWithZoneResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_with_zone_response", len(data), 0, 0) from None
         return record
@@ -6204,7 +6152,7 @@ class GripCloseWithZoneResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT.pack()
+            return _GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_close_with_zone_response")
@@ -6214,8 +6162,8 @@ class GripCloseWithZoneResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6230,12 +6178,7 @@ class GripCloseWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseWithZoneResponse] | None:
         message = _new(GripCloseWithZoneResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6247,9 +6190,9 @@ class GripCloseWithZoneResponse(_Record):
         return frame
 
 
-_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB")
-_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiiBBB")
-_GRIP_CLOSE_WITH_ZONE_REQUEST_STRUCT = _Struct("<iiBB")
+_PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB").pack
+_UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBBB").unpack
+_GRIP_CLOSE_WITH_ZONE_REQUEST_PACK, _GRIP_CLOSE_WITH_ZONE_REQUEST_UNPACK = _packing("<iiBB")
 
 
 class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
@@ -6291,7 +6234,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
                 record.zone_limit_2,
                 record.speed,
                 record.force,
-            ) = _GRIP_CLOSE_WITH_ZONE_REQUEST_STRUCT.unpack(data)
+            ) = _GRIP_CLOSE_WITH_ZONE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_with_zone_request", len(data), 10, 10) from None
         return record
@@ -6306,10 +6249,10 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
             if (
                 -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                return _GRIP_CLOSE_WITH_ZONE_REQUEST_STRUCT.pack(
+                return _GRIP_CLOSE_WITH_ZONE_REQUEST_PACK(
                     raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
         except _UNFIT:
@@ -6364,13 +6307,13 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST(
                     14, station, 0x25, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -6395,7 +6338,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 14 or (sum(data) - check) & 255 != check:
@@ -6406,9 +6349,9 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return frame
 
 
-_NO_OPERATION_SERIAL_RESPONSE = _Struct(">BBB")
-_NO_OPERATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_NO_OPERATION_RESPONSE_STRUCT = _Struct(">")
+_PACK_NO_OPERATION_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_NO_OPERATION_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_NO_OPERATION_RESPONSE_PACK, _NO_OPERATION_RESPONSE_UNPACK = _packing(">")
 
 
 class NoOperationResponse(_Record):
@@ -6428,7 +6371,7 @@ class NoOperationResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _NO_OPERATION_RESPONSE_STRUCT.unpack(data)
+            _NO_OPERATION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("no_operation_response", len(data), 0, 0) from None
         return record
@@ -6436,7 +6379,7 @@ class NoOperationResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _NO_OPERATION_RESPONSE_STRUCT.pack()
+            return _NO_OPERATION_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("no_operation_response")
@@ -6446,8 +6389,8 @@ class NoOperationResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _NO_OPERATION_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6462,7 +6405,7 @@ class NoOperationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[NoOperationResponse] | None:
         message = _new(NoOperationResponse)
         try:
-            part_length, station, part_status, check = _NO_OPERATION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_NO_OPERATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6474,9 +6417,9 @@ class NoOperationResponse(_Record):
         return frame
 
 
-_NO_OPERATION_SERIAL_REQUEST = _Struct(">BBB")
-_NO_OPERATION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_NO_OPERATION_REQUEST_STRUCT = _Struct(">")
+_PACK_NO_OPERATION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_NO_OPERATION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_NO_OPERATION_REQUEST_PACK, _NO_OPERATION_REQUEST_UNPACK = _packing(">")
 
 
 class NoOperationRequest(_RequestOf["NoOperationResponse"]):
@@ -6497,7 +6440,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _NO_OPERATION_REQUEST_STRUCT.unpack(data)
+            _NO_OPERATION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("no_operation_request", len(data), 0, 0) from None
         return record
@@ -6505,7 +6448,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _NO_OPERATION_REQUEST_STRUCT.pack()
+            return _NO_OPERATION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("no_operation_request")
@@ -6515,8 +6458,8 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _NO_OPERATION_SERIAL_REQUEST.pack(4, station, 0x30)
+            if station <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_REQUEST(4, station, 0x30)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6530,7 +6473,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _from_serial(data: _Data) -> _Request[NoOperationRequest] | None:
         message = _new(NoOperationRequest)
         try:
-            part_length, station, _, check = _NO_OPERATION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_NO_OPERATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6541,9 +6484,9 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         return frame
 
 
-_SET_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBB")
-_SET_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_SET_MOTOR_EXCITATION_RESPONSE_STRUCT = _Struct(">")
+_PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_SET_MOTOR_EXCITATION_RESPONSE_PACK, _SET_MOTOR_EXCITATION_RESPONSE_UNPACK = _packing(">")
 
 
 class SetMotorExcitationResponse(_Record):
@@ -6563,7 +6506,7 @@ class SetMotorExcitationResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _SET_MOTOR_EXCITATION_RESPONSE_STRUCT.unpack(data)
+            _SET_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("set_motor_excitation_response", len(data), 0, 0) from None
         return record
@@ -6571,7 +6514,7 @@ class SetMotorExcitationResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _SET_MOTOR_EXCITATION_RESPONSE_STRUCT.pack()
+            return _SET_MOTOR_EXCITATION_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("set_motor_excitation_response")
@@ -6581,8 +6524,8 @@ class SetMotorExcitationResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _SET_MOTOR_EXCITATION_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6597,12 +6540,7 @@ class SetMotorExcitationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[SetMotorExcitationResponse] | None:
         message = _new(SetMotorExcitationResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _SET_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6614,9 +6552,9 @@ class SetMotorExcitationResponse(_Record):
         return frame
 
 
-_SET_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBB")
-_SET_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_SET_MOTOR_EXCITATION_REQUEST_STRUCT = _Struct(">B")
+_PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_SET_MOTOR_EXCITATION_REQUEST_PACK, _SET_MOTOR_EXCITATION_REQUEST_UNPACK = _packing(">B")
 
 
 class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
@@ -6644,7 +6582,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_STRUCT.unpack(data)
+            (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("set_motor_excitation_request", len(data), 1, 1) from None
         if raw_excited > 1:
@@ -6656,8 +6594,8 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_excited = self.excited
-            if 0 <= raw_excited <= 1:
-                return _SET_MOTOR_EXCITATION_REQUEST_STRUCT.pack(raw_excited)
+            if raw_excited <= 1:
+                return _SET_MOTOR_EXCITATION_REQUEST_PACK(raw_excited)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("set_motor_excitation_request")
@@ -6676,8 +6614,8 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_excited = self.excited
-            if 0 <= station <= 15 and 0 <= raw_excited <= 1:
-                data = _SET_MOTOR_EXCITATION_SERIAL_REQUEST.pack(5, station, 0x31, raw_excited)
+            if station <= 15 and raw_excited <= 1:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(5, station, 0x31, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6691,13 +6629,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[SetMotorExcitationRequest] | None:
         message = _new(SetMotorExcitationRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                raw_excited,
-                check,
-            ) = _SET_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, raw_excited, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -6711,9 +6643,9 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         return frame
 
 
-_READ_VERSION_SERIAL_RESPONSE = _Struct(">BBB6s")
-_READ_VERSION_SERIAL_RESPONSE_CHECKED = _Struct(">BBB6sB")
-_READ_VERSION_RESPONSE_STRUCT = _Struct(">6s")
+_PACK_READ_VERSION_SERIAL_RESPONSE = _Struct(">BBB6s").pack
+_UNPACK_READ_VERSION_SERIAL_RESPONSE = _Struct(">BBB6sB").unpack
+_READ_VERSION_RESPONSE_PACK, _READ_VERSION_RESPONSE_UNPACK = _packing(">6s")
 
 
 class ReadVersionResponse(_Record):
@@ -6740,7 +6672,7 @@ class ReadVersionResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_version,) = _READ_VERSION_RESPONSE_STRUCT.unpack(data)
+            (raw_version,) = _READ_VERSION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_version_response", len(data), 6, 6) from None
         record.version = _text("version", raw_version, 0)
@@ -6751,7 +6683,7 @@ class ReadVersionResponse(_Record):
         try:
             raw_version = self.version
             if len(raw_version) <= 6:
-                return _READ_VERSION_RESPONSE_STRUCT.pack(raw_version.encode("ascii"))
+                return _READ_VERSION_RESPONSE_PACK(raw_version.encode("ascii"))
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_version_response")
@@ -6770,8 +6702,8 @@ class ReadVersionResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_version = self.version
-            if 0 <= station <= 15 and len(raw_version) <= 6:
-                data = _READ_VERSION_SERIAL_RESPONSE.pack(
+            if station <= 15 and len(raw_version) <= 6:
+                data = _PACK_READ_VERSION_SERIAL_RESPONSE(
                     10, station, part_status.raw, raw_version.encode("ascii"),
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -6788,13 +6720,7 @@ class ReadVersionResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadVersionResponse] | None:
         message = _new(ReadVersionResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                raw_version,
-                check,
-            ) = _READ_VERSION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, raw_version, check = _UNPACK_READ_VERSION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
@@ -6807,9 +6733,9 @@ class ReadVersionResponse(_Record):
         return frame
 
 
-_READ_VERSION_SERIAL_REQUEST = _Struct(">BBB")
-_READ_VERSION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_VERSION_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_VERSION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_VERSION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_VERSION_REQUEST_PACK, _READ_VERSION_REQUEST_UNPACK = _packing(">")
 
 
 class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
@@ -6830,7 +6756,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_VERSION_REQUEST_STRUCT.unpack(data)
+            _READ_VERSION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_version_request", len(data), 0, 0) from None
         return record
@@ -6838,7 +6764,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_VERSION_REQUEST_STRUCT.pack()
+            return _READ_VERSION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_version_request")
@@ -6848,8 +6774,8 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_VERSION_SERIAL_REQUEST.pack(4, station, 0x40)
+            if station <= 15:
+                data = _PACK_READ_VERSION_SERIAL_REQUEST(4, station, 0x40)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6863,7 +6789,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadVersionRequest] | None:
         message = _new(ReadVersionRequest)
         try:
-            part_length, station, _, check = _READ_VERSION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_VERSION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6874,9 +6800,9 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         return frame
 
 
-_READ_CURRENT_POSITION_SERIAL_RESPONSE = _Struct("<BBBi")
-_READ_CURRENT_POSITION_SERIAL_RESPONSE_CHECKED = _Struct("<BBBiB")
-_READ_CURRENT_POSITION_RESPONSE_STRUCT = _Struct("<i")
+_PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE = _Struct("<BBBi").pack
+_UNPACK_READ_CURRENT_POSITION_SERIAL_RESPONSE = _Struct("<BBBiB").unpack
+_READ_CURRENT_POSITION_RESPONSE_PACK, _READ_CURRENT_POSITION_RESPONSE_UNPACK = _packing("<i")
 
 
 class ReadCurrentPositionResponse(_Record):
@@ -6903,7 +6829,7 @@ class ReadCurrentPositionResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.position,) = _READ_CURRENT_POSITION_RESPONSE_STRUCT.unpack(data)
+            (record.position,) = _READ_CURRENT_POSITION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_position_response", len(data), 4, 4) from None
         return record
@@ -6913,7 +6839,7 @@ class ReadCurrentPositionResponse(_Record):
         try:
             raw_position = self.position
             if -134217727 <= raw_position <= 134217727:
-                return _READ_CURRENT_POSITION_RESPONSE_STRUCT.pack(raw_position)
+                return _READ_CURRENT_POSITION_RESPONSE_PACK(raw_position)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_position_response")
@@ -6943,8 +6869,8 @@ class ReadCurrentPositionResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_position = self.position
-            if 0 <= station <= 15 and -134217727 <= raw_position <= 134217727:
-                data = _READ_CURRENT_POSITION_SERIAL_RESPONSE.pack(8, station, part_status.raw, raw_position)
+            if station <= 15 and -134217727 <= raw_position <= 134217727:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(8, station, part_status.raw, raw_position)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6965,7 +6891,7 @@ class ReadCurrentPositionResponse(_Record):
                 part_status,
                 message.position,
                 check,
-            ) = _READ_CURRENT_POSITION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 8 or (sum(data) - check) & 255 != check:
@@ -6977,9 +6903,9 @@ class ReadCurrentPositionResponse(_Record):
         return frame
 
 
-_READ_CURRENT_POSITION_SERIAL_REQUEST = _Struct(">BBB")
-_READ_CURRENT_POSITION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_CURRENT_POSITION_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_CURRENT_POSITION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_CURRENT_POSITION_REQUEST_PACK, _READ_CURRENT_POSITION_REQUEST_UNPACK = _packing(">")
 
 
 class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
@@ -7000,7 +6926,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_CURRENT_POSITION_REQUEST_STRUCT.unpack(data)
+            _READ_CURRENT_POSITION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_position_request", len(data), 0, 0) from None
         return record
@@ -7008,7 +6934,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_CURRENT_POSITION_REQUEST_STRUCT.pack()
+            return _READ_CURRENT_POSITION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_position_request")
@@ -7018,8 +6944,8 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_CURRENT_POSITION_SERIAL_REQUEST.pack(4, station, 0x41)
+            if station <= 15:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_REQUEST(4, station, 0x41)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7033,7 +6959,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadCurrentPositionRequest] | None:
         message = _new(ReadCurrentPositionRequest)
         try:
-            part_length, station, _, check = _READ_CURRENT_POSITION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7044,9 +6970,9 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         return frame
 
 
-_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_CURRENT_POINT_NUMBER_RESPONSE_PACK, _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadCurrentPointNumberResponse(_Record):
@@ -7073,7 +6999,7 @@ class ReadCurrentPointNumberResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT.unpack(data)
+            (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_point_number_response", len(data), 1, 1) from None
         return record
@@ -7083,7 +7009,7 @@ class ReadCurrentPointNumberResponse(_Record):
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
-                return _READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT.pack(raw_point_number)
+                return _READ_CURRENT_POINT_NUMBER_RESPONSE_PACK(raw_point_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_point_number_response")
@@ -7102,8 +7028,8 @@ class ReadCurrentPointNumberResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_point_number = self.point_number
-            if 0 <= station <= 15 and 1 <= raw_point_number <= 31:
-                data = _READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE.pack(
+            if station <= 15 and 1 <= raw_point_number <= 31:
+                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(
                     5, station, part_status.raw, raw_point_number,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -7126,7 +7052,7 @@ class ReadCurrentPointNumberResponse(_Record):
                 part_status,
                 message.point_number,
                 check,
-            ) = _READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7138,9 +7064,9 @@ class ReadCurrentPointNumberResponse(_Record):
         return frame
 
 
-_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST = _Struct(">BBB")
-_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_CURRENT_POINT_NUMBER_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_CURRENT_POINT_NUMBER_REQUEST_PACK, _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK = _packing(">")
 
 
 class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]):
@@ -7161,7 +7087,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_CURRENT_POINT_NUMBER_REQUEST_STRUCT.unpack(data)
+            _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_point_number_request", len(data), 0, 0) from None
         return record
@@ -7169,7 +7095,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_CURRENT_POINT_NUMBER_REQUEST_STRUCT.pack()
+            return _READ_CURRENT_POINT_NUMBER_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_point_number_request")
@@ -7179,8 +7105,8 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST.pack(4, station, 0x42)
+            if station <= 15:
+                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(4, station, 0x42)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7194,7 +7120,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _from_serial(data: _Data) -> _Request[ReadCurrentPointNumberRequest] | None:
         message = _new(ReadCurrentPointNumberRequest)
         try:
-            part_length, station, _, check = _READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7205,9 +7131,9 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         return frame
 
 
-_READ_PARAMETER_SERIAL_RESPONSE = _Struct("<BBBH")
-_READ_PARAMETER_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHB")
-_READ_PARAMETER_RESPONSE_STRUCT = _Struct("<H")
+_PACK_READ_PARAMETER_SERIAL_RESPONSE = _Struct("<BBBH").pack
+_UNPACK_READ_PARAMETER_SERIAL_RESPONSE = _Struct("<BBBHB").unpack
+_READ_PARAMETER_RESPONSE_PACK, _READ_PARAMETER_RESPONSE_UNPACK = _packing("<H")
 
 
 class ReadParameterResponse(_Record):
@@ -7233,7 +7159,7 @@ class ReadParameterResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.value,) = _READ_PARAMETER_RESPONSE_STRUCT.unpack(data)
+            (record.value,) = _READ_PARAMETER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameter_response", len(data), 2, 2) from None
         return record
@@ -7241,7 +7167,7 @@ class ReadParameterResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_PARAMETER_RESPONSE_STRUCT.pack(self.value)
+            return _READ_PARAMETER_RESPONSE_PACK(self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameter_response")
@@ -7259,8 +7185,8 @@ class ReadParameterResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_PARAMETER_SERIAL_RESPONSE.pack(6, station, part_status.raw, self.value)
+            if station <= 15:
+                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, station, part_status.raw, self.value)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7281,7 +7207,7 @@ class ReadParameterResponse(_Record):
                 part_status,
                 message.value,
                 check,
-            ) = _READ_PARAMETER_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_PARAMETER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -7293,9 +7219,9 @@ class ReadParameterResponse(_Record):
         return frame
 
 
-_READ_PARAMETER_SERIAL_REQUEST = _Struct(">BBBB")
-_READ_PARAMETER_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_READ_PARAMETER_REQUEST_STRUCT = _Struct(">B")
+_PACK_READ_PARAMETER_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_READ_PARAMETER_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_READ_PARAMETER_REQUEST_PACK, _READ_PARAMETER_REQUEST_UNPACK = _packing(">B")
 
 
 class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
@@ -7322,7 +7248,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.parameter_number,) = _READ_PARAMETER_REQUEST_STRUCT.unpack(data)
+            (record.parameter_number,) = _READ_PARAMETER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameter_request", len(data), 1, 1) from None
         return record
@@ -7331,8 +7257,8 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= raw_parameter_number <= 31:
-                return _READ_PARAMETER_REQUEST_STRUCT.pack(raw_parameter_number)
+            if raw_parameter_number <= 31:
+                return _READ_PARAMETER_REQUEST_PACK(raw_parameter_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameter_request")
@@ -7351,8 +7277,8 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= station <= 15 and 0 <= raw_parameter_number <= 31:
-                data = _READ_PARAMETER_SERIAL_REQUEST.pack(5, station, 0x43, raw_parameter_number)
+            if station <= 15 and raw_parameter_number <= 31:
+                data = _PACK_READ_PARAMETER_SERIAL_REQUEST(5, station, 0x43, raw_parameter_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7372,7 +7298,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
                 _,
                 message.parameter_number,
                 check,
-            ) = _READ_PARAMETER_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_READ_PARAMETER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7383,9 +7309,9 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return frame
 
 
-_READ_POINT_SERIAL_RESPONSE = _Struct(">BBB16s")
-_READ_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBB16sB")
-_READ_POINT_RESPONSE_STRUCT = _Struct(">16s")
+_PACK_READ_POINT_SERIAL_RESPONSE = _Struct(">BBB16s").pack
+_UNPACK_READ_POINT_SERIAL_RESPONSE = _Struct(">BBB16sB").unpack
+_READ_POINT_RESPONSE_PACK, _READ_POINT_RESPONSE_UNPACK = _packing(">16s")
 
 
 class ReadPointResponse(_Record):
@@ -7411,7 +7337,7 @@ class ReadPointResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_point,) = _READ_POINT_RESPONSE_STRUCT.unpack(data)
+            (raw_point,) = _READ_POINT_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_point_response", len(data), 16, 16) from None
         record.point = _decoded_at(Point, raw_point, 0)
@@ -7420,7 +7346,7 @@ class ReadPointResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_POINT_RESPONSE_STRUCT.pack(self.point.encode())
+            return _READ_POINT_RESPONSE_PACK(self.point.encode())
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_point_response")
@@ -7438,8 +7364,8 @@ class ReadPointResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_POINT_SERIAL_RESPONSE.pack(20, station, part_status.raw, self.point.encode())
+            if station <= 15:
+                data = _PACK_READ_POINT_SERIAL_RESPONSE(20, station, part_status.raw, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7454,13 +7380,7 @@ class ReadPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadPointResponse] | None:
         message = _new(ReadPointResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                raw_point,
-                check,
-            ) = _READ_POINT_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, raw_point, check = _UNPACK_READ_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
@@ -7473,9 +7393,9 @@ class ReadPointResponse(_Record):
         return frame
 
 
-_READ_POINT_SERIAL_REQUEST = _Struct(">BBBB")
-_READ_POINT_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_READ_POINT_REQUEST_STRUCT = _Struct(">B")
+_PACK_READ_POINT_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_READ_POINT_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_READ_POINT_REQUEST_PACK, _READ_POINT_REQUEST_UNPACK = _packing(">B")
 
 
 class ReadPointRequest(_RequestOf["ReadPointResponse"]):
@@ -7502,7 +7422,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.point_number,) = _READ_POINT_REQUEST_STRUCT.unpack(data)
+            (record.point_number,) = _READ_POINT_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_point_request", len(data), 1, 1) from None
         return record
@@ -7512,7 +7432,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
-                return _READ_POINT_REQUEST_STRUCT.pack(raw_point_number)
+                return _READ_POINT_REQUEST_PACK(raw_point_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_point_request")
@@ -7531,8 +7451,8 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_point_number = self.point_number
-            if 0 <= station <= 15 and 1 <= raw_point_number <= 31:
-                data = _READ_POINT_SERIAL_REQUEST.pack(5, station, 0x44, raw_point_number)
+            if station <= 15 and 1 <= raw_point_number <= 31:
+                data = _PACK_READ_POINT_SERIAL_REQUEST(5, station, 0x44, raw_point_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7546,13 +7466,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointRequest] | None:
         message = _new(ReadPointRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                message.point_number,
-                check,
-            ) = _READ_POINT_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.point_number, check = _UNPACK_READ_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7563,9 +7477,9 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         return frame
 
 
-_READ_HOMING_STATE_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_HOMING_STATE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_HOMING_STATE_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_HOMING_STATE_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_HOMING_STATE_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_HOMING_STATE_RESPONSE_PACK, _READ_HOMING_STATE_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadHomingStateResponse(_Record):
@@ -7591,7 +7505,7 @@ class ReadHomingStateResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_STRUCT.unpack(data)
+            (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_homing_state_response", len(data), 1, 1) from None
         if raw_homing_complete > 1:
@@ -7603,8 +7517,8 @@ class ReadHomingStateResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_homing_complete = self.homing_complete
-            if 0 <= raw_homing_complete <= 1:
-                return _READ_HOMING_STATE_RESPONSE_STRUCT.pack(raw_homing_complete)
+            if raw_homing_complete <= 1:
+                return _READ_HOMING_STATE_RESPONSE_PACK(raw_homing_complete)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_homing_state_response")
@@ -7623,8 +7537,8 @@ class ReadHomingStateResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_homing_complete = self.homing_complete
-            if 0 <= station <= 15 and 0 <= raw_homing_complete <= 1:
-                data = _READ_HOMING_STATE_SERIAL_RESPONSE.pack(
+            if station <= 15 and raw_homing_complete <= 1:
+                data = _PACK_READ_HOMING_STATE_SERIAL_RESPONSE(
                     5, station, part_status.raw, raw_homing_complete,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -7647,7 +7561,7 @@ class ReadHomingStateResponse(_Record):
                 part_status,
                 raw_homing_complete,
                 check,
-            ) = _READ_HOMING_STATE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_HOMING_STATE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7662,9 +7576,9 @@ class ReadHomingStateResponse(_Record):
         return frame
 
 
-_READ_HOMING_STATE_SERIAL_REQUEST = _Struct(">BBB")
-_READ_HOMING_STATE_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_HOMING_STATE_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_HOMING_STATE_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_HOMING_STATE_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_HOMING_STATE_REQUEST_PACK, _READ_HOMING_STATE_REQUEST_UNPACK = _packing(">")
 
 
 class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
@@ -7685,7 +7599,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_HOMING_STATE_REQUEST_STRUCT.unpack(data)
+            _READ_HOMING_STATE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_homing_state_request", len(data), 0, 0) from None
         return record
@@ -7693,7 +7607,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_HOMING_STATE_REQUEST_STRUCT.pack()
+            return _READ_HOMING_STATE_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_homing_state_request")
@@ -7703,8 +7617,8 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_HOMING_STATE_SERIAL_REQUEST.pack(4, station, 0x45)
+            if station <= 15:
+                data = _PACK_READ_HOMING_STATE_SERIAL_REQUEST(4, station, 0x45)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7718,7 +7632,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadHomingStateRequest] | None:
         message = _new(ReadHomingStateRequest)
         try:
-            part_length, station, _, check = _READ_HOMING_STATE_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_HOMING_STATE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7729,9 +7643,9 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         return frame
 
 
-_READ_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_MOTOR_EXCITATION_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_MOTOR_EXCITATION_RESPONSE_PACK, _READ_MOTOR_EXCITATION_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadMotorExcitationResponse(_Record):
@@ -7759,7 +7673,7 @@ class ReadMotorExcitationResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_STRUCT.unpack(data)
+            (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_motor_excitation_response", len(data), 1, 1) from None
         if raw_excited > 1:
@@ -7771,8 +7685,8 @@ class ReadMotorExcitationResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_excited = self.excited
-            if 0 <= raw_excited <= 1:
-                return _READ_MOTOR_EXCITATION_RESPONSE_STRUCT.pack(raw_excited)
+            if raw_excited <= 1:
+                return _READ_MOTOR_EXCITATION_RESPONSE_PACK(raw_excited)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_motor_excitation_response")
@@ -7791,8 +7705,8 @@ class ReadMotorExcitationResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_excited = self.excited
-            if 0 <= station <= 15 and 0 <= raw_excited <= 1:
-                data = _READ_MOTOR_EXCITATION_SERIAL_RESPONSE.pack(5, station, part_status.raw, raw_excited)
+            if station <= 15 and raw_excited <= 1:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(5, station, part_status.raw, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7813,7 +7727,7 @@ class ReadMotorExcitationResponse(_Record):
                 part_status,
                 raw_excited,
                 check,
-            ) = _READ_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7828,9 +7742,9 @@ class ReadMotorExcitationResponse(_Record):
         return frame
 
 
-_READ_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBB")
-_READ_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_MOTOR_EXCITATION_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_MOTOR_EXCITATION_REQUEST_PACK, _READ_MOTOR_EXCITATION_REQUEST_UNPACK = _packing(">")
 
 
 class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
@@ -7851,7 +7765,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_MOTOR_EXCITATION_REQUEST_STRUCT.unpack(data)
+            _READ_MOTOR_EXCITATION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_motor_excitation_request", len(data), 0, 0) from None
         return record
@@ -7859,7 +7773,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_MOTOR_EXCITATION_REQUEST_STRUCT.pack()
+            return _READ_MOTOR_EXCITATION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_motor_excitation_request")
@@ -7869,8 +7783,8 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_MOTOR_EXCITATION_SERIAL_REQUEST.pack(4, station, 0x46)
+            if station <= 15:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(4, station, 0x46)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7884,7 +7798,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadMotorExcitationRequest] | None:
         message = _new(ReadMotorExcitationRequest)
         try:
-            part_length, station, _, check = _READ_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7895,9 +7809,9 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         return frame
 
 
-_READ_ALARM_CODE_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_ALARM_CODE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_ALARM_CODE_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_ALARM_CODE_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_ALARM_CODE_RESPONSE_PACK, _READ_ALARM_CODE_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadAlarmCodeResponse(_Record):
@@ -7934,7 +7848,7 @@ class ReadAlarmCodeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_STRUCT.unpack(data)
+            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_response", len(data), 1, 1) from None
         return record
@@ -7942,7 +7856,7 @@ class ReadAlarmCodeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_CODE_RESPONSE_STRUCT.pack(self._held_alarm_code)
+            return _READ_ALARM_CODE_RESPONSE_PACK(self._held_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_response")
@@ -7960,8 +7874,8 @@ class ReadAlarmCodeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ALARM_CODE_SERIAL_RESPONSE.pack(
+            if station <= 15:
+                data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
                     5, station, part_status.raw, self._held_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -7984,7 +7898,7 @@ class ReadAlarmCodeResponse(_Record):
                 part_status,
                 message._held_alarm_code,
                 check,
-            ) = _READ_ALARM_CODE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7996,9 +7910,9 @@ class ReadAlarmCodeResponse(_Record):
         return frame
 
 
-_READ_ALARM_CODE_SERIAL_REQUEST = _Struct(">BBB")
-_READ_ALARM_CODE_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_ALARM_CODE_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_ALARM_CODE_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_ALARM_CODE_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_ALARM_CODE_REQUEST_PACK, _READ_ALARM_CODE_REQUEST_UNPACK = _packing(">")
 
 
 class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
@@ -8019,7 +7933,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_ALARM_CODE_REQUEST_STRUCT.unpack(data)
+            _READ_ALARM_CODE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_request", len(data), 0, 0) from None
         return record
@@ -8027,7 +7941,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_CODE_REQUEST_STRUCT.pack()
+            return _READ_ALARM_CODE_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_request")
@@ -8037,8 +7951,8 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ALARM_CODE_SERIAL_REQUEST.pack(4, station, 0x47)
+            if station <= 15:
+                data = _PACK_READ_ALARM_CODE_SERIAL_REQUEST(4, station, 0x47)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8052,7 +7966,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmCodeRequest] | None:
         message = _new(ReadAlarmCodeRequest)
         try:
-            part_length, station, _, check = _READ_ALARM_CODE_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_ALARM_CODE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -8063,9 +7977,9 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         return frame
 
 
-_READ_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct("<BBBHB")
-_READ_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHBB")
-_READ_ACCUMULATED_TIME_RESPONSE_STRUCT = _Struct("<HB")
+_PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct("<BBBHB").pack
+_UNPACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct("<BBBHBB").unpack
+_READ_ACCUMULATED_TIME_RESPONSE_PACK, _READ_ACCUMULATED_TIME_RESPONSE_UNPACK = _packing("<HB")
 
 
 class ReadAccumulatedTimeResponse(_Record):
@@ -8094,7 +8008,7 @@ class ReadAccumulatedTimeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_STRUCT.unpack(data)
+            record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_accumulated_time_response", len(data), 3, 3) from None
         return record
@@ -8103,8 +8017,8 @@ class ReadAccumulatedTimeResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_minutes = self.minutes
-            if 0 <= raw_minutes <= 60:
-                return _READ_ACCUMULATED_TIME_RESPONSE_STRUCT.pack(self.hours, raw_minutes)
+            if raw_minutes <= 60:
+                return _READ_ACCUMULATED_TIME_RESPONSE_PACK(self.hours, raw_minutes)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_accumulated_time_response")
@@ -8127,8 +8041,8 @@ class ReadAccumulatedTimeResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_minutes = self.minutes
-            if 0 <= station <= 15 and 0 <= raw_minutes <= 60:
-                data = _READ_ACCUMULATED_TIME_SERIAL_RESPONSE.pack(
+            if station <= 15 and raw_minutes <= 60:
+                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(
                     7, station, part_status.raw, self.hours, raw_minutes,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -8152,7 +8066,7 @@ class ReadAccumulatedTimeResponse(_Record):
                 message.hours,
                 message.minutes,
                 check,
-            ) = _READ_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -8164,9 +8078,9 @@ class ReadAccumulatedTimeResponse(_Record):
         return frame
 
 
-_READ_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB")
-_READ_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_ACCUMULATED_TIME_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_ACCUMULATED_TIME_REQUEST_PACK, _READ_ACCUMULATED_TIME_REQUEST_UNPACK = _packing(">")
 
 
 class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
@@ -8187,7 +8101,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_ACCUMULATED_TIME_REQUEST_STRUCT.unpack(data)
+            _READ_ACCUMULATED_TIME_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_accumulated_time_request", len(data), 0, 0) from None
         return record
@@ -8195,7 +8109,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ACCUMULATED_TIME_REQUEST_STRUCT.pack()
+            return _READ_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_accumulated_time_request")
@@ -8205,8 +8119,8 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ACCUMULATED_TIME_SERIAL_REQUEST.pack(4, station, 0x48)
+            if station <= 15:
+                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x48)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8220,7 +8134,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAccumulatedTimeRequest] | None:
         message = _new(ReadAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _READ_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:

@@ -26,6 +26,7 @@ from .._conversions import counts as _counts
 from .._conversions import decoded_at as _decoded_at
 from .._conversions import decoded_each as _decoded_each
 from .._conversions import new as _new
+from .._conversions import packing as _packing
 from .._conversions import text as _text
 from .._error import CodecError as _CodecError
 from .._error import no_boolean as _no_boolean
@@ -1324,7 +1325,7 @@ class IoStateOutputs(_Flags):
         return self.raw & 0x80 != 0
 
 
-_ALARM_HISTORY_ENTRY_STRUCT = _Struct("<HBB")
+_ALARM_HISTORY_ENTRY_PACK, _ALARM_HISTORY_ENTRY_UNPACK = _packing("<HBB")
 
 
 class AlarmHistoryEntry(_Record):
@@ -1364,7 +1365,7 @@ class AlarmHistoryEntry(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_STRUCT.unpack(data)
+            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
         except _StructError:
             raise _wrong_length("alarm_history_entry", len(data), 4, 4) from None
         return record
@@ -1373,8 +1374,8 @@ class AlarmHistoryEntry(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_minutes = self.minutes
-            if 0 <= raw_minutes <= 60:
-                return _ALARM_HISTORY_ENTRY_STRUCT.pack(self.hours, raw_minutes, self._held_alarm_code)
+            if raw_minutes <= 60:
+                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._held_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("alarm_history_entry")
@@ -1397,7 +1398,7 @@ class AlarmHistoryEntry(_Record):
         )
 
 
-_POINT_STRUCT = _Struct("<BBiBBii")
+_POINT_PACK, _POINT_UNPACK = _packing("<BBiBBii")
 
 
 class Point(_Record):
@@ -1454,7 +1455,7 @@ class Point(_Record):
                 record.force,
                 record.zone_limit_1,
                 record.zone_limit_2,
-            ) = _POINT_STRUCT.unpack(data)
+            ) = _POINT_UNPACK(data)
         except _StructError:
             raise _wrong_length("point", len(data), 16, 16) from None
         try:
@@ -1477,12 +1478,12 @@ class Point(_Record):
                 1 <= raw_number <= 31
                 and raw_mode in _POINT_MODE_MEMBERS
                 and -134217727 <= raw_distance <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
             ):
-                return _POINT_STRUCT.pack(
+                return _POINT_PACK(
                     raw_number, raw_mode, raw_distance, raw_speed, raw_force, raw_zone_limit_1,
                     raw_zone_limit_2,
                 )
@@ -1549,7 +1550,7 @@ class Point(_Record):
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
-_TEMPORARY_POINT_STRUCT = _Struct("<BBiBBii")
+_TEMPORARY_POINT_PACK, _TEMPORARY_POINT_UNPACK = _packing("<BBiBBii")
 
 
 class TemporaryPoint(_Record):
@@ -1600,7 +1601,7 @@ class TemporaryPoint(_Record):
                 record.force,
                 record.zone_limit_1,
                 record.zone_limit_2,
-            ) = _TEMPORARY_POINT_STRUCT.unpack(data)
+            ) = _TEMPORARY_POINT_UNPACK(data)
         except _StructError:
             raise _wrong_length("temporary_point", len(data), 16, 16) from None
         if raw_number != 0:
@@ -1623,12 +1624,12 @@ class TemporaryPoint(_Record):
             if (
                 raw_mode in _POINT_MODE_MEMBERS
                 and -134217727 <= raw_distance <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
             ):
-                return _TEMPORARY_POINT_STRUCT.pack(
+                return _TEMPORARY_POINT_PACK(
                     0, raw_mode, raw_distance, raw_speed, raw_force, raw_zone_limit_1, raw_zone_limit_2,
                 )
         except _UNFIT:
@@ -1751,9 +1752,9 @@ class ReadPointsResponse(_Record):
         return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
 
 
-_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB")
-_READ_POINTS_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_READ_POINTS_REQUEST_STRUCT = _Struct(">B")
+_PACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_READ_POINTS_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_READ_POINTS_REQUEST_PACK, _READ_POINTS_REQUEST_UNPACK = _packing(">B")
 
 
 class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
@@ -1781,7 +1782,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.first_point,) = _READ_POINTS_REQUEST_STRUCT.unpack(data)
+            (record.first_point,) = _READ_POINTS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_points_request", len(data), 1, 1) from None
         return record
@@ -1791,7 +1792,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         try:
             raw_first_point = self.first_point
             if 1 <= raw_first_point <= 31:
-                return _READ_POINTS_REQUEST_STRUCT.pack(raw_first_point)
+                return _READ_POINTS_REQUEST_PACK(raw_first_point)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_points_request")
@@ -1810,8 +1811,8 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_first_point = self.first_point
-            if 0 <= station <= 15 and 1 <= raw_first_point <= 31:
-                data = _READ_POINTS_SERIAL_REQUEST.pack(5, station, 0x50, raw_first_point)
+            if station <= 15 and 1 <= raw_first_point <= 31:
+                data = _PACK_READ_POINTS_SERIAL_REQUEST(5, station, 0x50, raw_first_point)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -1825,13 +1826,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointsRequest] | None:
         message = _new(ReadPointsRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                message.first_point,
-                check,
-            ) = _READ_POINTS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.first_point, check = _UNPACK_READ_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -1842,9 +1837,11 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         return frame
 
 
-_READ_PARAMETERS_SERIAL_RESPONSE = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
-_READ_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB")
-_READ_PARAMETERS_RESPONSE_STRUCT = _Struct("<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
+_PACK_READ_PARAMETERS_SERIAL_RESPONSE = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH").pack
+_UNPACK_READ_PARAMETERS_SERIAL_RESPONSE = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB").unpack
+_READ_PARAMETERS_RESPONSE_PACK, _READ_PARAMETERS_RESPONSE_UNPACK = _packing(
+    "<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH",
+)
 
 
 class ReadParametersResponse(_Record):
@@ -1870,7 +1867,7 @@ class ReadParametersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (*record.parameters,) = _READ_PARAMETERS_RESPONSE_STRUCT.unpack(data)
+            (*record.parameters,) = _READ_PARAMETERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameters_response", len(data), 64, 64) from None
         return record
@@ -1880,7 +1877,7 @@ class ReadParametersResponse(_Record):
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
-                return _READ_PARAMETERS_RESPONSE_STRUCT.pack(*raw_parameters)
+                return _READ_PARAMETERS_RESPONSE_PACK(*raw_parameters)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameters_response")
@@ -1899,8 +1896,8 @@ class ReadParametersResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_parameters = self.parameters
-            if 0 <= station <= 15 and len(raw_parameters) == 32:
-                data = _READ_PARAMETERS_SERIAL_RESPONSE.pack(68, station, part_status.raw, *raw_parameters)
+            if station <= 15 and len(raw_parameters) == 32:
+                data = _PACK_READ_PARAMETERS_SERIAL_RESPONSE(68, station, part_status.raw, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -1921,7 +1918,7 @@ class ReadParametersResponse(_Record):
                 part_status,
                 *message.parameters,
                 check,
-            ) = _READ_PARAMETERS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 68 or (sum(data) - check) & 255 != check:
@@ -1933,9 +1930,9 @@ class ReadParametersResponse(_Record):
         return frame
 
 
-_READ_PARAMETERS_SERIAL_REQUEST = _Struct(">BBB")
-_READ_PARAMETERS_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_PARAMETERS_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_PARAMETERS_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_PARAMETERS_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_PARAMETERS_REQUEST_PACK, _READ_PARAMETERS_REQUEST_UNPACK = _packing(">")
 
 
 class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
@@ -1956,7 +1953,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            _READ_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameters_request", len(data), 0, 0) from None
         return record
@@ -1964,7 +1961,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_PARAMETERS_REQUEST_STRUCT.pack()
+            return _READ_PARAMETERS_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameters_request")
@@ -1974,8 +1971,8 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_PARAMETERS_SERIAL_REQUEST.pack(4, station, 0x51)
+            if station <= 15:
+                data = _PACK_READ_PARAMETERS_SERIAL_REQUEST(4, station, 0x51)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -1989,7 +1986,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadParametersRequest] | None:
         message = _new(ReadParametersRequest)
         try:
-            part_length, station, _, check = _READ_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2000,9 +1997,9 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         return frame
 
 
-_READ_IO_STATUS_SERIAL_RESPONSE = _Struct(">BBBBBB")
-_READ_IO_STATUS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBBBB")
-_READ_IO_STATUS_RESPONSE_STRUCT = _Struct(">BBB")
+_PACK_READ_IO_STATUS_SERIAL_RESPONSE = _Struct(">BBBBBB").pack
+_UNPACK_READ_IO_STATUS_SERIAL_RESPONSE = _Struct(">BBBBBBB").unpack
+_READ_IO_STATUS_RESPONSE_PACK, _READ_IO_STATUS_RESPONSE_UNPACK = _packing(">BBB")
 
 
 class ReadIoStatusResponse(_Record):
@@ -2077,7 +2074,7 @@ class ReadIoStatusResponse(_Record):
                 record._held_inputs,
                 record._held_outputs,
                 record._held_state_outputs,
-            ) = _READ_IO_STATUS_RESPONSE_STRUCT.unpack(data)
+            ) = _READ_IO_STATUS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_response", len(data), 3, 3) from None
         return record
@@ -2085,7 +2082,7 @@ class ReadIoStatusResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_IO_STATUS_RESPONSE_STRUCT.pack(
+            return _READ_IO_STATUS_RESPONSE_PACK(
                 self._held_inputs, self._held_outputs, self._held_state_outputs,
             )
         except _UNFIT:
@@ -2111,8 +2108,8 @@ class ReadIoStatusResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_IO_STATUS_SERIAL_RESPONSE.pack(
+            if station <= 15:
+                data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
                     7, station, part_status.raw, self._held_inputs, self._held_outputs,
                     self._held_state_outputs,
                 )
@@ -2138,7 +2135,7 @@ class ReadIoStatusResponse(_Record):
                 message._held_outputs,
                 message._held_state_outputs,
                 check,
-            ) = _READ_IO_STATUS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_IO_STATUS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -2150,9 +2147,9 @@ class ReadIoStatusResponse(_Record):
         return frame
 
 
-_READ_IO_STATUS_SERIAL_REQUEST = _Struct(">BBB")
-_READ_IO_STATUS_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_IO_STATUS_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_IO_STATUS_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_IO_STATUS_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_IO_STATUS_REQUEST_PACK, _READ_IO_STATUS_REQUEST_UNPACK = _packing(">")
 
 
 class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
@@ -2173,7 +2170,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_IO_STATUS_REQUEST_STRUCT.unpack(data)
+            _READ_IO_STATUS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_request", len(data), 0, 0) from None
         return record
@@ -2181,7 +2178,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_IO_STATUS_REQUEST_STRUCT.pack()
+            return _READ_IO_STATUS_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_io_status_request")
@@ -2191,8 +2188,8 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_IO_STATUS_SERIAL_REQUEST.pack(4, station, 0x52)
+            if station <= 15:
+                data = _PACK_READ_IO_STATUS_SERIAL_REQUEST(4, station, 0x52)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2206,7 +2203,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadIoStatusRequest] | None:
         message = _new(ReadIoStatusRequest)
         try:
-            part_length, station, _, check = _READ_IO_STATUS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_IO_STATUS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2274,9 +2271,9 @@ class ReadAlarmHistoryResponse(_Record):
         return _SERIAL_RESPONSES.joined([0, station, part_status.raw], body)
 
 
-_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB")
-_READ_ALARM_HISTORY_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_ALARM_HISTORY_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_ALARM_HISTORY_REQUEST_PACK, _READ_ALARM_HISTORY_REQUEST_UNPACK = _packing(">")
 
 
 class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
@@ -2298,7 +2295,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_ALARM_HISTORY_REQUEST_STRUCT.unpack(data)
+            _READ_ALARM_HISTORY_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_history_request", len(data), 0, 0) from None
         return record
@@ -2306,7 +2303,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_HISTORY_REQUEST_STRUCT.pack()
+            return _READ_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_history_request")
@@ -2316,8 +2313,8 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ALARM_HISTORY_SERIAL_REQUEST.pack(4, station, 0x53)
+            if station <= 15:
+                data = _PACK_READ_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x53)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2331,7 +2328,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmHistoryRequest] | None:
         message = _new(ReadAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _READ_ALARM_HISTORY_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2342,9 +2339,9 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         return frame
 
 
-_WRITE_POINTS_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_POINTS_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_POINTS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_POINTS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_POINTS_RESPONSE_PACK, _WRITE_POINTS_RESPONSE_UNPACK = _packing(">")
 
 
 class WritePointsResponse(_Record):
@@ -2364,7 +2361,7 @@ class WritePointsResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_POINTS_RESPONSE_STRUCT.unpack(data)
+            _WRITE_POINTS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_points_response", len(data), 0, 0) from None
         return record
@@ -2372,7 +2369,7 @@ class WritePointsResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_POINTS_RESPONSE_STRUCT.pack()
+            return _WRITE_POINTS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_points_response")
@@ -2382,8 +2379,8 @@ class WritePointsResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_POINTS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2398,7 +2395,7 @@ class WritePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WritePointsResponse] | None:
         message = _new(WritePointsResponse)
         try:
-            part_length, station, part_status, check = _WRITE_POINTS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2464,9 +2461,9 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
         return _SERIAL_REQUESTS.joined([0, station, 0x60], body)
 
 
-_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_PARAMETERS_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_PARAMETERS_RESPONSE_PACK, _WRITE_PARAMETERS_RESPONSE_UNPACK = _packing(">")
 
 
 class WriteParametersResponse(_Record):
@@ -2486,7 +2483,7 @@ class WriteParametersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_PARAMETERS_RESPONSE_STRUCT.unpack(data)
+            _WRITE_PARAMETERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameters_response", len(data), 0, 0) from None
         return record
@@ -2494,7 +2491,7 @@ class WriteParametersResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_PARAMETERS_RESPONSE_STRUCT.pack()
+            return _WRITE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameters_response")
@@ -2504,8 +2501,8 @@ class WriteParametersResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_PARAMETERS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2520,7 +2517,7 @@ class WriteParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParametersResponse] | None:
         message = _new(WriteParametersResponse)
         try:
-            part_length, station, part_status, check = _WRITE_PARAMETERS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2532,9 +2529,11 @@ class WriteParametersResponse(_Record):
         return frame
 
 
-_WRITE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
-_WRITE_PARAMETERS_SERIAL_REQUEST_CHECKED = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB")
-_WRITE_PARAMETERS_REQUEST_STRUCT = _Struct("<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH")
+_PACK_WRITE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH").pack
+_UNPACK_WRITE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHB").unpack
+_WRITE_PARAMETERS_REQUEST_PACK, _WRITE_PARAMETERS_REQUEST_UNPACK = _packing(
+    "<HHHHHHHHHHHHHHHHHHHHHHHHHHHHHHHH",
+)
 
 
 class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
@@ -2561,7 +2560,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameters_request", len(data), 64, 64) from None
         return record
@@ -2571,7 +2570,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
-                return _WRITE_PARAMETERS_REQUEST_STRUCT.pack(*raw_parameters)
+                return _WRITE_PARAMETERS_REQUEST_PACK(*raw_parameters)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameters_request")
@@ -2590,8 +2589,8 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_parameters = self.parameters
-            if 0 <= station <= 15 and len(raw_parameters) == 32:
-                data = _WRITE_PARAMETERS_SERIAL_REQUEST.pack(68, station, 0x61, *raw_parameters)
+            if station <= 15 and len(raw_parameters) == 32:
+                data = _PACK_WRITE_PARAMETERS_SERIAL_REQUEST(68, station, 0x61, *raw_parameters)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2611,7 +2610,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
                 _,
                 *message.parameters,
                 check,
-            ) = _WRITE_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_WRITE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 68 or (sum(data) - check) & 255 != check:
@@ -2622,9 +2621,9 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         return frame
 
 
-_WRITE_PARAMETER_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_PARAMETER_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_PARAMETER_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_PARAMETER_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_PARAMETER_RESPONSE_PACK, _WRITE_PARAMETER_RESPONSE_UNPACK = _packing(">")
 
 
 class WriteParameterResponse(_Record):
@@ -2644,7 +2643,7 @@ class WriteParameterResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_PARAMETER_RESPONSE_STRUCT.unpack(data)
+            _WRITE_PARAMETER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameter_response", len(data), 0, 0) from None
         return record
@@ -2652,7 +2651,7 @@ class WriteParameterResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_PARAMETER_RESPONSE_STRUCT.pack()
+            return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameter_response")
@@ -2662,8 +2661,8 @@ class WriteParameterResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_PARAMETER_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_PARAMETER_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2678,7 +2677,7 @@ class WriteParameterResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteParameterResponse] | None:
         message = _new(WriteParameterResponse)
         try:
-            part_length, station, part_status, check = _WRITE_PARAMETER_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_PARAMETER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2690,9 +2689,9 @@ class WriteParameterResponse(_Record):
         return frame
 
 
-_WRITE_PARAMETER_SERIAL_REQUEST = _Struct("<BBBBH")
-_WRITE_PARAMETER_SERIAL_REQUEST_CHECKED = _Struct("<BBBBHB")
-_WRITE_PARAMETER_REQUEST_STRUCT = _Struct("<BH")
+_PACK_WRITE_PARAMETER_SERIAL_REQUEST = _Struct("<BBBBH").pack
+_UNPACK_WRITE_PARAMETER_SERIAL_REQUEST = _Struct("<BBBBHB").unpack
+_WRITE_PARAMETER_REQUEST_PACK, _WRITE_PARAMETER_REQUEST_UNPACK = _packing("<BH")
 
 
 class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
@@ -2722,7 +2721,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_STRUCT.unpack(data)
+            record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_parameter_request", len(data), 3, 3) from None
         return record
@@ -2731,8 +2730,8 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= raw_parameter_number <= 31:
-                return _WRITE_PARAMETER_REQUEST_STRUCT.pack(raw_parameter_number, self.value)
+            if raw_parameter_number <= 31:
+                return _WRITE_PARAMETER_REQUEST_PACK(raw_parameter_number, self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_parameter_request")
@@ -2755,8 +2754,8 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= station <= 15 and 0 <= raw_parameter_number <= 31:
-                data = _WRITE_PARAMETER_SERIAL_REQUEST.pack(
+            if station <= 15 and raw_parameter_number <= 31:
+                data = _PACK_WRITE_PARAMETER_SERIAL_REQUEST(
                     7, station, 0x62, raw_parameter_number, self.value,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -2779,7 +2778,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
                 message.parameter_number,
                 message.value,
                 check,
-            ) = _WRITE_PARAMETER_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_WRITE_PARAMETER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -2790,9 +2789,9 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return frame
 
 
-_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE = _Struct(">BBB")
-_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_WRITE_TEMPORARY_POINT_RESPONSE_STRUCT = _Struct(">")
+_PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_WRITE_TEMPORARY_POINT_RESPONSE_PACK, _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK = _packing(">")
 
 
 class WriteTemporaryPointResponse(_Record):
@@ -2814,7 +2813,7 @@ class WriteTemporaryPointResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _WRITE_TEMPORARY_POINT_RESPONSE_STRUCT.unpack(data)
+            _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_temporary_point_response", len(data), 0, 0) from None
         return record
@@ -2822,7 +2821,7 @@ class WriteTemporaryPointResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_TEMPORARY_POINT_RESPONSE_STRUCT.pack()
+            return _WRITE_TEMPORARY_POINT_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_temporary_point_response")
@@ -2832,8 +2831,8 @@ class WriteTemporaryPointResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_TEMPORARY_POINT_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2848,12 +2847,7 @@ class WriteTemporaryPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[WriteTemporaryPointResponse] | None:
         message = _new(WriteTemporaryPointResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _WRITE_TEMPORARY_POINT_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -2865,9 +2859,9 @@ class WriteTemporaryPointResponse(_Record):
         return frame
 
 
-_WRITE_TEMPORARY_POINT_SERIAL_REQUEST = _Struct(">BBB16s")
-_WRITE_TEMPORARY_POINT_SERIAL_REQUEST_CHECKED = _Struct(">BBB16sB")
-_WRITE_TEMPORARY_POINT_REQUEST_STRUCT = _Struct(">16s")
+_PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST = _Struct(">BBB16s").pack
+_UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST = _Struct(">BBB16sB").unpack
+_WRITE_TEMPORARY_POINT_REQUEST_PACK, _WRITE_TEMPORARY_POINT_REQUEST_UNPACK = _packing(">16s")
 
 
 class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
@@ -2896,7 +2890,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_STRUCT.unpack(data)
+            (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_temporary_point_request", len(data), 16, 16) from None
         record.point = _decoded_at(TemporaryPoint, raw_point, 0)
@@ -2905,7 +2899,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_TEMPORARY_POINT_REQUEST_STRUCT.pack(self.point.encode())
+            return _WRITE_TEMPORARY_POINT_REQUEST_PACK(self.point.encode())
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_temporary_point_request")
@@ -2923,8 +2917,8 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _WRITE_TEMPORARY_POINT_SERIAL_REQUEST.pack(20, station, 0x63, self.point.encode())
+            if station <= 15:
+                data = _PACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(20, station, 0x63, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -2938,13 +2932,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
     def _from_serial(data: _Data) -> _Request[WriteTemporaryPointRequest] | None:
         message = _new(WriteTemporaryPointRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                raw_point,
-                check,
-            ) = _WRITE_TEMPORARY_POINT_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, raw_point, check = _UNPACK_WRITE_TEMPORARY_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
@@ -2956,9 +2944,9 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         return frame
 
 
-_CLEAR_POINTS_SERIAL_RESPONSE = _Struct(">BBB")
-_CLEAR_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_CLEAR_POINTS_RESPONSE_STRUCT = _Struct(">")
+_PACK_CLEAR_POINTS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_CLEAR_POINTS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_CLEAR_POINTS_RESPONSE_PACK, _CLEAR_POINTS_RESPONSE_UNPACK = _packing(">")
 
 
 class ClearPointsResponse(_Record):
@@ -2978,7 +2966,7 @@ class ClearPointsResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_POINTS_RESPONSE_STRUCT.unpack(data)
+            _CLEAR_POINTS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_points_response", len(data), 0, 0) from None
         return record
@@ -2986,7 +2974,7 @@ class ClearPointsResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_POINTS_RESPONSE_STRUCT.pack()
+            return _CLEAR_POINTS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_points_response")
@@ -2996,8 +2984,8 @@ class ClearPointsResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_POINTS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_CLEAR_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3012,7 +3000,7 @@ class ClearPointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearPointsResponse] | None:
         message = _new(ClearPointsResponse)
         try:
-            part_length, station, part_status, check = _CLEAR_POINTS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_CLEAR_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3024,9 +3012,9 @@ class ClearPointsResponse(_Record):
         return frame
 
 
-_CLEAR_POINTS_SERIAL_REQUEST = _Struct(">BBBBB")
-_CLEAR_POINTS_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_CLEAR_POINTS_REQUEST_STRUCT = _Struct(">BB")
+_PACK_CLEAR_POINTS_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_CLEAR_POINTS_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_CLEAR_POINTS_REQUEST_PACK, _CLEAR_POINTS_REQUEST_UNPACK = _packing(">BB")
 
 
 class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
@@ -3055,7 +3043,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_STRUCT.unpack(data)
+            record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_points_request", len(data), 2, 2) from None
         return record
@@ -3066,7 +3054,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
             raw_first_point = self.first_point
             raw_point_count = self.point_count
             if 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
-                return _CLEAR_POINTS_REQUEST_STRUCT.pack(raw_first_point, raw_point_count)
+                return _CLEAR_POINTS_REQUEST_PACK(raw_first_point, raw_point_count)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_points_request")
@@ -3090,8 +3078,8 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
-            if 0 <= station <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
-                data = _CLEAR_POINTS_SERIAL_REQUEST.pack(6, station, 0x70, raw_first_point, raw_point_count)
+            if station <= 15 and 1 <= raw_first_point <= 31 and 1 <= raw_point_count <= 31:
+                data = _PACK_CLEAR_POINTS_SERIAL_REQUEST(6, station, 0x70, raw_first_point, raw_point_count)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3112,7 +3100,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
                 message.first_point,
                 message.point_count,
                 check,
-            ) = _CLEAR_POINTS_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_CLEAR_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -3123,9 +3111,9 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         return frame
 
 
-_INITIALIZE_POINTS_SERIAL_RESPONSE = _Struct(">BBB")
-_INITIALIZE_POINTS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_INITIALIZE_POINTS_RESPONSE_STRUCT = _Struct(">")
+_PACK_INITIALIZE_POINTS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_INITIALIZE_POINTS_RESPONSE_PACK, _INITIALIZE_POINTS_RESPONSE_UNPACK = _packing(">")
 
 
 class InitializePointsResponse(_Record):
@@ -3145,7 +3133,7 @@ class InitializePointsResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _INITIALIZE_POINTS_RESPONSE_STRUCT.unpack(data)
+            _INITIALIZE_POINTS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_points_response", len(data), 0, 0) from None
         return record
@@ -3153,7 +3141,7 @@ class InitializePointsResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_POINTS_RESPONSE_STRUCT.pack()
+            return _INITIALIZE_POINTS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_points_response")
@@ -3163,8 +3151,8 @@ class InitializePointsResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_POINTS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3179,7 +3167,7 @@ class InitializePointsResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializePointsResponse] | None:
         message = _new(InitializePointsResponse)
         try:
-            part_length, station, part_status, check = _INITIALIZE_POINTS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_INITIALIZE_POINTS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3191,9 +3179,9 @@ class InitializePointsResponse(_Record):
         return frame
 
 
-_INITIALIZE_POINTS_SERIAL_REQUEST = _Struct(">BBB")
-_INITIALIZE_POINTS_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_INITIALIZE_POINTS_REQUEST_STRUCT = _Struct(">")
+_PACK_INITIALIZE_POINTS_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_INITIALIZE_POINTS_REQUEST_PACK, _INITIALIZE_POINTS_REQUEST_UNPACK = _packing(">")
 
 
 class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
@@ -3214,7 +3202,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _INITIALIZE_POINTS_REQUEST_STRUCT.unpack(data)
+            _INITIALIZE_POINTS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_points_request", len(data), 0, 0) from None
         return record
@@ -3222,7 +3210,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_POINTS_REQUEST_STRUCT.pack()
+            return _INITIALIZE_POINTS_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_points_request")
@@ -3232,8 +3220,8 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_POINTS_SERIAL_REQUEST.pack(4, station, 0x71)
+            if station <= 15:
+                data = _PACK_INITIALIZE_POINTS_SERIAL_REQUEST(4, station, 0x71)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3247,7 +3235,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
     def _from_serial(data: _Data) -> _Request[InitializePointsRequest] | None:
         message = _new(InitializePointsRequest)
         try:
-            part_length, station, _, check = _INITIALIZE_POINTS_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_INITIALIZE_POINTS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3258,9 +3246,9 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         return frame
 
 
-_INITIALIZE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB")
-_INITIALIZE_PARAMETERS_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_INITIALIZE_PARAMETERS_RESPONSE_STRUCT = _Struct(">")
+_PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_INITIALIZE_PARAMETERS_RESPONSE_PACK, _INITIALIZE_PARAMETERS_RESPONSE_UNPACK = _packing(">")
 
 
 class InitializeParametersResponse(_Record):
@@ -3281,7 +3269,7 @@ class InitializeParametersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _INITIALIZE_PARAMETERS_RESPONSE_STRUCT.unpack(data)
+            _INITIALIZE_PARAMETERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_response", len(data), 0, 0) from None
         return record
@@ -3289,7 +3277,7 @@ class InitializeParametersResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_RESPONSE_STRUCT.pack()
+            return _INITIALIZE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_response")
@@ -3299,8 +3287,8 @@ class InitializeParametersResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_PARAMETERS_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3315,12 +3303,7 @@ class InitializeParametersResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[InitializeParametersResponse] | None:
         message = _new(InitializeParametersResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _INITIALIZE_PARAMETERS_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3332,9 +3315,9 @@ class InitializeParametersResponse(_Record):
         return frame
 
 
-_INITIALIZE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBH")
-_INITIALIZE_PARAMETERS_SERIAL_REQUEST_CHECKED = _Struct("<BBBHB")
-_INITIALIZE_PARAMETERS_REQUEST_STRUCT = _Struct("<H")
+_PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBH").pack
+_UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST = _Struct("<BBBHB").unpack
+_INITIALIZE_PARAMETERS_REQUEST_PACK, _INITIALIZE_PARAMETERS_REQUEST_UNPACK = _packing("<H")
 
 
 class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
@@ -3372,7 +3355,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_STRUCT.unpack(data)
+            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_request", len(data), 2, 2) from None
         return record
@@ -3380,7 +3363,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_REQUEST_STRUCT.pack(self._held_actuator_type)
+            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._held_actuator_type)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_request")
@@ -3398,8 +3381,8 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _INITIALIZE_PARAMETERS_SERIAL_REQUEST.pack(6, station, 0x72, self._held_actuator_type)
+            if station <= 15:
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._held_actuator_type)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3419,7 +3402,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
                 _,
                 message._held_actuator_type,
                 check,
-            ) = _INITIALIZE_PARAMETERS_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -3430,9 +3413,9 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         return frame
 
 
-_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE = _Struct(">BBB")
-_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_CLEAR_ALARM_HISTORY_RESPONSE_STRUCT = _Struct(">")
+_PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_CLEAR_ALARM_HISTORY_RESPONSE_PACK, _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK = _packing(">")
 
 
 class ClearAlarmHistoryResponse(_Record):
@@ -3452,7 +3435,7 @@ class ClearAlarmHistoryResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ALARM_HISTORY_RESPONSE_STRUCT.unpack(data)
+            _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_alarm_history_response", len(data), 0, 0) from None
         return record
@@ -3460,7 +3443,7 @@ class ClearAlarmHistoryResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ALARM_HISTORY_RESPONSE_STRUCT.pack()
+            return _CLEAR_ALARM_HISTORY_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_alarm_history_response")
@@ -3470,8 +3453,8 @@ class ClearAlarmHistoryResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ALARM_HISTORY_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3486,12 +3469,7 @@ class ClearAlarmHistoryResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAlarmHistoryResponse] | None:
         message = _new(ClearAlarmHistoryResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _CLEAR_ALARM_HISTORY_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3503,9 +3481,9 @@ class ClearAlarmHistoryResponse(_Record):
         return frame
 
 
-_CLEAR_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB")
-_CLEAR_ALARM_HISTORY_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_CLEAR_ALARM_HISTORY_REQUEST_STRUCT = _Struct(">")
+_PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_CLEAR_ALARM_HISTORY_REQUEST_PACK, _CLEAR_ALARM_HISTORY_REQUEST_UNPACK = _packing(">")
 
 
 class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
@@ -3526,7 +3504,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ALARM_HISTORY_REQUEST_STRUCT.unpack(data)
+            _CLEAR_ALARM_HISTORY_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_alarm_history_request", len(data), 0, 0) from None
         return record
@@ -3534,7 +3512,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ALARM_HISTORY_REQUEST_STRUCT.pack()
+            return _CLEAR_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_alarm_history_request")
@@ -3544,8 +3522,8 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ALARM_HISTORY_SERIAL_REQUEST.pack(4, station, 0x73)
+            if station <= 15:
+                data = _PACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(4, station, 0x73)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3559,7 +3537,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAlarmHistoryRequest] | None:
         message = _new(ClearAlarmHistoryRequest)
         try:
-            part_length, station, _, check = _CLEAR_ALARM_HISTORY_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_CLEAR_ALARM_HISTORY_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3570,9 +3548,9 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         return frame
 
 
-_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct(">BBB")
-_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT = _Struct(">")
+_PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_CLEAR_ACCUMULATED_TIME_RESPONSE_PACK, _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK = _packing(">")
 
 
 class ClearAccumulatedTimeResponse(_Record):
@@ -3592,7 +3570,7 @@ class ClearAccumulatedTimeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT.unpack(data)
+            _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_accumulated_time_response", len(data), 0, 0) from None
         return record
@@ -3600,7 +3578,7 @@ class ClearAccumulatedTimeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ACCUMULATED_TIME_RESPONSE_STRUCT.pack()
+            return _CLEAR_ACCUMULATED_TIME_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_accumulated_time_response")
@@ -3610,8 +3588,8 @@ class ClearAccumulatedTimeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3626,12 +3604,7 @@ class ClearAccumulatedTimeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ClearAccumulatedTimeResponse] | None:
         message = _new(ClearAccumulatedTimeResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3643,9 +3616,9 @@ class ClearAccumulatedTimeResponse(_Record):
         return frame
 
 
-_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB")
-_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_CLEAR_ACCUMULATED_TIME_REQUEST_STRUCT = _Struct(">")
+_PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_CLEAR_ACCUMULATED_TIME_REQUEST_PACK, _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK = _packing(">")
 
 
 class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
@@ -3666,7 +3639,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _CLEAR_ACCUMULATED_TIME_REQUEST_STRUCT.unpack(data)
+            _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("clear_accumulated_time_request", len(data), 0, 0) from None
         return record
@@ -3674,7 +3647,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _CLEAR_ACCUMULATED_TIME_REQUEST_STRUCT.pack()
+            return _CLEAR_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("clear_accumulated_time_request")
@@ -3684,8 +3657,8 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST.pack(4, station, 0x74)
+            if station <= 15:
+                data = _PACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x74)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3699,7 +3672,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ClearAccumulatedTimeRequest] | None:
         message = _new(ClearAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_CLEAR_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3710,9 +3683,9 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         return frame
 
 
-_STOP_SERIAL_RESPONSE = _Struct(">BBB")
-_STOP_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_STOP_RESPONSE_STRUCT = _Struct(">")
+_PACK_STOP_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_STOP_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_STOP_RESPONSE_PACK, _STOP_RESPONSE_UNPACK = _packing(">")
 
 
 class StopResponse(_Record):
@@ -3732,7 +3705,7 @@ class StopResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _STOP_RESPONSE_STRUCT.unpack(data)
+            _STOP_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("stop_response", len(data), 0, 0) from None
         return record
@@ -3740,7 +3713,7 @@ class StopResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _STOP_RESPONSE_STRUCT.pack()
+            return _STOP_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("stop_response")
@@ -3750,8 +3723,8 @@ class StopResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _STOP_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_STOP_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3766,7 +3739,7 @@ class StopResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StopResponse] | None:
         message = _new(StopResponse)
         try:
-            part_length, station, part_status, check = _STOP_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_STOP_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3778,9 +3751,9 @@ class StopResponse(_Record):
         return frame
 
 
-_STOP_SERIAL_REQUEST = _Struct(">BBB")
-_STOP_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_STOP_REQUEST_STRUCT = _Struct(">")
+_PACK_STOP_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_STOP_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_STOP_REQUEST_PACK, _STOP_REQUEST_UNPACK = _packing(">")
 
 
 class StopRequest(_RequestOf["StopResponse"]):
@@ -3801,7 +3774,7 @@ class StopRequest(_RequestOf["StopResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _STOP_REQUEST_STRUCT.unpack(data)
+            _STOP_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("stop_request", len(data), 0, 0) from None
         return record
@@ -3809,7 +3782,7 @@ class StopRequest(_RequestOf["StopResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _STOP_REQUEST_STRUCT.pack()
+            return _STOP_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("stop_request")
@@ -3819,8 +3792,8 @@ class StopRequest(_RequestOf["StopResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _STOP_SERIAL_REQUEST.pack(4, station, 0x10)
+            if station <= 15:
+                data = _PACK_STOP_SERIAL_REQUEST(4, station, 0x10)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3834,7 +3807,7 @@ class StopRequest(_RequestOf["StopResponse"]):
     def _from_serial(data: _Data) -> _Request[StopRequest] | None:
         message = _new(StopRequest)
         try:
-            part_length, station, _, check = _STOP_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_STOP_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3845,9 +3818,9 @@ class StopRequest(_RequestOf["StopResponse"]):
         return frame
 
 
-_START_HOMING_SERIAL_RESPONSE = _Struct(">BBB")
-_START_HOMING_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_START_HOMING_RESPONSE_STRUCT = _Struct(">")
+_PACK_START_HOMING_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_START_HOMING_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_START_HOMING_RESPONSE_PACK, _START_HOMING_RESPONSE_UNPACK = _packing(">")
 
 
 class StartHomingResponse(_Record):
@@ -3867,7 +3840,7 @@ class StartHomingResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _START_HOMING_RESPONSE_STRUCT.unpack(data)
+            _START_HOMING_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("start_homing_response", len(data), 0, 0) from None
         return record
@@ -3875,7 +3848,7 @@ class StartHomingResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _START_HOMING_RESPONSE_STRUCT.pack()
+            return _START_HOMING_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("start_homing_response")
@@ -3885,8 +3858,8 @@ class StartHomingResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _START_HOMING_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_START_HOMING_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3901,7 +3874,7 @@ class StartHomingResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[StartHomingResponse] | None:
         message = _new(StartHomingResponse)
         try:
-            part_length, station, part_status, check = _START_HOMING_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_START_HOMING_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3913,9 +3886,9 @@ class StartHomingResponse(_Record):
         return frame
 
 
-_START_HOMING_SERIAL_REQUEST = _Struct(">BBB")
-_START_HOMING_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_START_HOMING_REQUEST_STRUCT = _Struct(">")
+_PACK_START_HOMING_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_START_HOMING_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_START_HOMING_REQUEST_PACK, _START_HOMING_REQUEST_UNPACK = _packing(">")
 
 
 class StartHomingRequest(_RequestOf["StartHomingResponse"]):
@@ -3936,7 +3909,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _START_HOMING_REQUEST_STRUCT.unpack(data)
+            _START_HOMING_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("start_homing_request", len(data), 0, 0) from None
         return record
@@ -3944,7 +3917,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _START_HOMING_REQUEST_STRUCT.pack()
+            return _START_HOMING_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("start_homing_request")
@@ -3954,8 +3927,8 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _START_HOMING_SERIAL_REQUEST.pack(4, station, 0x11)
+            if station <= 15:
+                data = _PACK_START_HOMING_SERIAL_REQUEST(4, station, 0x11)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3969,7 +3942,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
     def _from_serial(data: _Data) -> _Request[StartHomingRequest] | None:
         message = _new(StartHomingRequest)
         try:
-            part_length, station, _, check = _START_HOMING_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_START_HOMING_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -3980,9 +3953,9 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         return frame
 
 
-_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_POSITIVE_DISTANCE_RESPONSE_PACK, _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK = _packing(">")
 
 
 class MovePositiveDistanceResponse(_Record):
@@ -4003,7 +3976,7 @@ class MovePositiveDistanceResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_positive_distance_response", len(data), 0, 0) from None
         return record
@@ -4011,7 +3984,7 @@ class MovePositiveDistanceResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_POSITIVE_DISTANCE_RESPONSE_STRUCT.pack()
+            return _MOVE_POSITIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_positive_distance_response")
@@ -4021,8 +3994,8 @@ class MovePositiveDistanceResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4037,12 +4010,7 @@ class MovePositiveDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MovePositiveDistanceResponse] | None:
         message = _new(MovePositiveDistanceResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4054,9 +4022,9 @@ class MovePositiveDistanceResponse(_Record):
         return frame
 
 
-_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB")
-_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBBB")
-_MOVE_POSITIVE_DISTANCE_REQUEST_STRUCT = _Struct(">BBB")
+_PACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB").pack
+_UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBBB").unpack
+_MOVE_POSITIVE_DISTANCE_REQUEST_PACK, _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK = _packing(">BBB")
 
 
 class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
@@ -4089,7 +4057,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_positive_distance_request", len(data), 3, 3) from None
         return record
@@ -4100,8 +4068,8 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if 1 <= raw_distance <= 255 and 1 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _MOVE_POSITIVE_DISTANCE_REQUEST_STRUCT.pack(raw_distance, raw_speed, raw_force)
+            if raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                return _MOVE_POSITIVE_DISTANCE_REQUEST_PACK(raw_distance, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_positive_distance_request")
@@ -4139,13 +4107,8 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if (
-                0 <= station <= 15
-                and 1 <= raw_distance <= 255
-                and 1 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
-            ):
-                data = _MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST.pack(
+            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST(
                     7, station, 0x12, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -4169,7 +4132,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_POSITIVE_DISTANCE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -4180,9 +4143,9 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return frame
 
 
-_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK, _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveNegativeDistanceResponse(_Record):
@@ -4203,7 +4166,7 @@ class MoveNegativeDistanceResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_negative_distance_response", len(data), 0, 0) from None
         return record
@@ -4211,7 +4174,7 @@ class MoveNegativeDistanceResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_NEGATIVE_DISTANCE_RESPONSE_STRUCT.pack()
+            return _MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_negative_distance_response")
@@ -4221,8 +4184,8 @@ class MoveNegativeDistanceResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4237,12 +4200,7 @@ class MoveNegativeDistanceResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveNegativeDistanceResponse] | None:
         message = _new(MoveNegativeDistanceResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4254,9 +4212,9 @@ class MoveNegativeDistanceResponse(_Record):
         return frame
 
 
-_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB")
-_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBBB")
-_MOVE_NEGATIVE_DISTANCE_REQUEST_STRUCT = _Struct(">BBB")
+_PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBB").pack
+_UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST = _Struct(">BBBBBBB").unpack
+_MOVE_NEGATIVE_DISTANCE_REQUEST_PACK, _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK = _packing(">BBB")
 
 
 class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
@@ -4289,7 +4247,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_negative_distance_request", len(data), 3, 3) from None
         return record
@@ -4300,8 +4258,8 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if 1 <= raw_distance <= 255 and 1 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _MOVE_NEGATIVE_DISTANCE_REQUEST_STRUCT.pack(raw_distance, raw_speed, raw_force)
+            if raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                return _MOVE_NEGATIVE_DISTANCE_REQUEST_PACK(raw_distance, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_negative_distance_request")
@@ -4339,13 +4297,8 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if (
-                0 <= station <= 15
-                and 1 <= raw_distance <= 255
-                and 1 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
-            ):
-                data = _MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST.pack(
+            if station <= 15 and raw_distance >= 1 and 1 <= raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST(
                     7, station, 0x13, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -4369,7 +4322,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_NEGATIVE_DISTANCE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -4380,9 +4333,9 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return frame
 
 
-_MOVE_OPEN_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_OPEN_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_OPEN_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_OPEN_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_OPEN_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_OPEN_RESPONSE_PACK, _MOVE_OPEN_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveOpenResponse(_Record):
@@ -4403,7 +4356,7 @@ class MoveOpenResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_OPEN_RESPONSE_STRUCT.unpack(data)
+            _MOVE_OPEN_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_open_response", len(data), 0, 0) from None
         return record
@@ -4411,7 +4364,7 @@ class MoveOpenResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_OPEN_RESPONSE_STRUCT.pack()
+            return _MOVE_OPEN_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_open_response")
@@ -4421,8 +4374,8 @@ class MoveOpenResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_OPEN_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4437,7 +4390,7 @@ class MoveOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveOpenResponse] | None:
         message = _new(MoveOpenResponse)
         try:
-            part_length, station, part_status, check = _MOVE_OPEN_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4449,9 +4402,9 @@ class MoveOpenResponse(_Record):
         return frame
 
 
-_MOVE_OPEN_SERIAL_REQUEST = _Struct(">BBBB")
-_MOVE_OPEN_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_MOVE_OPEN_REQUEST_STRUCT = _Struct(">B")
+_PACK_MOVE_OPEN_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_MOVE_OPEN_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_MOVE_OPEN_REQUEST_PACK, _MOVE_OPEN_REQUEST_UNPACK = _packing(">B")
 
 
 class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
@@ -4479,7 +4432,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.speed,) = _MOVE_OPEN_REQUEST_STRUCT.unpack(data)
+            (record.speed,) = _MOVE_OPEN_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_open_request", len(data), 1, 1) from None
         return record
@@ -4489,7 +4442,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
-                return _MOVE_OPEN_REQUEST_STRUCT.pack(raw_speed)
+                return _MOVE_OPEN_REQUEST_PACK(raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_open_request")
@@ -4508,8 +4461,8 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_speed = self.speed
-            if 0 <= station <= 15 and 1 <= raw_speed <= 100:
-                data = _MOVE_OPEN_SERIAL_REQUEST.pack(5, station, 0x14, raw_speed)
+            if station <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_OPEN_SERIAL_REQUEST(5, station, 0x14, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4523,7 +4476,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveOpenRequest] | None:
         message = _new(MoveOpenRequest)
         try:
-            part_length, station, _, message.speed, check = _MOVE_OPEN_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.speed, check = _UNPACK_MOVE_OPEN_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -4534,9 +4487,9 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         return frame
 
 
-_MOVE_CLOSE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_CLOSE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_CLOSE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_CLOSE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_CLOSE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_CLOSE_RESPONSE_PACK, _MOVE_CLOSE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveCloseResponse(_Record):
@@ -4556,7 +4509,7 @@ class MoveCloseResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_CLOSE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_CLOSE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_close_response", len(data), 0, 0) from None
         return record
@@ -4564,7 +4517,7 @@ class MoveCloseResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_CLOSE_RESPONSE_STRUCT.pack()
+            return _MOVE_CLOSE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_close_response")
@@ -4574,8 +4527,8 @@ class MoveCloseResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_CLOSE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4590,7 +4543,7 @@ class MoveCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveCloseResponse] | None:
         message = _new(MoveCloseResponse)
         try:
-            part_length, station, part_status, check = _MOVE_CLOSE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4602,9 +4555,9 @@ class MoveCloseResponse(_Record):
         return frame
 
 
-_MOVE_CLOSE_SERIAL_REQUEST = _Struct(">BBBB")
-_MOVE_CLOSE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_MOVE_CLOSE_REQUEST_STRUCT = _Struct(">B")
+_PACK_MOVE_CLOSE_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_MOVE_CLOSE_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_MOVE_CLOSE_REQUEST_PACK, _MOVE_CLOSE_REQUEST_UNPACK = _packing(">B")
 
 
 class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
@@ -4631,7 +4584,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.speed,) = _MOVE_CLOSE_REQUEST_STRUCT.unpack(data)
+            (record.speed,) = _MOVE_CLOSE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_close_request", len(data), 1, 1) from None
         return record
@@ -4641,7 +4594,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
-                return _MOVE_CLOSE_REQUEST_STRUCT.pack(raw_speed)
+                return _MOVE_CLOSE_REQUEST_PACK(raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_close_request")
@@ -4660,8 +4613,8 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_speed = self.speed
-            if 0 <= station <= 15 and 1 <= raw_speed <= 100:
-                data = _MOVE_CLOSE_SERIAL_REQUEST.pack(5, station, 0x15, raw_speed)
+            if station <= 15 and 1 <= raw_speed <= 100:
+                data = _PACK_MOVE_CLOSE_SERIAL_REQUEST(5, station, 0x15, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4675,7 +4628,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
     def _from_serial(data: _Data) -> _Request[MoveCloseRequest] | None:
         message = _new(MoveCloseRequest)
         try:
-            part_length, station, _, message.speed, check = _MOVE_CLOSE_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.speed, check = _UNPACK_MOVE_CLOSE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -4686,9 +4639,9 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         return frame
 
 
-_MOVE_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_RELATIVE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_RELATIVE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_RELATIVE_RESPONSE_PACK, _MOVE_RELATIVE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveRelativeResponse(_Record):
@@ -4708,7 +4661,7 @@ class MoveRelativeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_RELATIVE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_RELATIVE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_relative_response", len(data), 0, 0) from None
         return record
@@ -4716,7 +4669,7 @@ class MoveRelativeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_RELATIVE_RESPONSE_STRUCT.pack()
+            return _MOVE_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_relative_response")
@@ -4726,8 +4679,8 @@ class MoveRelativeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_RELATIVE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4742,7 +4695,7 @@ class MoveRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveRelativeResponse] | None:
         message = _new(MoveRelativeResponse)
         try:
-            part_length, station, part_status, check = _MOVE_RELATIVE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4754,9 +4707,9 @@ class MoveRelativeResponse(_Record):
         return frame
 
 
-_MOVE_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiB")
-_MOVE_RELATIVE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBB")
-_MOVE_RELATIVE_REQUEST_STRUCT = _Struct("<iB")
+_PACK_MOVE_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiB").pack
+_UNPACK_MOVE_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBB").unpack
+_MOVE_RELATIVE_REQUEST_PACK, _MOVE_RELATIVE_REQUEST_UNPACK = _packing("<iB")
 
 
 class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
@@ -4786,7 +4739,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed = _MOVE_RELATIVE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed = _MOVE_RELATIVE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_relative_request", len(data), 5, 5) from None
         return record
@@ -4796,8 +4749,8 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         try:
             raw_distance = self.distance
             raw_speed = self.speed
-            if -134217727 <= raw_distance <= 134217727 and 0 <= raw_speed <= 100:
-                return _MOVE_RELATIVE_REQUEST_STRUCT.pack(raw_distance, raw_speed)
+            if -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
+                return _MOVE_RELATIVE_REQUEST_PACK(raw_distance, raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_relative_request")
@@ -4832,8 +4785,8 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         try:
             raw_distance = self.distance
             raw_speed = self.speed
-            if 0 <= station <= 15 and -134217727 <= raw_distance <= 134217727 and 0 <= raw_speed <= 100:
-                data = _MOVE_RELATIVE_SERIAL_REQUEST.pack(9, station, 0x16, raw_distance, raw_speed)
+            if station <= 15 and -134217727 <= raw_distance <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_RELATIVE_SERIAL_REQUEST(9, station, 0x16, raw_distance, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4854,7 +4807,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
                 message.distance,
                 message.speed,
                 check,
-            ) = _MOVE_RELATIVE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_RELATIVE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 9 or (sum(data) - check) & 255 != check:
@@ -4865,9 +4818,9 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return frame
 
 
-_MOVE_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_ABSOLUTE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_ABSOLUTE_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_ABSOLUTE_RESPONSE_PACK, _MOVE_ABSOLUTE_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveAbsoluteResponse(_Record):
@@ -4887,7 +4840,7 @@ class MoveAbsoluteResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_ABSOLUTE_RESPONSE_STRUCT.unpack(data)
+            _MOVE_ABSOLUTE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_absolute_response", len(data), 0, 0) from None
         return record
@@ -4895,7 +4848,7 @@ class MoveAbsoluteResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_ABSOLUTE_RESPONSE_STRUCT.pack()
+            return _MOVE_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_absolute_response")
@@ -4905,8 +4858,8 @@ class MoveAbsoluteResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_ABSOLUTE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -4921,7 +4874,7 @@ class MoveAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveAbsoluteResponse] | None:
         message = _new(MoveAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _MOVE_ABSOLUTE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -4933,9 +4886,9 @@ class MoveAbsoluteResponse(_Record):
         return frame
 
 
-_MOVE_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiB")
-_MOVE_ABSOLUTE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBB")
-_MOVE_ABSOLUTE_REQUEST_STRUCT = _Struct("<iB")
+_PACK_MOVE_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiB").pack
+_UNPACK_MOVE_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBB").unpack
+_MOVE_ABSOLUTE_REQUEST_PACK, _MOVE_ABSOLUTE_REQUEST_UNPACK = _packing("<iB")
 
 
 class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
@@ -4965,7 +4918,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_STRUCT.unpack(data)
+            record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_absolute_request", len(data), 5, 5) from None
         return record
@@ -4975,8 +4928,8 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         try:
             raw_position = self.position
             raw_speed = self.speed
-            if -134217727 <= raw_position <= 134217727 and 0 <= raw_speed <= 100:
-                return _MOVE_ABSOLUTE_REQUEST_STRUCT.pack(raw_position, raw_speed)
+            if -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
+                return _MOVE_ABSOLUTE_REQUEST_PACK(raw_position, raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_absolute_request")
@@ -5011,8 +4964,8 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         try:
             raw_position = self.position
             raw_speed = self.speed
-            if 0 <= station <= 15 and -134217727 <= raw_position <= 134217727 and 0 <= raw_speed <= 100:
-                data = _MOVE_ABSOLUTE_SERIAL_REQUEST.pack(9, station, 0x17, raw_position, raw_speed)
+            if station <= 15 and -134217727 <= raw_position <= 134217727 and raw_speed <= 100:
+                data = _PACK_MOVE_ABSOLUTE_SERIAL_REQUEST(9, station, 0x17, raw_position, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5033,7 +4986,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
                 message.position,
                 message.speed,
                 check,
-            ) = _MOVE_ABSOLUTE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_ABSOLUTE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 9 or (sum(data) - check) & 255 != check:
@@ -5044,9 +4997,9 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return frame
 
 
-_MOVE_TO_POINT_SERIAL_RESPONSE = _Struct(">BBB")
-_MOVE_TO_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_MOVE_TO_POINT_RESPONSE_STRUCT = _Struct(">")
+_PACK_MOVE_TO_POINT_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_MOVE_TO_POINT_RESPONSE_PACK, _MOVE_TO_POINT_RESPONSE_UNPACK = _packing(">")
 
 
 class MoveToPointResponse(_Record):
@@ -5066,7 +5019,7 @@ class MoveToPointResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _MOVE_TO_POINT_RESPONSE_STRUCT.unpack(data)
+            _MOVE_TO_POINT_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_to_point_response", len(data), 0, 0) from None
         return record
@@ -5074,7 +5027,7 @@ class MoveToPointResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _MOVE_TO_POINT_RESPONSE_STRUCT.pack()
+            return _MOVE_TO_POINT_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_to_point_response")
@@ -5084,8 +5037,8 @@ class MoveToPointResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _MOVE_TO_POINT_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_MOVE_TO_POINT_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5100,7 +5053,7 @@ class MoveToPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[MoveToPointResponse] | None:
         message = _new(MoveToPointResponse)
         try:
-            part_length, station, part_status, check = _MOVE_TO_POINT_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_MOVE_TO_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5112,9 +5065,9 @@ class MoveToPointResponse(_Record):
         return frame
 
 
-_MOVE_TO_POINT_SERIAL_REQUEST = _Struct(">BBBBB")
-_MOVE_TO_POINT_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_MOVE_TO_POINT_REQUEST_STRUCT = _Struct(">BB")
+_PACK_MOVE_TO_POINT_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_MOVE_TO_POINT_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_MOVE_TO_POINT_REQUEST_PACK, _MOVE_TO_POINT_REQUEST_UNPACK = _packing(">BB")
 
 
 class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
@@ -5144,7 +5097,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_STRUCT.unpack(data)
+            record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("move_to_point_request", len(data), 2, 2) from None
         return record
@@ -5154,8 +5107,8 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
-            if 1 <= raw_point_number <= 31 and 0 <= raw_speed <= 100:
-                return _MOVE_TO_POINT_REQUEST_STRUCT.pack(raw_point_number, raw_speed)
+            if 1 <= raw_point_number <= 31 and raw_speed <= 100:
+                return _MOVE_TO_POINT_REQUEST_PACK(raw_point_number, raw_speed)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("move_to_point_request")
@@ -5179,8 +5132,8 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
-            if 0 <= station <= 15 and 1 <= raw_point_number <= 31 and 0 <= raw_speed <= 100:
-                data = _MOVE_TO_POINT_SERIAL_REQUEST.pack(6, station, 0x1a, raw_point_number, raw_speed)
+            if station <= 15 and 1 <= raw_point_number <= 31 and raw_speed <= 100:
+                data = _PACK_MOVE_TO_POINT_SERIAL_REQUEST(6, station, 0x1a, raw_point_number, raw_speed)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5201,7 +5154,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
                 message.point_number,
                 message.speed,
                 check,
-            ) = _MOVE_TO_POINT_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_MOVE_TO_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -5212,9 +5165,9 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         return frame
 
 
-_GRIP_OPEN_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_OPEN_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_OPEN_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_OPEN_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_OPEN_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_OPEN_RESPONSE_PACK, _GRIP_OPEN_RESPONSE_UNPACK = _packing(">")
 
 
 class GripOpenResponse(_Record):
@@ -5235,7 +5188,7 @@ class GripOpenResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_OPEN_RESPONSE_STRUCT.unpack(data)
+            _GRIP_OPEN_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_response", len(data), 0, 0) from None
         return record
@@ -5243,7 +5196,7 @@ class GripOpenResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_OPEN_RESPONSE_STRUCT.pack()
+            return _GRIP_OPEN_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_open_response")
@@ -5253,8 +5206,8 @@ class GripOpenResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_OPEN_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_OPEN_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5269,7 +5222,7 @@ class GripOpenResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenResponse] | None:
         message = _new(GripOpenResponse)
         try:
-            part_length, station, part_status, check = _GRIP_OPEN_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5281,9 +5234,9 @@ class GripOpenResponse(_Record):
         return frame
 
 
-_GRIP_OPEN_SERIAL_REQUEST = _Struct(">BBBBB")
-_GRIP_OPEN_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_GRIP_OPEN_REQUEST_STRUCT = _Struct(">BB")
+_PACK_GRIP_OPEN_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_GRIP_OPEN_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_GRIP_OPEN_REQUEST_PACK, _GRIP_OPEN_REQUEST_UNPACK = _packing(">BB")
 
 
 class GripOpenRequest(_RequestOf["GripOpenResponse"]):
@@ -5313,7 +5266,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.speed, record.force = _GRIP_OPEN_REQUEST_STRUCT.unpack(data)
+            record.speed, record.force = _GRIP_OPEN_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_request", len(data), 2, 2) from None
         return record
@@ -5323,8 +5276,8 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_OPEN_REQUEST_STRUCT.pack(raw_speed, raw_force)
+            if raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_OPEN_REQUEST_PACK(raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_open_request")
@@ -5348,8 +5301,8 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= station <= 15 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                data = _GRIP_OPEN_SERIAL_REQUEST.pack(6, station, 0x20, raw_speed, raw_force)
+            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_OPEN_SERIAL_REQUEST(6, station, 0x20, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5370,7 +5323,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_OPEN_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_OPEN_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -5381,9 +5334,9 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         return frame
 
 
-_GRIP_CLOSE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_CLOSE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_CLOSE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_CLOSE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_CLOSE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_CLOSE_RESPONSE_PACK, _GRIP_CLOSE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripCloseResponse(_Record):
@@ -5404,7 +5357,7 @@ class GripCloseResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_CLOSE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_CLOSE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_response", len(data), 0, 0) from None
         return record
@@ -5412,7 +5365,7 @@ class GripCloseResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_CLOSE_RESPONSE_STRUCT.pack()
+            return _GRIP_CLOSE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_close_response")
@@ -5422,8 +5375,8 @@ class GripCloseResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_CLOSE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_CLOSE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5438,7 +5391,7 @@ class GripCloseResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseResponse] | None:
         message = _new(GripCloseResponse)
         try:
-            part_length, station, part_status, check = _GRIP_CLOSE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5450,9 +5403,9 @@ class GripCloseResponse(_Record):
         return frame
 
 
-_GRIP_CLOSE_SERIAL_REQUEST = _Struct(">BBBBB")
-_GRIP_CLOSE_SERIAL_REQUEST_CHECKED = _Struct(">BBBBBB")
-_GRIP_CLOSE_REQUEST_STRUCT = _Struct(">BB")
+_PACK_GRIP_CLOSE_SERIAL_REQUEST = _Struct(">BBBBB").pack
+_UNPACK_GRIP_CLOSE_SERIAL_REQUEST = _Struct(">BBBBBB").unpack
+_GRIP_CLOSE_REQUEST_PACK, _GRIP_CLOSE_REQUEST_UNPACK = _packing(">BB")
 
 
 class GripCloseRequest(_RequestOf["GripCloseResponse"]):
@@ -5482,7 +5435,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.speed, record.force = _GRIP_CLOSE_REQUEST_STRUCT.unpack(data)
+            record.speed, record.force = _GRIP_CLOSE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_request", len(data), 2, 2) from None
         return record
@@ -5492,8 +5445,8 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_CLOSE_REQUEST_STRUCT.pack(raw_speed, raw_force)
+            if raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_CLOSE_REQUEST_PACK(raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_close_request")
@@ -5517,8 +5470,8 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         try:
             raw_speed = self.speed
             raw_force = self.force
-            if 0 <= station <= 15 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                data = _GRIP_CLOSE_SERIAL_REQUEST.pack(6, station, 0x21, raw_speed, raw_force)
+            if station <= 15 and raw_speed <= 100 and raw_force <= 100:
+                data = _PACK_GRIP_CLOSE_SERIAL_REQUEST(6, station, 0x21, raw_speed, raw_force)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5539,7 +5492,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_CLOSE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_CLOSE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -5550,9 +5503,9 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         return frame
 
 
-_GRIP_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_RELATIVE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_RELATIVE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_RELATIVE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_RELATIVE_RESPONSE_PACK, _GRIP_RELATIVE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripRelativeResponse(_Record):
@@ -5573,7 +5526,7 @@ class GripRelativeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_RELATIVE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_RELATIVE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_relative_response", len(data), 0, 0) from None
         return record
@@ -5581,7 +5534,7 @@ class GripRelativeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_RELATIVE_RESPONSE_STRUCT.pack()
+            return _GRIP_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_relative_response")
@@ -5591,8 +5544,8 @@ class GripRelativeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_RELATIVE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_RELATIVE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5607,7 +5560,7 @@ class GripRelativeResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripRelativeResponse] | None:
         message = _new(GripRelativeResponse)
         try:
-            part_length, station, part_status, check = _GRIP_RELATIVE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_RELATIVE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5619,9 +5572,9 @@ class GripRelativeResponse(_Record):
         return frame
 
 
-_GRIP_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBB")
-_GRIP_RELATIVE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBBB")
-_GRIP_RELATIVE_REQUEST_STRUCT = _Struct("<iBB")
+_PACK_GRIP_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBB").pack
+_UNPACK_GRIP_RELATIVE_SERIAL_REQUEST = _Struct("<BBBiBBB").unpack
+_GRIP_RELATIVE_REQUEST_PACK, _GRIP_RELATIVE_REQUEST_UNPACK = _packing("<iBB")
 
 
 class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
@@ -5654,7 +5607,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_STRUCT.unpack(data)
+            record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_relative_request", len(data), 6, 6) from None
         return record
@@ -5665,8 +5618,8 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
             raw_distance = self.distance
             raw_speed = self.speed
             raw_force = self.force
-            if -134217727 <= raw_distance <= 134217727 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_RELATIVE_REQUEST_STRUCT.pack(raw_distance, raw_speed, raw_force)
+            if -134217727 <= raw_distance <= 134217727 and raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_RELATIVE_REQUEST_PACK(raw_distance, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_relative_request")
@@ -5705,12 +5658,12 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_distance <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_RELATIVE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_RELATIVE_SERIAL_REQUEST(
                     10, station, 0x22, raw_distance, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -5734,7 +5687,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_RELATIVE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_RELATIVE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
@@ -5745,9 +5698,9 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return frame
 
 
-_GRIP_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_ABSOLUTE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_ABSOLUTE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_ABSOLUTE_RESPONSE_PACK, _GRIP_ABSOLUTE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripAbsoluteResponse(_Record):
@@ -5768,7 +5721,7 @@ class GripAbsoluteResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_ABSOLUTE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_ABSOLUTE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_absolute_response", len(data), 0, 0) from None
         return record
@@ -5776,7 +5729,7 @@ class GripAbsoluteResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_ABSOLUTE_RESPONSE_STRUCT.pack()
+            return _GRIP_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_absolute_response")
@@ -5786,8 +5739,8 @@ class GripAbsoluteResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_ABSOLUTE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5802,7 +5755,7 @@ class GripAbsoluteResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripAbsoluteResponse] | None:
         message = _new(GripAbsoluteResponse)
         try:
-            part_length, station, part_status, check = _GRIP_ABSOLUTE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_ABSOLUTE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -5814,9 +5767,9 @@ class GripAbsoluteResponse(_Record):
         return frame
 
 
-_GRIP_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBB")
-_GRIP_ABSOLUTE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiBBB")
-_GRIP_ABSOLUTE_REQUEST_STRUCT = _Struct("<iBB")
+_PACK_GRIP_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBB").pack
+_UNPACK_GRIP_ABSOLUTE_SERIAL_REQUEST = _Struct("<BBBiBBB").unpack
+_GRIP_ABSOLUTE_REQUEST_PACK, _GRIP_ABSOLUTE_REQUEST_UNPACK = _packing("<iBB")
 
 
 class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
@@ -5849,7 +5802,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_STRUCT.unpack(data)
+            record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_absolute_request", len(data), 6, 6) from None
         return record
@@ -5860,8 +5813,8 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
             raw_position = self.position
             raw_speed = self.speed
             raw_force = self.force
-            if -134217727 <= raw_position <= 134217727 and 0 <= raw_speed <= 100 and 0 <= raw_force <= 100:
-                return _GRIP_ABSOLUTE_REQUEST_STRUCT.pack(raw_position, raw_speed, raw_force)
+            if -134217727 <= raw_position <= 134217727 and raw_speed <= 100 and raw_force <= 100:
+                return _GRIP_ABSOLUTE_REQUEST_PACK(raw_position, raw_speed, raw_force)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_absolute_request")
@@ -5900,12 +5853,12 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_position <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_ABSOLUTE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_ABSOLUTE_SERIAL_REQUEST(
                     10, station, 0x23, raw_position, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -5929,7 +5882,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_ABSOLUTE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_ABSOLUTE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
@@ -5940,9 +5893,9 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return frame
 
 
-_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_OPEN_WITH_ZONE_RESPONSE_PACK, _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripOpenWithZoneResponse(_Record):
@@ -5964,7 +5917,7 @@ class GripOpenWithZoneResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_with_zone_response", len(data), 0, 0) from None
         return record
@@ -5972,7 +5925,7 @@ class GripOpenWithZoneResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_OPEN_WITH_ZONE_RESPONSE_STRUCT.pack()
+            return _GRIP_OPEN_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_open_with_zone_response")
@@ -5982,8 +5935,8 @@ class GripOpenWithZoneResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -5998,12 +5951,7 @@ class GripOpenWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripOpenWithZoneResponse] | None:
         message = _new(GripOpenWithZoneResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6015,9 +5963,9 @@ class GripOpenWithZoneResponse(_Record):
         return frame
 
 
-_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB")
-_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiiBBB")
-_GRIP_OPEN_WITH_ZONE_REQUEST_STRUCT = _Struct("<iiBB")
+_PACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB").pack
+_UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBBB").unpack
+_GRIP_OPEN_WITH_ZONE_REQUEST_PACK, _GRIP_OPEN_WITH_ZONE_REQUEST_UNPACK = _packing("<iiBB")
 
 
 class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
@@ -6059,7 +6007,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
                 record.zone_limit_2,
                 record.speed,
                 record.force,
-            ) = _GRIP_OPEN_WITH_ZONE_REQUEST_STRUCT.unpack(data)
+            ) = _GRIP_OPEN_WITH_ZONE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_open_with_zone_request", len(data), 10, 10) from None
         return record
@@ -6074,10 +6022,10 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
             if (
                 -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                return _GRIP_OPEN_WITH_ZONE_REQUEST_STRUCT.pack(
+                return _GRIP_OPEN_WITH_ZONE_REQUEST_PACK(
                     raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
         except _UNFIT:
@@ -6132,13 +6080,13 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST(
                     14, station, 0x24, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -6163,7 +6111,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_OPEN_WITH_ZONE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 14 or (sum(data) - check) & 255 != check:
@@ -6174,9 +6122,9 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return frame
 
 
-_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB")
-_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT = _Struct(">")
+_PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK, _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK = _packing(">")
 
 
 class GripCloseWithZoneResponse(_Record):
@@ -6198,7 +6146,7 @@ class GripCloseWithZoneResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT.unpack(data)
+            _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_with_zone_response", len(data), 0, 0) from None
         return record
@@ -6206,7 +6154,7 @@ class GripCloseWithZoneResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _GRIP_CLOSE_WITH_ZONE_RESPONSE_STRUCT.pack()
+            return _GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("grip_close_with_zone_response")
@@ -6216,8 +6164,8 @@ class GripCloseWithZoneResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6232,12 +6180,7 @@ class GripCloseWithZoneResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[GripCloseWithZoneResponse] | None:
         message = _new(GripCloseWithZoneResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6249,9 +6192,9 @@ class GripCloseWithZoneResponse(_Record):
         return frame
 
 
-_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB")
-_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST_CHECKED = _Struct("<BBBiiBBB")
-_GRIP_CLOSE_WITH_ZONE_REQUEST_STRUCT = _Struct("<iiBB")
+_PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBB").pack
+_UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST = _Struct("<BBBiiBBB").unpack
+_GRIP_CLOSE_WITH_ZONE_REQUEST_PACK, _GRIP_CLOSE_WITH_ZONE_REQUEST_UNPACK = _packing("<iiBB")
 
 
 class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
@@ -6293,7 +6236,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
                 record.zone_limit_2,
                 record.speed,
                 record.force,
-            ) = _GRIP_CLOSE_WITH_ZONE_REQUEST_STRUCT.unpack(data)
+            ) = _GRIP_CLOSE_WITH_ZONE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("grip_close_with_zone_request", len(data), 10, 10) from None
         return record
@@ -6308,10 +6251,10 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
             if (
                 -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                return _GRIP_CLOSE_WITH_ZONE_REQUEST_STRUCT.pack(
+                return _GRIP_CLOSE_WITH_ZONE_REQUEST_PACK(
                     raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
         except _UNFIT:
@@ -6366,13 +6309,13 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
             raw_speed = self.speed
             raw_force = self.force
             if (
-                0 <= station <= 15
+                station <= 15
                 and -134217727 <= raw_zone_limit_1 <= 134217727
                 and -134217727 <= raw_zone_limit_2 <= 134217727
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_force <= 100
+                and raw_speed <= 100
+                and raw_force <= 100
             ):
-                data = _GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST.pack(
+                data = _PACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST(
                     14, station, 0x25, raw_zone_limit_1, raw_zone_limit_2, raw_speed, raw_force,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -6397,7 +6340,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
                 message.speed,
                 message.force,
                 check,
-            ) = _GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_GRIP_CLOSE_WITH_ZONE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 14 or (sum(data) - check) & 255 != check:
@@ -6408,9 +6351,9 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return frame
 
 
-_NO_OPERATION_SERIAL_RESPONSE = _Struct(">BBB")
-_NO_OPERATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_NO_OPERATION_RESPONSE_STRUCT = _Struct(">")
+_PACK_NO_OPERATION_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_NO_OPERATION_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_NO_OPERATION_RESPONSE_PACK, _NO_OPERATION_RESPONSE_UNPACK = _packing(">")
 
 
 class NoOperationResponse(_Record):
@@ -6430,7 +6373,7 @@ class NoOperationResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _NO_OPERATION_RESPONSE_STRUCT.unpack(data)
+            _NO_OPERATION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("no_operation_response", len(data), 0, 0) from None
         return record
@@ -6438,7 +6381,7 @@ class NoOperationResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _NO_OPERATION_RESPONSE_STRUCT.pack()
+            return _NO_OPERATION_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("no_operation_response")
@@ -6448,8 +6391,8 @@ class NoOperationResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _NO_OPERATION_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6464,7 +6407,7 @@ class NoOperationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[NoOperationResponse] | None:
         message = _new(NoOperationResponse)
         try:
-            part_length, station, part_status, check = _NO_OPERATION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_NO_OPERATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6476,9 +6419,9 @@ class NoOperationResponse(_Record):
         return frame
 
 
-_NO_OPERATION_SERIAL_REQUEST = _Struct(">BBB")
-_NO_OPERATION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_NO_OPERATION_REQUEST_STRUCT = _Struct(">")
+_PACK_NO_OPERATION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_NO_OPERATION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_NO_OPERATION_REQUEST_PACK, _NO_OPERATION_REQUEST_UNPACK = _packing(">")
 
 
 class NoOperationRequest(_RequestOf["NoOperationResponse"]):
@@ -6499,7 +6442,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _NO_OPERATION_REQUEST_STRUCT.unpack(data)
+            _NO_OPERATION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("no_operation_request", len(data), 0, 0) from None
         return record
@@ -6507,7 +6450,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _NO_OPERATION_REQUEST_STRUCT.pack()
+            return _NO_OPERATION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("no_operation_request")
@@ -6517,8 +6460,8 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _NO_OPERATION_SERIAL_REQUEST.pack(4, station, 0x30)
+            if station <= 15:
+                data = _PACK_NO_OPERATION_SERIAL_REQUEST(4, station, 0x30)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6532,7 +6475,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
     def _from_serial(data: _Data) -> _Request[NoOperationRequest] | None:
         message = _new(NoOperationRequest)
         try:
-            part_length, station, _, check = _NO_OPERATION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_NO_OPERATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6543,9 +6486,9 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         return frame
 
 
-_SET_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBB")
-_SET_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_SET_MOTOR_EXCITATION_RESPONSE_STRUCT = _Struct(">")
+_PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_SET_MOTOR_EXCITATION_RESPONSE_PACK, _SET_MOTOR_EXCITATION_RESPONSE_UNPACK = _packing(">")
 
 
 class SetMotorExcitationResponse(_Record):
@@ -6565,7 +6508,7 @@ class SetMotorExcitationResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _SET_MOTOR_EXCITATION_RESPONSE_STRUCT.unpack(data)
+            _SET_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("set_motor_excitation_response", len(data), 0, 0) from None
         return record
@@ -6573,7 +6516,7 @@ class SetMotorExcitationResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _SET_MOTOR_EXCITATION_RESPONSE_STRUCT.pack()
+            return _SET_MOTOR_EXCITATION_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("set_motor_excitation_response")
@@ -6583,8 +6526,8 @@ class SetMotorExcitationResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _SET_MOTOR_EXCITATION_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6599,12 +6542,7 @@ class SetMotorExcitationResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[SetMotorExcitationResponse] | None:
         message = _new(SetMotorExcitationResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                check,
-            ) = _SET_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6616,9 +6554,9 @@ class SetMotorExcitationResponse(_Record):
         return frame
 
 
-_SET_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBB")
-_SET_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_SET_MOTOR_EXCITATION_REQUEST_STRUCT = _Struct(">B")
+_PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_SET_MOTOR_EXCITATION_REQUEST_PACK, _SET_MOTOR_EXCITATION_REQUEST_UNPACK = _packing(">B")
 
 
 class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
@@ -6646,7 +6584,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_STRUCT.unpack(data)
+            (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("set_motor_excitation_request", len(data), 1, 1) from None
         if raw_excited > 1:
@@ -6658,8 +6596,8 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_excited = self.excited
-            if 0 <= raw_excited <= 1:
-                return _SET_MOTOR_EXCITATION_REQUEST_STRUCT.pack(raw_excited)
+            if raw_excited <= 1:
+                return _SET_MOTOR_EXCITATION_REQUEST_PACK(raw_excited)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("set_motor_excitation_request")
@@ -6678,8 +6616,8 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_excited = self.excited
-            if 0 <= station <= 15 and 0 <= raw_excited <= 1:
-                data = _SET_MOTOR_EXCITATION_SERIAL_REQUEST.pack(5, station, 0x31, raw_excited)
+            if station <= 15 and raw_excited <= 1:
+                data = _PACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(5, station, 0x31, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6693,13 +6631,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[SetMotorExcitationRequest] | None:
         message = _new(SetMotorExcitationRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                raw_excited,
-                check,
-            ) = _SET_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, raw_excited, check = _UNPACK_SET_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -6713,9 +6645,9 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         return frame
 
 
-_READ_VERSION_SERIAL_RESPONSE = _Struct(">BBB6s")
-_READ_VERSION_SERIAL_RESPONSE_CHECKED = _Struct(">BBB6sB")
-_READ_VERSION_RESPONSE_STRUCT = _Struct(">6s")
+_PACK_READ_VERSION_SERIAL_RESPONSE = _Struct(">BBB6s").pack
+_UNPACK_READ_VERSION_SERIAL_RESPONSE = _Struct(">BBB6sB").unpack
+_READ_VERSION_RESPONSE_PACK, _READ_VERSION_RESPONSE_UNPACK = _packing(">6s")
 
 
 class ReadVersionResponse(_Record):
@@ -6742,7 +6674,7 @@ class ReadVersionResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_version,) = _READ_VERSION_RESPONSE_STRUCT.unpack(data)
+            (raw_version,) = _READ_VERSION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_version_response", len(data), 6, 6) from None
         record.version = _text("version", raw_version, 0)
@@ -6753,7 +6685,7 @@ class ReadVersionResponse(_Record):
         try:
             raw_version = self.version
             if len(raw_version) <= 6:
-                return _READ_VERSION_RESPONSE_STRUCT.pack(raw_version.encode("ascii"))
+                return _READ_VERSION_RESPONSE_PACK(raw_version.encode("ascii"))
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_version_response")
@@ -6772,8 +6704,8 @@ class ReadVersionResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_version = self.version
-            if 0 <= station <= 15 and len(raw_version) <= 6:
-                data = _READ_VERSION_SERIAL_RESPONSE.pack(
+            if station <= 15 and len(raw_version) <= 6:
+                data = _PACK_READ_VERSION_SERIAL_RESPONSE(
                     10, station, part_status.raw, raw_version.encode("ascii"),
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -6790,13 +6722,7 @@ class ReadVersionResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadVersionResponse] | None:
         message = _new(ReadVersionResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                raw_version,
-                check,
-            ) = _READ_VERSION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, raw_version, check = _UNPACK_READ_VERSION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 10 or (sum(data) - check) & 255 != check:
@@ -6809,9 +6735,9 @@ class ReadVersionResponse(_Record):
         return frame
 
 
-_READ_VERSION_SERIAL_REQUEST = _Struct(">BBB")
-_READ_VERSION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_VERSION_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_VERSION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_VERSION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_VERSION_REQUEST_PACK, _READ_VERSION_REQUEST_UNPACK = _packing(">")
 
 
 class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
@@ -6832,7 +6758,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_VERSION_REQUEST_STRUCT.unpack(data)
+            _READ_VERSION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_version_request", len(data), 0, 0) from None
         return record
@@ -6840,7 +6766,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_VERSION_REQUEST_STRUCT.pack()
+            return _READ_VERSION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_version_request")
@@ -6850,8 +6776,8 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_VERSION_SERIAL_REQUEST.pack(4, station, 0x40)
+            if station <= 15:
+                data = _PACK_READ_VERSION_SERIAL_REQUEST(4, station, 0x40)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6865,7 +6791,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadVersionRequest] | None:
         message = _new(ReadVersionRequest)
         try:
-            part_length, station, _, check = _READ_VERSION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_VERSION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -6876,9 +6802,9 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         return frame
 
 
-_READ_CURRENT_POSITION_SERIAL_RESPONSE = _Struct("<BBBi")
-_READ_CURRENT_POSITION_SERIAL_RESPONSE_CHECKED = _Struct("<BBBiB")
-_READ_CURRENT_POSITION_RESPONSE_STRUCT = _Struct("<i")
+_PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE = _Struct("<BBBi").pack
+_UNPACK_READ_CURRENT_POSITION_SERIAL_RESPONSE = _Struct("<BBBiB").unpack
+_READ_CURRENT_POSITION_RESPONSE_PACK, _READ_CURRENT_POSITION_RESPONSE_UNPACK = _packing("<i")
 
 
 class ReadCurrentPositionResponse(_Record):
@@ -6905,7 +6831,7 @@ class ReadCurrentPositionResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.position,) = _READ_CURRENT_POSITION_RESPONSE_STRUCT.unpack(data)
+            (record.position,) = _READ_CURRENT_POSITION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_position_response", len(data), 4, 4) from None
         return record
@@ -6915,7 +6841,7 @@ class ReadCurrentPositionResponse(_Record):
         try:
             raw_position = self.position
             if -134217727 <= raw_position <= 134217727:
-                return _READ_CURRENT_POSITION_RESPONSE_STRUCT.pack(raw_position)
+                return _READ_CURRENT_POSITION_RESPONSE_PACK(raw_position)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_position_response")
@@ -6945,8 +6871,8 @@ class ReadCurrentPositionResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_position = self.position
-            if 0 <= station <= 15 and -134217727 <= raw_position <= 134217727:
-                data = _READ_CURRENT_POSITION_SERIAL_RESPONSE.pack(8, station, part_status.raw, raw_position)
+            if station <= 15 and -134217727 <= raw_position <= 134217727:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(8, station, part_status.raw, raw_position)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -6967,7 +6893,7 @@ class ReadCurrentPositionResponse(_Record):
                 part_status,
                 message.position,
                 check,
-            ) = _READ_CURRENT_POSITION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_CURRENT_POSITION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 8 or (sum(data) - check) & 255 != check:
@@ -6979,9 +6905,9 @@ class ReadCurrentPositionResponse(_Record):
         return frame
 
 
-_READ_CURRENT_POSITION_SERIAL_REQUEST = _Struct(">BBB")
-_READ_CURRENT_POSITION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_CURRENT_POSITION_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_CURRENT_POSITION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_CURRENT_POSITION_REQUEST_PACK, _READ_CURRENT_POSITION_REQUEST_UNPACK = _packing(">")
 
 
 class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
@@ -7002,7 +6928,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_CURRENT_POSITION_REQUEST_STRUCT.unpack(data)
+            _READ_CURRENT_POSITION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_position_request", len(data), 0, 0) from None
         return record
@@ -7010,7 +6936,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_CURRENT_POSITION_REQUEST_STRUCT.pack()
+            return _READ_CURRENT_POSITION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_position_request")
@@ -7020,8 +6946,8 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_CURRENT_POSITION_SERIAL_REQUEST.pack(4, station, 0x41)
+            if station <= 15:
+                data = _PACK_READ_CURRENT_POSITION_SERIAL_REQUEST(4, station, 0x41)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7035,7 +6961,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadCurrentPositionRequest] | None:
         message = _new(ReadCurrentPositionRequest)
         try:
-            part_length, station, _, check = _READ_CURRENT_POSITION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_CURRENT_POSITION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7046,9 +6972,9 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         return frame
 
 
-_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_CURRENT_POINT_NUMBER_RESPONSE_PACK, _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadCurrentPointNumberResponse(_Record):
@@ -7075,7 +7001,7 @@ class ReadCurrentPointNumberResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT.unpack(data)
+            (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_point_number_response", len(data), 1, 1) from None
         return record
@@ -7085,7 +7011,7 @@ class ReadCurrentPointNumberResponse(_Record):
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
-                return _READ_CURRENT_POINT_NUMBER_RESPONSE_STRUCT.pack(raw_point_number)
+                return _READ_CURRENT_POINT_NUMBER_RESPONSE_PACK(raw_point_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_point_number_response")
@@ -7104,8 +7030,8 @@ class ReadCurrentPointNumberResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_point_number = self.point_number
-            if 0 <= station <= 15 and 1 <= raw_point_number <= 31:
-                data = _READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE.pack(
+            if station <= 15 and 1 <= raw_point_number <= 31:
+                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(
                     5, station, part_status.raw, raw_point_number,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -7128,7 +7054,7 @@ class ReadCurrentPointNumberResponse(_Record):
                 part_status,
                 message.point_number,
                 check,
-            ) = _READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7140,9 +7066,9 @@ class ReadCurrentPointNumberResponse(_Record):
         return frame
 
 
-_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST = _Struct(">BBB")
-_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_CURRENT_POINT_NUMBER_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_CURRENT_POINT_NUMBER_REQUEST_PACK, _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK = _packing(">")
 
 
 class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]):
@@ -7163,7 +7089,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_CURRENT_POINT_NUMBER_REQUEST_STRUCT.unpack(data)
+            _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_current_point_number_request", len(data), 0, 0) from None
         return record
@@ -7171,7 +7097,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_CURRENT_POINT_NUMBER_REQUEST_STRUCT.pack()
+            return _READ_CURRENT_POINT_NUMBER_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_current_point_number_request")
@@ -7181,8 +7107,8 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST.pack(4, station, 0x42)
+            if station <= 15:
+                data = _PACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(4, station, 0x42)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7196,7 +7122,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
     def _from_serial(data: _Data) -> _Request[ReadCurrentPointNumberRequest] | None:
         message = _new(ReadCurrentPointNumberRequest)
         try:
-            part_length, station, _, check = _READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_CURRENT_POINT_NUMBER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7207,9 +7133,9 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         return frame
 
 
-_READ_PARAMETER_SERIAL_RESPONSE = _Struct("<BBBH")
-_READ_PARAMETER_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHB")
-_READ_PARAMETER_RESPONSE_STRUCT = _Struct("<H")
+_PACK_READ_PARAMETER_SERIAL_RESPONSE = _Struct("<BBBH").pack
+_UNPACK_READ_PARAMETER_SERIAL_RESPONSE = _Struct("<BBBHB").unpack
+_READ_PARAMETER_RESPONSE_PACK, _READ_PARAMETER_RESPONSE_UNPACK = _packing("<H")
 
 
 class ReadParameterResponse(_Record):
@@ -7235,7 +7161,7 @@ class ReadParameterResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.value,) = _READ_PARAMETER_RESPONSE_STRUCT.unpack(data)
+            (record.value,) = _READ_PARAMETER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameter_response", len(data), 2, 2) from None
         return record
@@ -7243,7 +7169,7 @@ class ReadParameterResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_PARAMETER_RESPONSE_STRUCT.pack(self.value)
+            return _READ_PARAMETER_RESPONSE_PACK(self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameter_response")
@@ -7261,8 +7187,8 @@ class ReadParameterResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_PARAMETER_SERIAL_RESPONSE.pack(6, station, part_status.raw, self.value)
+            if station <= 15:
+                data = _PACK_READ_PARAMETER_SERIAL_RESPONSE(6, station, part_status.raw, self.value)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7283,7 +7209,7 @@ class ReadParameterResponse(_Record):
                 part_status,
                 message.value,
                 check,
-            ) = _READ_PARAMETER_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_PARAMETER_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 6 or (sum(data) - check) & 255 != check:
@@ -7295,9 +7221,9 @@ class ReadParameterResponse(_Record):
         return frame
 
 
-_READ_PARAMETER_SERIAL_REQUEST = _Struct(">BBBB")
-_READ_PARAMETER_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_READ_PARAMETER_REQUEST_STRUCT = _Struct(">B")
+_PACK_READ_PARAMETER_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_READ_PARAMETER_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_READ_PARAMETER_REQUEST_PACK, _READ_PARAMETER_REQUEST_UNPACK = _packing(">B")
 
 
 class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
@@ -7324,7 +7250,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.parameter_number,) = _READ_PARAMETER_REQUEST_STRUCT.unpack(data)
+            (record.parameter_number,) = _READ_PARAMETER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_parameter_request", len(data), 1, 1) from None
         return record
@@ -7333,8 +7259,8 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= raw_parameter_number <= 31:
-                return _READ_PARAMETER_REQUEST_STRUCT.pack(raw_parameter_number)
+            if raw_parameter_number <= 31:
+                return _READ_PARAMETER_REQUEST_PACK(raw_parameter_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_parameter_request")
@@ -7353,8 +7279,8 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
-            if 0 <= station <= 15 and 0 <= raw_parameter_number <= 31:
-                data = _READ_PARAMETER_SERIAL_REQUEST.pack(5, station, 0x43, raw_parameter_number)
+            if station <= 15 and raw_parameter_number <= 31:
+                data = _PACK_READ_PARAMETER_SERIAL_REQUEST(5, station, 0x43, raw_parameter_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7374,7 +7300,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
                 _,
                 message.parameter_number,
                 check,
-            ) = _READ_PARAMETER_SERIAL_REQUEST_CHECKED.unpack(data)
+            ) = _UNPACK_READ_PARAMETER_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7385,9 +7311,9 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return frame
 
 
-_READ_POINT_SERIAL_RESPONSE = _Struct(">BBB16s")
-_READ_POINT_SERIAL_RESPONSE_CHECKED = _Struct(">BBB16sB")
-_READ_POINT_RESPONSE_STRUCT = _Struct(">16s")
+_PACK_READ_POINT_SERIAL_RESPONSE = _Struct(">BBB16s").pack
+_UNPACK_READ_POINT_SERIAL_RESPONSE = _Struct(">BBB16sB").unpack
+_READ_POINT_RESPONSE_PACK, _READ_POINT_RESPONSE_UNPACK = _packing(">16s")
 
 
 class ReadPointResponse(_Record):
@@ -7413,7 +7339,7 @@ class ReadPointResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_point,) = _READ_POINT_RESPONSE_STRUCT.unpack(data)
+            (raw_point,) = _READ_POINT_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_point_response", len(data), 16, 16) from None
         record.point = _decoded_at(Point, raw_point, 0)
@@ -7422,7 +7348,7 @@ class ReadPointResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_POINT_RESPONSE_STRUCT.pack(self.point.encode())
+            return _READ_POINT_RESPONSE_PACK(self.point.encode())
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_point_response")
@@ -7440,8 +7366,8 @@ class ReadPointResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_POINT_SERIAL_RESPONSE.pack(20, station, part_status.raw, self.point.encode())
+            if station <= 15:
+                data = _PACK_READ_POINT_SERIAL_RESPONSE(20, station, part_status.raw, self.point.encode())
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7456,13 +7382,7 @@ class ReadPointResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ReadPointResponse] | None:
         message = _new(ReadPointResponse)
         try:
-            (
-                part_length,
-                station,
-                part_status,
-                raw_point,
-                check,
-            ) = _READ_POINT_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, raw_point, check = _UNPACK_READ_POINT_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 20 or (sum(data) - check) & 255 != check:
@@ -7475,9 +7395,9 @@ class ReadPointResponse(_Record):
         return frame
 
 
-_READ_POINT_SERIAL_REQUEST = _Struct(">BBBB")
-_READ_POINT_SERIAL_REQUEST_CHECKED = _Struct(">BBBBB")
-_READ_POINT_REQUEST_STRUCT = _Struct(">B")
+_PACK_READ_POINT_SERIAL_REQUEST = _Struct(">BBBB").pack
+_UNPACK_READ_POINT_SERIAL_REQUEST = _Struct(">BBBBB").unpack
+_READ_POINT_REQUEST_PACK, _READ_POINT_REQUEST_UNPACK = _packing(">B")
 
 
 class ReadPointRequest(_RequestOf["ReadPointResponse"]):
@@ -7504,7 +7424,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record.point_number,) = _READ_POINT_REQUEST_STRUCT.unpack(data)
+            (record.point_number,) = _READ_POINT_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_point_request", len(data), 1, 1) from None
         return record
@@ -7514,7 +7434,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
-                return _READ_POINT_REQUEST_STRUCT.pack(raw_point_number)
+                return _READ_POINT_REQUEST_PACK(raw_point_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_point_request")
@@ -7533,8 +7453,8 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             raw_point_number = self.point_number
-            if 0 <= station <= 15 and 1 <= raw_point_number <= 31:
-                data = _READ_POINT_SERIAL_REQUEST.pack(5, station, 0x44, raw_point_number)
+            if station <= 15 and 1 <= raw_point_number <= 31:
+                data = _PACK_READ_POINT_SERIAL_REQUEST(5, station, 0x44, raw_point_number)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7548,13 +7468,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadPointRequest] | None:
         message = _new(ReadPointRequest)
         try:
-            (
-                part_length,
-                station,
-                _,
-                message.point_number,
-                check,
-            ) = _READ_POINT_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, message.point_number, check = _UNPACK_READ_POINT_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7565,9 +7479,9 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         return frame
 
 
-_READ_HOMING_STATE_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_HOMING_STATE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_HOMING_STATE_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_HOMING_STATE_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_HOMING_STATE_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_HOMING_STATE_RESPONSE_PACK, _READ_HOMING_STATE_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadHomingStateResponse(_Record):
@@ -7593,7 +7507,7 @@ class ReadHomingStateResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_STRUCT.unpack(data)
+            (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_homing_state_response", len(data), 1, 1) from None
         if raw_homing_complete > 1:
@@ -7605,8 +7519,8 @@ class ReadHomingStateResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_homing_complete = self.homing_complete
-            if 0 <= raw_homing_complete <= 1:
-                return _READ_HOMING_STATE_RESPONSE_STRUCT.pack(raw_homing_complete)
+            if raw_homing_complete <= 1:
+                return _READ_HOMING_STATE_RESPONSE_PACK(raw_homing_complete)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_homing_state_response")
@@ -7625,8 +7539,8 @@ class ReadHomingStateResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_homing_complete = self.homing_complete
-            if 0 <= station <= 15 and 0 <= raw_homing_complete <= 1:
-                data = _READ_HOMING_STATE_SERIAL_RESPONSE.pack(
+            if station <= 15 and raw_homing_complete <= 1:
+                data = _PACK_READ_HOMING_STATE_SERIAL_RESPONSE(
                     5, station, part_status.raw, raw_homing_complete,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -7649,7 +7563,7 @@ class ReadHomingStateResponse(_Record):
                 part_status,
                 raw_homing_complete,
                 check,
-            ) = _READ_HOMING_STATE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_HOMING_STATE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7664,9 +7578,9 @@ class ReadHomingStateResponse(_Record):
         return frame
 
 
-_READ_HOMING_STATE_SERIAL_REQUEST = _Struct(">BBB")
-_READ_HOMING_STATE_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_HOMING_STATE_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_HOMING_STATE_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_HOMING_STATE_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_HOMING_STATE_REQUEST_PACK, _READ_HOMING_STATE_REQUEST_UNPACK = _packing(">")
 
 
 class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
@@ -7687,7 +7601,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_HOMING_STATE_REQUEST_STRUCT.unpack(data)
+            _READ_HOMING_STATE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_homing_state_request", len(data), 0, 0) from None
         return record
@@ -7695,7 +7609,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_HOMING_STATE_REQUEST_STRUCT.pack()
+            return _READ_HOMING_STATE_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_homing_state_request")
@@ -7705,8 +7619,8 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_HOMING_STATE_SERIAL_REQUEST.pack(4, station, 0x45)
+            if station <= 15:
+                data = _PACK_READ_HOMING_STATE_SERIAL_REQUEST(4, station, 0x45)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7720,7 +7634,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadHomingStateRequest] | None:
         message = _new(ReadHomingStateRequest)
         try:
-            part_length, station, _, check = _READ_HOMING_STATE_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_HOMING_STATE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7731,9 +7645,9 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         return frame
 
 
-_READ_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_MOTOR_EXCITATION_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_MOTOR_EXCITATION_RESPONSE_PACK, _READ_MOTOR_EXCITATION_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadMotorExcitationResponse(_Record):
@@ -7761,7 +7675,7 @@ class ReadMotorExcitationResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_STRUCT.unpack(data)
+            (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_motor_excitation_response", len(data), 1, 1) from None
         if raw_excited > 1:
@@ -7773,8 +7687,8 @@ class ReadMotorExcitationResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_excited = self.excited
-            if 0 <= raw_excited <= 1:
-                return _READ_MOTOR_EXCITATION_RESPONSE_STRUCT.pack(raw_excited)
+            if raw_excited <= 1:
+                return _READ_MOTOR_EXCITATION_RESPONSE_PACK(raw_excited)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_motor_excitation_response")
@@ -7793,8 +7707,8 @@ class ReadMotorExcitationResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_excited = self.excited
-            if 0 <= station <= 15 and 0 <= raw_excited <= 1:
-                data = _READ_MOTOR_EXCITATION_SERIAL_RESPONSE.pack(5, station, part_status.raw, raw_excited)
+            if station <= 15 and raw_excited <= 1:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(5, station, part_status.raw, raw_excited)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7815,7 +7729,7 @@ class ReadMotorExcitationResponse(_Record):
                 part_status,
                 raw_excited,
                 check,
-            ) = _READ_MOTOR_EXCITATION_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7830,9 +7744,9 @@ class ReadMotorExcitationResponse(_Record):
         return frame
 
 
-_READ_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBB")
-_READ_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_MOTOR_EXCITATION_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_MOTOR_EXCITATION_REQUEST_PACK, _READ_MOTOR_EXCITATION_REQUEST_UNPACK = _packing(">")
 
 
 class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
@@ -7853,7 +7767,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_MOTOR_EXCITATION_REQUEST_STRUCT.unpack(data)
+            _READ_MOTOR_EXCITATION_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_motor_excitation_request", len(data), 0, 0) from None
         return record
@@ -7861,7 +7775,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_MOTOR_EXCITATION_REQUEST_STRUCT.pack()
+            return _READ_MOTOR_EXCITATION_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_motor_excitation_request")
@@ -7871,8 +7785,8 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_MOTOR_EXCITATION_SERIAL_REQUEST.pack(4, station, 0x46)
+            if station <= 15:
+                data = _PACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(4, station, 0x46)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -7886,7 +7800,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadMotorExcitationRequest] | None:
         message = _new(ReadMotorExcitationRequest)
         try:
-            part_length, station, _, check = _READ_MOTOR_EXCITATION_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_MOTOR_EXCITATION_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -7897,9 +7811,9 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         return frame
 
 
-_READ_ALARM_CODE_SERIAL_RESPONSE = _Struct(">BBBB")
-_READ_ALARM_CODE_SERIAL_RESPONSE_CHECKED = _Struct(">BBBBB")
-_READ_ALARM_CODE_RESPONSE_STRUCT = _Struct(">B")
+_PACK_READ_ALARM_CODE_SERIAL_RESPONSE = _Struct(">BBBB").pack
+_UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE = _Struct(">BBBBB").unpack
+_READ_ALARM_CODE_RESPONSE_PACK, _READ_ALARM_CODE_RESPONSE_UNPACK = _packing(">B")
 
 
 class ReadAlarmCodeResponse(_Record):
@@ -7936,7 +7850,7 @@ class ReadAlarmCodeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_STRUCT.unpack(data)
+            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_response", len(data), 1, 1) from None
         return record
@@ -7944,7 +7858,7 @@ class ReadAlarmCodeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_CODE_RESPONSE_STRUCT.pack(self._held_alarm_code)
+            return _READ_ALARM_CODE_RESPONSE_PACK(self._held_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_response")
@@ -7962,8 +7876,8 @@ class ReadAlarmCodeResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ALARM_CODE_SERIAL_RESPONSE.pack(
+            if station <= 15:
+                data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
                     5, station, part_status.raw, self._held_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -7986,7 +7900,7 @@ class ReadAlarmCodeResponse(_Record):
                 part_status,
                 message._held_alarm_code,
                 check,
-            ) = _READ_ALARM_CODE_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 5 or (sum(data) - check) & 255 != check:
@@ -7998,9 +7912,9 @@ class ReadAlarmCodeResponse(_Record):
         return frame
 
 
-_READ_ALARM_CODE_SERIAL_REQUEST = _Struct(">BBB")
-_READ_ALARM_CODE_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_ALARM_CODE_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_ALARM_CODE_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_ALARM_CODE_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_ALARM_CODE_REQUEST_PACK, _READ_ALARM_CODE_REQUEST_UNPACK = _packing(">")
 
 
 class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
@@ -8021,7 +7935,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_ALARM_CODE_REQUEST_STRUCT.unpack(data)
+            _READ_ALARM_CODE_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_request", len(data), 0, 0) from None
         return record
@@ -8029,7 +7943,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_CODE_REQUEST_STRUCT.pack()
+            return _READ_ALARM_CODE_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_request")
@@ -8039,8 +7953,8 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ALARM_CODE_SERIAL_REQUEST.pack(4, station, 0x47)
+            if station <= 15:
+                data = _PACK_READ_ALARM_CODE_SERIAL_REQUEST(4, station, 0x47)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8054,7 +7968,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAlarmCodeRequest] | None:
         message = _new(ReadAlarmCodeRequest)
         try:
-            part_length, station, _, check = _READ_ALARM_CODE_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_ALARM_CODE_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -8065,9 +7979,9 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         return frame
 
 
-_READ_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct("<BBBHB")
-_READ_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED = _Struct("<BBBHBB")
-_READ_ACCUMULATED_TIME_RESPONSE_STRUCT = _Struct("<HB")
+_PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct("<BBBHB").pack
+_UNPACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE = _Struct("<BBBHBB").unpack
+_READ_ACCUMULATED_TIME_RESPONSE_PACK, _READ_ACCUMULATED_TIME_RESPONSE_UNPACK = _packing("<HB")
 
 
 class ReadAccumulatedTimeResponse(_Record):
@@ -8096,7 +8010,7 @@ class ReadAccumulatedTimeResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_STRUCT.unpack(data)
+            record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_accumulated_time_response", len(data), 3, 3) from None
         return record
@@ -8105,8 +8019,8 @@ class ReadAccumulatedTimeResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             raw_minutes = self.minutes
-            if 0 <= raw_minutes <= 60:
-                return _READ_ACCUMULATED_TIME_RESPONSE_STRUCT.pack(self.hours, raw_minutes)
+            if raw_minutes <= 60:
+                return _READ_ACCUMULATED_TIME_RESPONSE_PACK(self.hours, raw_minutes)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_accumulated_time_response")
@@ -8129,8 +8043,8 @@ class ReadAccumulatedTimeResponse(_Record):
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
             raw_minutes = self.minutes
-            if 0 <= station <= 15 and 0 <= raw_minutes <= 60:
-                data = _READ_ACCUMULATED_TIME_SERIAL_RESPONSE.pack(
+            if station <= 15 and raw_minutes <= 60:
+                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(
                     7, station, part_status.raw, self.hours, raw_minutes,
                 )
                 return data + _BYTES[sum(data) & 255]
@@ -8154,7 +8068,7 @@ class ReadAccumulatedTimeResponse(_Record):
                 message.hours,
                 message.minutes,
                 check,
-            ) = _READ_ACCUMULATED_TIME_SERIAL_RESPONSE_CHECKED.unpack(data)
+            ) = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 7 or (sum(data) - check) & 255 != check:
@@ -8166,9 +8080,9 @@ class ReadAccumulatedTimeResponse(_Record):
         return frame
 
 
-_READ_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB")
-_READ_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_READ_ACCUMULATED_TIME_REQUEST_STRUCT = _Struct(">")
+_PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_READ_ACCUMULATED_TIME_REQUEST_PACK, _READ_ACCUMULATED_TIME_REQUEST_UNPACK = _packing(">")
 
 
 class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
@@ -8189,7 +8103,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _READ_ACCUMULATED_TIME_REQUEST_STRUCT.unpack(data)
+            _READ_ACCUMULATED_TIME_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_accumulated_time_request", len(data), 0, 0) from None
         return record
@@ -8197,7 +8111,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ACCUMULATED_TIME_REQUEST_STRUCT.pack()
+            return _READ_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_accumulated_time_request")
@@ -8207,8 +8121,8 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _READ_ACCUMULATED_TIME_SERIAL_REQUEST.pack(4, station, 0x48)
+            if station <= 15:
+                data = _PACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(4, station, 0x48)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8222,7 +8136,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
     def _from_serial(data: _Data) -> _Request[ReadAccumulatedTimeRequest] | None:
         message = _new(ReadAccumulatedTimeRequest)
         try:
-            part_length, station, _, check = _READ_ACCUMULATED_TIME_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_READ_ACCUMULATED_TIME_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -8233,9 +8147,9 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         return frame
 
 
-_RESET_ALARM_SERIAL_RESPONSE = _Struct(">BBB")
-_RESET_ALARM_SERIAL_RESPONSE_CHECKED = _Struct(">BBBB")
-_RESET_ALARM_RESPONSE_STRUCT = _Struct(">")
+_PACK_RESET_ALARM_SERIAL_RESPONSE = _Struct(">BBB").pack
+_UNPACK_RESET_ALARM_SERIAL_RESPONSE = _Struct(">BBBB").unpack
+_RESET_ALARM_RESPONSE_PACK, _RESET_ALARM_RESPONSE_UNPACK = _packing(">")
 
 
 class ResetAlarmResponse(_Record):
@@ -8257,7 +8171,7 @@ class ResetAlarmResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _RESET_ALARM_RESPONSE_STRUCT.unpack(data)
+            _RESET_ALARM_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("reset_alarm_response", len(data), 0, 0) from None
         return record
@@ -8265,7 +8179,7 @@ class ResetAlarmResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _RESET_ALARM_RESPONSE_STRUCT.pack()
+            return _RESET_ALARM_RESPONSE_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("reset_alarm_response")
@@ -8275,8 +8189,8 @@ class ResetAlarmResponse(_Record):
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _RESET_ALARM_SERIAL_RESPONSE.pack(4, station, part_status.raw)
+            if station <= 15:
+                data = _PACK_RESET_ALARM_SERIAL_RESPONSE(4, station, part_status.raw)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8291,7 +8205,7 @@ class ResetAlarmResponse(_Record):
     def _from_serial(data: _Data) -> SerialResponse[ResetAlarmResponse] | None:
         message = _new(ResetAlarmResponse)
         try:
-            part_length, station, part_status, check = _RESET_ALARM_SERIAL_RESPONSE_CHECKED.unpack(data)
+            part_length, station, part_status, check = _UNPACK_RESET_ALARM_SERIAL_RESPONSE(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:
@@ -8303,9 +8217,9 @@ class ResetAlarmResponse(_Record):
         return frame
 
 
-_RESET_ALARM_SERIAL_REQUEST = _Struct(">BBB")
-_RESET_ALARM_SERIAL_REQUEST_CHECKED = _Struct(">BBBB")
-_RESET_ALARM_REQUEST_STRUCT = _Struct(">")
+_PACK_RESET_ALARM_SERIAL_REQUEST = _Struct(">BBB").pack
+_UNPACK_RESET_ALARM_SERIAL_REQUEST = _Struct(">BBBB").unpack
+_RESET_ALARM_REQUEST_PACK, _RESET_ALARM_REQUEST_UNPACK = _packing(">")
 
 
 class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
@@ -8328,7 +8242,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            _RESET_ALARM_REQUEST_STRUCT.unpack(data)
+            _RESET_ALARM_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("reset_alarm_request", len(data), 0, 0) from None
         return record
@@ -8336,7 +8250,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _RESET_ALARM_REQUEST_STRUCT.pack()
+            return _RESET_ALARM_REQUEST_PACK()
         except _UNFIT:
             pass
         raise self._refused() or _unfit("reset_alarm_request")
@@ -8346,8 +8260,8 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
 
     def _to_serial(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 15:
-                data = _RESET_ALARM_SERIAL_REQUEST.pack(4, station, 0x4e)
+            if station <= 15:
+                data = _PACK_RESET_ALARM_SERIAL_REQUEST(4, station, 0x4e)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -8361,7 +8275,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
     def _from_serial(data: _Data) -> _Request[ResetAlarmRequest] | None:
         message = _new(ResetAlarmRequest)
         try:
-            part_length, station, _, check = _RESET_ALARM_SERIAL_REQUEST_CHECKED.unpack(data)
+            part_length, station, _, check = _UNPACK_RESET_ALARM_SERIAL_REQUEST(data)
         except _StructError:
             return None
         if part_length != 4 or (sum(data) - check) & 255 != check:

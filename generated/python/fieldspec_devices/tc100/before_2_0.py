@@ -24,8 +24,10 @@ from .._checks import BYTES as _BYTES
 from .._checks import CRC_EXCHANGED as _CRC_EXCHANGED
 from .._conversions import Repeated as _Repeated
 from .._conversions import UNFIT as _UNFIT
+from .._conversions import UNREAD as _UNREAD
 from .._conversions import counts as _counts
 from .._conversions import new as _new
+from .._conversions import packing as _packing
 from .._error import CodecError as _CodecError
 from .._error import wrong_length as _wrong_length
 from .._error import wrong_measure as _wrong_measure
@@ -1731,7 +1733,7 @@ class InputWord(_Flags):
         return self.raw & 0x4000 != 0
 
 
-_EXCEPTION_RECORD_STRUCT = _Struct(">B")
+_EXCEPTION_RECORD_PACK, _EXCEPTION_RECORD_UNPACK = _packing(">B")
 
 
 class ExceptionRecord(_Record):
@@ -1766,7 +1768,7 @@ class ExceptionRecord(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_exception_code,) = _EXCEPTION_RECORD_STRUCT.unpack(data)
+            (record._held_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
         return record
@@ -1776,7 +1778,7 @@ class ExceptionRecord(_Record):
         try:
             raw_exception_code = _index(self._held_exception_code)
             if 1 <= raw_exception_code <= 3:
-                return _EXCEPTION_RECORD_STRUCT.pack(raw_exception_code)
+                return _EXCEPTION_RECORD_PACK(raw_exception_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("exception")
@@ -1793,7 +1795,7 @@ class ExceptionRecord(_Record):
         return _refused_number("exception_code", self.exception_code, 0, 255, ((1, 3),))
 
 
-_POINT_STRUCT = _Struct(">HiHH2xii2x2xHh")
+_POINT_PACK, _POINT_UNPACK = _packing(">HiHH2xii2x2xHh")
 
 
 class Point(_Record):
@@ -1887,7 +1889,7 @@ class Point(_Record):
                 record.zone_upper_limit,
                 record.wait_time,
                 record.next_point,
-            ) = _POINT_STRUCT.unpack(data)
+            ) = _POINT_UNPACK(data)
         except _StructError:
             raise _wrong_length("point", len(data), 28, 28) from None
         return record
@@ -1901,13 +1903,13 @@ class Point(_Record):
             raw_wait_time = self.wait_time
             raw_next_point = self.next_point
             if (
-                0 <= raw_mode <= 16
-                and 0 <= raw_speed <= 100
-                and 0 <= raw_torque_limit <= 1000
-                and 0 <= raw_wait_time <= 30000
+                raw_mode <= 16
+                and raw_speed <= 100
+                and raw_torque_limit <= 1000
+                and raw_wait_time <= 30000
                 and (raw_next_point == -1 or 1 <= raw_next_point <= 127)
             ):
-                return _POINT_STRUCT.pack(
+                return _POINT_PACK(
                     raw_mode, self.position, raw_speed, raw_torque_limit, self.zone_lower_limit,
                     self.zone_upper_limit, raw_wait_time, raw_next_point,
                 )
@@ -2017,10 +2019,11 @@ class ReadRegistersResponse(_Record):
         return _ASCII_RESPONSES.joined([station, 0x03], body)
 
 
-_READ_REGISTERS_RTU_REQUEST = _Struct(">BBHHH")
-_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH")
-_READ_REGISTERS_ASCII_REQUEST_CHECKED = _Struct(">BBHHx")
-_READ_REGISTERS_REQUEST_STRUCT = _Struct(">HH")
+_PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
+_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ share for share in _X5[:17])
+_PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
+_UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
+_READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
 
 
 class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
@@ -2049,7 +2052,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.word_count = _READ_REGISTERS_REQUEST_STRUCT.unpack(data)
+            record.address, record.word_count = _READ_REGISTERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_registers_request", len(data), 4, 4) from None
         return record
@@ -2059,7 +2062,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 60:
-                return _READ_REGISTERS_REQUEST_STRUCT.pack(self.address, raw_word_count)
+                return _READ_REGISTERS_REQUEST_PACK(self.address, raw_word_count)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_registers_request")
@@ -2083,16 +2086,14 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if 0 <= station <= 16 and 1 <= raw_word_count <= 60:
+            if 1 <= raw_word_count <= 60:
                 check = (
-                    17435
-                    ^ _X5[station]
+                    _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
                     ^ _X3[raw_address >> 8]
                     ^ _X2[raw_address & 255]
-                    ^ _X1[raw_word_count >> 8]
-                    ^ _X0[raw_word_count & 255]
+                    ^ _X0[raw_word_count]
                 )
-                return _READ_REGISTERS_RTU_REQUEST.pack(station, 0x03, raw_address, raw_word_count, check)
+                return _PACK_READ_REGISTERS_RTU_REQUEST(station, 0x03, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
@@ -2105,17 +2106,15 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_rtu(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            station, _, raw_address, raw_word_count, check = _READ_REGISTERS_RTU_REQUEST.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_word_count, check = _UNPACK_READ_REGISTERS_RTU_REQUEST(data)
+            expected = (
+                _STATIONS_READ_REGISTERS_RTU_REQUEST[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X0[raw_word_count]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            17435
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_word_count >> 8]
-            ^ _X0[raw_word_count & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -2128,8 +2127,8 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if 0 <= station <= 16 and 1 <= raw_word_count <= 60:
-                data = _READ_REGISTERS_ASCII_REQUEST.pack(station, 0x03, self.address, raw_word_count)
+            if station <= 16 and 1 <= raw_word_count <= 60:
+                data = _PACK_READ_REGISTERS_ASCII_REQUEST(station, 0x03, self.address, raw_word_count)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2143,12 +2142,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
     def _from_ascii(data: _Data) -> _Request[ReadRegistersRequest] | None:
         message = _new(ReadRegistersRequest)
         try:
-            (
-                station,
-                _,
-                message.address,
-                message.word_count,
-            ) = _READ_REGISTERS_ASCII_REQUEST_CHECKED.unpack(data)
+            station, _, message.address, message.word_count = _UNPACK_READ_REGISTERS_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -2159,10 +2153,11 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         return frame
 
 
-_WRITE_REGISTER_RTU_RESPONSE = _Struct(">BBHHH")
-_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH")
-_WRITE_REGISTER_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
-_WRITE_REGISTER_RESPONSE_STRUCT = _Struct(">HH")
+_PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
+_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ share for share in _X5[:17])
+_PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
+_UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
+_WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
 
 
 class WriteRegisterResponse(_Record):
@@ -2190,7 +2185,7 @@ class WriteRegisterResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.value = _WRITE_REGISTER_RESPONSE_STRUCT.unpack(data)
+            record.address, record.value = _WRITE_REGISTER_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_register_response", len(data), 4, 4) from None
         return record
@@ -2198,7 +2193,7 @@ class WriteRegisterResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_REGISTER_RESPONSE_STRUCT.pack(self.address, self.value)
+            return _WRITE_REGISTER_RESPONSE_PACK(self.address, self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_register_response")
@@ -2222,16 +2217,14 @@ class WriteRegisterResponse(_Record):
         try:
             raw_address = self.address
             raw_value = self.value
-            if 0 <= station <= 16:
-                check = (
-                    34843
-                    ^ _X5[station]
-                    ^ _X3[raw_address >> 8]
-                    ^ _X2[raw_address & 255]
-                    ^ _X1[raw_value >> 8]
-                    ^ _X0[raw_value & 255]
-                )
-                return _WRITE_REGISTER_RTU_RESPONSE.pack(station, 0x06, raw_address, raw_value, check)
+            check = (
+                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+            return _PACK_WRITE_REGISTER_RTU_RESPONSE(station, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
@@ -2244,17 +2237,16 @@ class WriteRegisterResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, raw_address, raw_value, check = _WRITE_REGISTER_RTU_RESPONSE.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_RESPONSE(data)
+            expected = (
+                _STATIONS_WRITE_REGISTER_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            34843
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_value >> 8]
-            ^ _X0[raw_value & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -2266,8 +2258,8 @@ class WriteRegisterResponse(_Record):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _WRITE_REGISTER_ASCII_RESPONSE.pack(station, 0x06, self.address, self.value)
+            if station <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_RESPONSE(station, 0x06, self.address, self.value)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2281,7 +2273,7 @@ class WriteRegisterResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegisterResponse] | None:
         message = _new(WriteRegisterResponse)
         try:
-            station, _, message.address, message.value = _WRITE_REGISTER_ASCII_RESPONSE_CHECKED.unpack(data)
+            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -2292,10 +2284,11 @@ class WriteRegisterResponse(_Record):
         return frame
 
 
-_WRITE_REGISTER_RTU_REQUEST = _Struct(">BBHHH")
-_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH")
-_WRITE_REGISTER_ASCII_REQUEST_CHECKED = _Struct(">BBHHx")
-_WRITE_REGISTER_REQUEST_STRUCT = _Struct(">HH")
+_PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
+_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ share for share in _X5[:17])
+_PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
+_UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
+_WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
 
 
 class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
@@ -2325,7 +2318,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.value = _WRITE_REGISTER_REQUEST_STRUCT.unpack(data)
+            record.address, record.value = _WRITE_REGISTER_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_register_request", len(data), 4, 4) from None
         return record
@@ -2333,7 +2326,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _WRITE_REGISTER_REQUEST_STRUCT.pack(self.address, self.value)
+            return _WRITE_REGISTER_REQUEST_PACK(self.address, self.value)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_register_request")
@@ -2357,16 +2350,14 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         try:
             raw_address = self.address
             raw_value = self.value
-            if 0 <= station <= 16:
-                check = (
-                    34843
-                    ^ _X5[station]
-                    ^ _X3[raw_address >> 8]
-                    ^ _X2[raw_address & 255]
-                    ^ _X1[raw_value >> 8]
-                    ^ _X0[raw_value & 255]
-                )
-                return _WRITE_REGISTER_RTU_REQUEST.pack(station, 0x06, raw_address, raw_value, check)
+            check = (
+                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+            return _PACK_WRITE_REGISTER_RTU_REQUEST(station, 0x06, raw_address, raw_value, check)
         except _UNFIT:
             pass
         raise (
@@ -2379,17 +2370,16 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_rtu(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, raw_address, raw_value, check = _WRITE_REGISTER_RTU_REQUEST.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_value, check = _UNPACK_WRITE_REGISTER_RTU_REQUEST(data)
+            expected = (
+                _STATIONS_WRITE_REGISTER_RTU_REQUEST[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X1[raw_value >> 8]
+                ^ _X0[raw_value & 255]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            34843
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_value >> 8]
-            ^ _X0[raw_value & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -2401,8 +2391,8 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     def _to_ascii(self, station: int) -> bytes:
         try:
-            if 0 <= station <= 16:
-                data = _WRITE_REGISTER_ASCII_REQUEST.pack(station, 0x06, self.address, self.value)
+            if station <= 16:
+                data = _PACK_WRITE_REGISTER_ASCII_REQUEST(station, 0x06, self.address, self.value)
                 return _ASCII_REQUESTS.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2416,7 +2406,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
     def _from_ascii(data: _Data) -> _Request[WriteRegisterRequest] | None:
         message = _new(WriteRegisterRequest)
         try:
-            station, _, message.address, message.value = _WRITE_REGISTER_ASCII_REQUEST_CHECKED.unpack(data)
+            station, _, message.address, message.value = _UNPACK_WRITE_REGISTER_ASCII_REQUEST(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -2427,10 +2417,11 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         return frame
 
 
-_WRITE_REGISTERS_RTU_RESPONSE = _Struct(">BBHHH")
-_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH")
-_WRITE_REGISTERS_ASCII_RESPONSE_CHECKED = _Struct(">BBHHx")
-_WRITE_REGISTERS_RESPONSE_STRUCT = _Struct(">HH")
+_PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
+_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ share for share in _X5[:17])
+_PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
+_UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
+_WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
 
 
 class WriteRegistersResponse(_Record):
@@ -2459,7 +2450,7 @@ class WriteRegistersResponse(_Record):
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_STRUCT.unpack(data)
+            record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("write_registers_response", len(data), 4, 4) from None
         return record
@@ -2469,7 +2460,7 @@ class WriteRegistersResponse(_Record):
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 59:
-                return _WRITE_REGISTERS_RESPONSE_STRUCT.pack(self.address, raw_word_count)
+                return _WRITE_REGISTERS_RESPONSE_PACK(self.address, raw_word_count)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("write_registers_response")
@@ -2493,16 +2484,14 @@ class WriteRegistersResponse(_Record):
         try:
             raw_address = self.address
             raw_word_count = self.word_count
-            if 0 <= station <= 16 and 1 <= raw_word_count <= 59:
+            if 1 <= raw_word_count <= 59:
                 check = (
-                    49624
-                    ^ _X5[station]
+                    _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
                     ^ _X3[raw_address >> 8]
                     ^ _X2[raw_address & 255]
-                    ^ _X1[raw_word_count >> 8]
-                    ^ _X0[raw_word_count & 255]
+                    ^ _X0[raw_word_count]
                 )
-                return _WRITE_REGISTERS_RTU_RESPONSE.pack(station, 0x10, raw_address, raw_word_count, check)
+                return _PACK_WRITE_REGISTERS_RTU_RESPONSE(station, 0x10, raw_address, raw_word_count, check)
         except _UNFIT:
             pass
         raise (
@@ -2515,17 +2504,15 @@ class WriteRegistersResponse(_Record):
     def _from_rtu(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            station, _, raw_address, raw_word_count, check = _WRITE_REGISTERS_RTU_RESPONSE.unpack(data)
-        except _StructError:
+            station, _, raw_address, raw_word_count, check = _UNPACK_WRITE_REGISTERS_RTU_RESPONSE(data)
+            expected = (
+                _STATIONS_WRITE_REGISTERS_RTU_RESPONSE[station]
+                ^ _X3[raw_address >> 8]
+                ^ _X2[raw_address & 255]
+                ^ _X0[raw_word_count]
+            )
+        except _UNREAD:
             return None
-        expected = (
-            49624
-            ^ _X5[station]
-            ^ _X3[raw_address >> 8]
-            ^ _X2[raw_address & 255]
-            ^ _X1[raw_word_count >> 8]
-            ^ _X0[raw_word_count & 255]
-        )
         if check != expected:
             return None
         message.address = raw_address
@@ -2538,8 +2525,8 @@ class WriteRegistersResponse(_Record):
     def _to_ascii(self, station: int) -> bytes:
         try:
             raw_word_count = self.word_count
-            if 0 <= station <= 16 and 1 <= raw_word_count <= 59:
-                data = _WRITE_REGISTERS_ASCII_RESPONSE.pack(station, 0x10, self.address, raw_word_count)
+            if station <= 16 and 1 <= raw_word_count <= 59:
+                data = _PACK_WRITE_REGISTERS_ASCII_RESPONSE(station, 0x10, self.address, raw_word_count)
                 return _ASCII_RESPONSES.marked(data + _BYTES[-sum(data) & 255])
         except _UNFIT:
             pass
@@ -2553,12 +2540,7 @@ class WriteRegistersResponse(_Record):
     def _from_ascii(data: _Data) -> _Response[WriteRegistersResponse] | None:
         message = _new(WriteRegistersResponse)
         try:
-            (
-                station,
-                _,
-                message.address,
-                message.word_count,
-            ) = _WRITE_REGISTERS_ASCII_RESPONSE_CHECKED.unpack(data)
+            station, _, message.address, message.word_count = _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE(data)
         except _StructError:
             return None
         if sum(data) & 255:
@@ -2780,7 +2762,7 @@ class RtuLink:
             extents={
                 0x03: (8, 0, 0, 0),
                 0x06: (8, 0, 0, 0),
-                0x10: (9, 4, 2, 2),
+                0x10: (9, 6, 1, 1),
             },
         )
 
