@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from fieldspec import checks
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import device_layout
+from fieldspec.model.device import Device
 from fieldspec.reading.nodes import identity, mappings
 from fieldspec.reading.project import DeviceSpec
 
@@ -27,14 +28,35 @@ def twins(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
     `identities` are those of the versions with outputs.
     """
     found = {}
+    known = {_wire(spec.at(version)[0]): own for version, own in identities.items()}
     for version, line in spec.lines.alike.items():
         device, broken = spec.at(version)
-        if has_errors(broken) or any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
+        if has_errors(broken):
             continue
-        own = device_layout(device).identity
+        own = known.get(_wire(device))
+        if own is None:
+            if any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
+                continue
+            own = device_layout(device).identity
         same = [other for other in _members(spec, line.text) if identities.get(other) == own]
         found[version] = same[0] if same else ""
     return found
+
+
+def _wire(device: Device) -> tuple[int, ...]:
+    """The identities of all objects that can decide what is on the wire: versions share those that do not differ."""
+    named = (
+        device.links,
+        device.messages,
+        device.records,
+        device.enums,
+        device.flags,
+        device.tables,
+        device.parameters,
+        device.signals,
+        device.conversions,
+    )
+    return (*(id(one) for held in named for one in held.values()), *map(id, device.groups))
 
 
 def _members(spec: DeviceSpec, line: str) -> list[str]:
