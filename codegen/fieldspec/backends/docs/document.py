@@ -252,6 +252,7 @@ def _line(held: Line | Piece | str) -> Line:
     return (held,) if isinstance(held, Piece) else held
 
 
+@lru_cache(maxsize=KEPT)
 def paths(line: Line) -> tuple[str, ...]:
     """Where the links of a line lead that lead within the page."""
     return tuple([piece.link[1:] for piece in line if piece.link.startswith("#")])

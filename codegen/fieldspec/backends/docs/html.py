@@ -128,9 +128,6 @@ class _Page:
     def _line(self, pieces: Line) -> str:
         return self._writer.line(self._anchors.line(pieces))
 
-    def _cell(self, cell: Cell) -> str:
-        return self._writer.cell(self._anchors.cell(cell))
-
     def _block(self, block: Block) -> Iterator[str]:
         if isinstance(block, Table):
             yield from self._table(block)
@@ -165,10 +162,11 @@ class _Page:
         tags = [(f"<td{held}>", "</td>") for held in classes]
         if table.heading >= 0:
             tags[table.heading] = f'<th scope="row"{classes[table.heading]}>', "</th>"
+        written, right = self._writer.cell, self._anchors.cell
         for row in table.rows:
             style = ' class="element"' if row.element else ""
             cells = [
-                f"{opening}{self._cell(cell)}{closing}"
+                f"{opening}{written(right(cell) if cell.paths else cell)}{closing}"
                 for cell, (opening, closing) in zip(row.cells, tags, strict=True)
             ]
             yield f"<tr{_attribute('id', row.anchor)}{style}>{''.join(cells)}</tr>\n"

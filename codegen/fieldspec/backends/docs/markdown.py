@@ -118,7 +118,7 @@ def _wrapped(text: str, marks: str) -> str:
 
 
 @lru_cache(maxsize=KEPT)
-def _cell(cell: Cell, lost: tuple[str, ...]) -> str:
+def _cell(cell: Cell, lost: tuple[str, ...] = ()) -> str:
     lines = [_line(held, lost) for held in cell.lines]
     for item in cell.items:
         lines.append(f"• {_line(item.line, lost)}")
@@ -154,7 +154,7 @@ class _Page:
         yield f"| {' | '.join([escaped(column.title) for column in table.columns])} |"
         yield f"|{'|'.join(['---'] * len(table.columns))}|"
         for row in table.rows:
-            yield f"| {' | '.join(map(self._cell, row.cells))} |"
+            yield f"| {' | '.join([self._linked(one) if one.paths else _cell(one) for one in row.cells])} |"
         if table.footnotes:
             yield ""
         for note in table.footnotes:
@@ -164,7 +164,7 @@ class _Page:
         held = self._anchors.line(held)
         return _line(held, self._lost(paths(held)))
 
-    def _cell(self, held: Cell) -> str:
+    def _linked(self, held: Cell) -> str:
         held = self._anchors.cell(held)
         return _cell(held, self._lost(held.paths))
 

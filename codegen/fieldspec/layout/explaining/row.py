@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.explaining.worded import Meaning, Worded
@@ -68,7 +68,7 @@ class Spot:
 
 def citations(sources: Iterable[Citation]) -> str:
     """`8.2 L1622; 9.1 L5`"""
-    return "; ".join(citation.text() for citation in sources)
+    return "; ".join([citation.text() for citation in sources])
 
 
 class _Errata:
@@ -108,8 +108,10 @@ def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
     return tuple(found for found in errata_at(device, path) if found not in of_fields)
 
 
-def errata_of_words(device: Device, facts: Iterable[str]) -> tuple[str, ...]:
+def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
     """The errata of enums, members and flags that took part; those of other members do not touch a value."""
+    if not facts:
+        return ()
     of = _errata(device).of
     return tuple(name for _, name in sorted({one for fact in facts for one in of.get(fact, ())}))
 
