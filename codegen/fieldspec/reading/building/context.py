@@ -37,10 +37,13 @@ class Entry:
         defaults: Mapping | None = None,
     ) -> None:
         self.node, self.path, self.found, self.defaults = node, path, found, defaults
-        self.own = node.values
-        self.section = self.text("section") or section
-        own = self.text("source")
-        self.sources = citations(own, self.section) if own else sources
+        self.own = own = node.values
+        self.section, self.sources = section, sources
+        if defaults is not None or "section" in own:
+            self.section = self.text("section") or section
+        if defaults is not None or "source" in own:
+            cited = self.text("source")
+            self.sources = citations(cited, self.section) if cited else sources
 
     def get(self, key: str) -> Node | None:
         """The node under a key, or the default for it."""
@@ -60,7 +63,12 @@ class Entry:
 
     def text(self, key: str) -> str:
         """A text, or an empty one."""
-        value = self.value(key)
+        node = self.own.get(key)
+        if node is None:
+            if self.defaults is None:
+                return ""
+            node = self.defaults.values.get(key)
+        value = node.value if isinstance(node, Scalar) else None
         return value if isinstance(value, str) else ""
 
     def integer(self, key: str) -> int | None:
