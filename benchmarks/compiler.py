@@ -38,6 +38,7 @@ def rows() -> Iterator[Row]:
 def _of(count: int, took: dict[str, list[Took]]) -> Iterator[Row]:
     group = f"{count:,} registers"
     yield compared(group, "C, Python, Markdown and HTML", took, "all", FLOOR, at_most=2.0)
+    yield compared(group, "reading and checking alone", took, "check", FLOOR)
     if count == 100_000:
         yield limited(group, "memory", max(one.memory for one in took["all"]) / 1e6, "MB", 1000)
     peakrdl, html, hdl, page = _names()
@@ -65,6 +66,7 @@ def _commands(count: int, folder: Path) -> dict[str, tuple[str, ...]]:
     build = (*FIELDSPEC, "build", "--no-cache", "--specs", str(folder / "specs"), "--out", str(out))
     made = {
         "all": (*build, "--to", OUTPUTS),
+        "check": (*FIELDSPEC, "check", "--specs", str(folder / "specs")),
         FLOOR: (*PYTHON, str(PEERS / "floor.py"), str(folder / "specs"), str(folder / "floor")),
     }
     if count == 100_000:
