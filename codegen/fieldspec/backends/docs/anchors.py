@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
-from fieldspec.backends.docs.document import Cell, Item, Line, Section, Table, cell, paths
+from fieldspec.backends.docs.document import Bits, Cell, Facts, Item, Line, Paragraph, Section, Table, cell, paths
 
 
 def innermost(path: str, known: Container[str]) -> str:
@@ -33,11 +33,31 @@ def every(sections: tuple[Section, ...]) -> Iterator[str]:
         yield from every(section.sections)
 
 
+def paths_of(section: Section) -> frozenset[str]:
+    """Where the links in a section lead that lead within the page."""
+    found = set(paths(section.title))
+    for block in section.blocks:
+        if isinstance(block, Table):
+            found.update(path for row in block.rows for one in row.cells for path in one.paths)
+            found.update(path for note in block.footnotes for path in paths(note.line))
+        elif isinstance(block, Paragraph):
+            found.update(paths(block.line))
+        elif isinstance(block, Facts):
+            found.update(path for _, lines in block.rows for line in lines for path in paths(line))
+        elif isinstance(block, Bits):
+            found.update(box.link[1:] for row in block.rows for box in row.boxes if box.link)
+    return frozenset(found).union(*map(paths_of, section.sections))
+
+
 class Anchors:
     """The anchors of a page. Links lead to what encloses a fact, where the fact has no anchor of its own."""
 
     def __init__(self, sections: tuple[Section, ...]) -> None:
         self._known = frozenset(every(sections))
+
+    def have(self, paths: frozenset[str]) -> bool:
+        """Whether some links lead to anchors as they are."""
+        return paths <= self._known
 
     def target(self, link: str) -> str:
         """A link to the innermost anchor of a path; no link where there is none."""

@@ -165,13 +165,28 @@ Block: TypeAlias = Table | Paragraph | Facts | Bits | Strips
 
 
 @dataclass(frozen=True, slots=True)
+class Written:
+    """What a form has written of a section: `paths` are where its links within the page lead, and of these the form has
+    left out some, which are `lost`, and no others.
+    """
+
+    text: str
+    paths: frozenset[str]
+    lost: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
 class Section:
-    """A heading with what stands under it, and the sections within it."""
+    """A heading with what stands under it, and the sections within it.
+
+    `written` has what each form has written of it, by the form; there is none where it stands on one page only.
+    """
 
     anchor: str
     title: Line
     blocks: tuple[Block, ...] = ()
     sections: tuple[Section, ...] = ()
+    written: dict[str, Written] | None = field(default=None, repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,6 +30,8 @@ from fieldspec.layout.meaning import Raw
 from fieldspec.layout.printed import Printed, printed
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
+from fieldspec.model.link import Link
+from fieldspec.model.message import Message
 
 BYTES = (
     Column("Byte", "number", kept=True),
@@ -75,11 +77,22 @@ def _line(example: Example) -> tuple[bool, int]:
 def _example(context: Context, example: Example) -> Section:
     found = explained_example(context.layout, example)
     print_of = printed(context.device, example)
+    link, message = context.device.links[example.link], context.device.messages.get(example.message)
+    holds = context.holding.lines(example.place.path)
+    facts = tuple(_facts(example, link, message, holds))
+    return context.holding.made(
+        example.place.path, (example, found, print_of, facts), lambda: _section(example, found, print_of, facts)
+    )
+
+
+def _section(
+    example: Example, found: Explanation, print_of: Printed, facts: tuple[tuple[str, tuple[Line, ...]], ...]
+) -> Section:
     blocks: list[Paragraph | Facts | Strips | Table] = []
     blocks += [Paragraph(_erratum_line(erratum), "erratum") for erratum in print_of.errata]
     blocks += [Paragraph((styled("Note: ", "strong"), plain(note))) for note in example.notes]
     blocks.append(Strips(tuple(_strips(example, print_of, found))))
-    blocks.append(Facts(tuple(_facts(context, example))))
+    blocks.append(Facts(facts))
     rows = [_byte_row(row) for row in found.rows]
     blocks.append(table("What the bytes say", BYTES, rows, heading=3))
     if found.registers:
@@ -134,11 +147,11 @@ def _characters(text: str) -> str:
     return text.replace("\r", "\\r").replace("\n", "\\n")
 
 
-def _facts(context: Context, example: Example) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    link = context.device.links[example.link]
+def _facts(
+    example: Example, link: Link, message: Message | None, holds: tuple[Line, ...]
+) -> Iterator[tuple[str, tuple[Line, ...]]]:
     text = f"{example.direction} on " if not example.error else "refusal on "
     yield "Frame", ((plain(text), plain(link.title or link.name, f"#{link.place.path}")),)
-    message = context.device.messages.get(example.message)
     if message is not None:
         yield "Message", ((code(message.name, f"#{message.place.path}"),),)
     if example.refused:
@@ -148,8 +161,8 @@ def _facts(context: Context, example: Example) -> Iterator[tuple[str, tuple[Line
     if example.elided:
         names = joined((code(name),) for name in example.elided)
         yield "Printed as dots", ((*names, plain("; the values here are ours")),)
-    if versions := context.holding.lines(example.place.path):
-        yield "Versions", versions
+    if holds:
+        yield "Versions", holds
     if example.sources:
         yield "Source", (cited(example.sources),)
 

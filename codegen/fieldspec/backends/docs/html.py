@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
-from fieldspec.backends.docs.anchors import Anchors
+from fieldspec.backends.docs.anchors import Anchors, paths_of
 from fieldspec.backends.docs.document import (
     KEPT,
     BitRow,
@@ -22,6 +22,7 @@ from fieldspec.backends.docs.document import (
     Section,
     Strips,
     Table,
+    Written,
 )
 from fieldspec.backends.forms import filled, text
 
@@ -108,6 +109,7 @@ class _Page:
     def __init__(self, document: Document) -> None:
         self._anchors = Anchors(document.sections)
         self._writer = _writer(document.language)
+        self._form = f"html {document.language}"
 
     def entry(self, section: Section) -> str:
         """A section in the table of contents, with those within it."""
@@ -120,6 +122,17 @@ class _Page:
 
     def section(self, section: Section, level: int) -> str:
         """A section, and those within it, under a heading of a level."""
+        if section.written is None:
+            return self._section(section, level)
+        before = section.written.get(self._form)
+        if before is not None and self._anchors.have(before.paths):
+            return before.text
+        text, held = self._section(section, level), paths_of(section)
+        if self._anchors.have(held):
+            section.written[self._form] = Written(text, held)
+        return text
+
+    def _section(self, section: Section, level: int) -> str:
         blocks = "".join([text for block in section.blocks for text in self._block(block)])
         inner = "".join([self.section(one, level + 1) for one in section.sections])
         heading = f"<h{level}>{self._line(section.title)}</h{level}>"

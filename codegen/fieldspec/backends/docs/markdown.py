@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from fieldspec.backends.docs.anchors import Anchors, headings
+from fieldspec.backends.docs.anchors import Anchors, headings, paths_of
 from fieldspec.backends.docs.document import (
     KEPT,
     Bits,
@@ -20,6 +20,7 @@ from fieldspec.backends.docs.document import (
     Section,
     Strips,
     Table,
+    Written,
     paths,
 )
 from fieldspec.backends.forms import filled
@@ -54,9 +55,7 @@ def _contents(sections: tuple[Section, ...], indent: str) -> Iterator[str]:
 def _sections(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterator[str]:
     """All sections in order, those within a section behind it."""
     for section in sections:
-        yield f'\n<a id="{section.anchor}"></a>\n\n{hashes} {line(section.title)}\n'
-        for block in section.blocks:
-            yield "\n".join(["", *page.block(block), ""])
+        yield page.section(section, hashes)
         yield from _sections(section.sections, hashes + "#", page)
 
 
@@ -133,8 +132,23 @@ class _Page:
         self._anchors = Anchors(document.sections)
         self._headings = frozenset(headings(document.sections))
 
-    def block(self, block: Block) -> Iterator[str]:
-        """A block, line by line."""
+    def section(self, section: Section, hashes: str) -> str:
+        """A section without those within it."""
+        if section.written is None:
+            return self._section(section, hashes)
+        before = section.written.get("markdown")
+        if before is not None and self._anchors.have(before.paths) and before.paths - self._headings == before.lost:
+            return before.text
+        text, held = self._section(section, hashes), paths_of(section)
+        if self._anchors.have(held):
+            section.written["markdown"] = Written(text, held, held - self._headings)
+        return text
+
+    def _section(self, section: Section, hashes: str) -> str:
+        heading = f'\n<a id="{section.anchor}"></a>\n\n{hashes} {line(section.title)}\n'
+        return "".join([heading, *("\n".join(["", *self._block(block), ""]) for block in section.blocks)])
+
+    def _block(self, block: Block) -> Iterator[str]:
         if isinstance(block, Table):
             yield from self._table(block)
         elif isinstance(block, Paragraph):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.backends.docs.context import Context
-from fieldspec.backends.docs.document import Document, Line, clean, code, plain
+from fieldspec.backends.docs.document import Document, Line, Section, clean, code, plain
 from fieldspec.backends.docs.enums import codes, enums
 from fieldspec.backends.docs.errata import errata
 from fieldspec.backends.docs.examples import examples
@@ -21,6 +21,7 @@ from fieldspec.backends.docs.signals import conversions, signals
 from fieldspec.backends.docs.tables import records, tables
 from fieldspec.backends.docs.telegrams import telegrams
 from fieldspec.backends.docs.words import words
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 
 SECTIONS = (
@@ -51,7 +52,7 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
     context = Context(layout, holding)
     device = layout.device
     made = [section(context) for section in SECTIONS]
-    sections = tuple(section for section in made if section.blocks or section.sections)
+    sections = tuple(_shared(section, holding) for section in made if section.blocks or section.sections)
     title = f"{device.name}, {version_title(device)}" if device.lines else device.name
     return Document(
         clean(title),
@@ -61,6 +62,11 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
         tuple(_summary(layout)),
         sections,
     )
+
+
+def _shared(section: Section, holding: Holding) -> Section:
+    """A section in which those stand that the version before has too."""
+    return replace(section, sections=tuple(map(holding.same, section.sections)))
 
 
 def _summary(layout: DeviceLayout) -> Iterator[Line]:
