@@ -1,0 +1,40 @@
+"""What the pages of several versions share is what each page would have alone."""
+
+from __future__ import annotations
+
+import pytest
+
+from fieldspec.backends.docs import html, markdown
+from fieldspec.backends.docs.document import Document, Section, code, plain
+from fieldspec.backends.docs.holding import Holding
+from fieldspec.backends.docs.page import page
+from fieldspec.layout.device import DeviceLayout
+from laid_out import MADE_UP, SPECS, layouts
+
+SEVERAL = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values() if len(versions) > 1]
+
+
+def forms(document: Document) -> tuple[str, str]:
+    return html.page(document), markdown.page(document)
+
+
+@pytest.mark.parametrize("versions", SEVERAL, ids=[versions[0].device.id for versions in SEVERAL])
+def test_pages_that_are_made_together_are_those_that_are_made_alone(versions: list[DeviceLayout]) -> None:
+    holding = Holding(versions)
+    together = [forms(made) for made in [page(layout, holding) for layout in versions]]
+    assert together == [forms(page(layout, Holding(versions))) for layout in versions]
+
+
+@pytest.mark.parametrize(
+    ("anchors", "wanted"), [(["parts/one/bit"], "#parts/one/bit"), (["parts/one"], "#parts/one"), ([], "")]
+)
+def test_a_shared_section_leads_to_what_each_page_has(anchors: list[str], wanted: str) -> None:
+    shared = Section("user", (code("a link", "#parts/one/bit"),), written={})
+    parent = Section("all", (plain("All"),), (), (shared,))
+    there = Section("parts/one/bit", (plain("A bit"),))
+    first = html.page(Document("A", "", "0", "", (), (parent, there)))
+    assert '<h3><a href="#parts/one/bit"><code>a link</code></a></h3>' in first
+    others = (Section(anchor, (plain("Other"),)) for anchor in anchors)
+    text = html.page(Document("A", "", "0", "", (), (parent, *others)))
+    link = f'<a href="{wanted}"><code>a link</code></a>' if wanted else "<code>a link</code>"
+    assert f"<h3>{link}</h3>" in text
