@@ -24,6 +24,8 @@ from fieldspec.reserved import TARGETS
 
 _Named = tuple[str, Place]
 
+_RESERVED = frozenset(word for target in TARGETS.values() for word in target.words)
+
 
 def names_unique(device: Device) -> Iterator[Diagnostic]:
     for what, named in _spaces(device):
@@ -102,8 +104,11 @@ def _cases(name: str) -> frozenset[str]:
     """What becomes of a name in targets; those that do not tell upper from lower case get it in lower case."""
     words = Name.of(name)
     snake, pascal = words.snake(), words.pascal()
+    folded = pascal.lower()
+    if folded not in _RESERVED and snake not in _RESERVED:
+        return frozenset((snake, pascal, folded))
     spelled = (target.spelled(pascal).lower() if target.folds else target.spelled(snake) for target in TARGETS.values())
-    return frozenset((snake, pascal, pascal.lower(), *spelled))
+    return frozenset((snake, pascal, folded, *spelled))
 
 
 def _paths(device: Device) -> Iterator[Diagnostic]:

@@ -48,7 +48,8 @@ def _of_list(rows: Iterable[_Placed]) -> Iterator[Diagnostic]:
     for key in ("printed_name", "label"):
         series: dict[tuple[str, str, int], list[tuple[int, _Placed]]] = {}
         for row in listed:
-            match = _NUMBERED.fullmatch(getattr(row[0], key))
+            text = getattr(row[0], key)
+            match = _NUMBERED.fullmatch(text) if text else None
             if match:
                 series.setdefault((match[1], match[3], row[3]), []).append((int(match[2]), row))
         for numbered in series.values():

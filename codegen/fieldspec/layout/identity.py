@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping
+from itertools import chain
 
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.message import MessageLayout
@@ -24,17 +25,17 @@ def identity(
 ) -> str:
     """Sixteen hexadecimal digits that are the same for two layouts if and only if what is on the wire is."""
     digest = hashlib.sha256()
-    for words in (
-        *_links(links),
-        *(line for record in records.values() for line in _record(record)),
-        *_messages(messages),
-        *_registers(registers),
-        *_tables(device),
-        *_parameters(device),
-        *_conversions(device),
-        *_words(device),
+    for words in chain(
+        _links(links),
+        *map(_record, records.values()),
+        _messages(messages),
+        _registers(registers),
+        _tables(device),
+        _parameters(device),
+        _conversions(device),
+        _words(device),
     ):
-        digest.update("\x1f".join(str(word) for word in words).encode() + b"\n")
+        digest.update(("\x1f".join(map(str, words)) + "\n").encode())
     return digest.hexdigest()[:16]
 
 
