@@ -82,10 +82,22 @@ def explained_example(layout: DeviceLayout, example: Example) -> Explanation:
     found = layout.explanations.get(example.id)
     if found is None:
         asked = layout.device.examples.get(example.reply_to)
-        request = asked.frame if asked else b""
-        found = explained(layout, example.link, example.direction, example.frame, example.message, request)
+        if asked is not None and _alone(asked) == (example.link, "request", example.message, ""):
+            request = explained_example(layout, asked)
+            found = _Frame(layout, *_shape(example), request if example.direction == "response" else None).explanation()
+        else:
+            found = explained(layout, *_shape(example), asked.frame if asked is not None else b"")
         layout.explanations[example.id] = found
     return found
+
+
+def _shape(example: Example) -> tuple[str, str, bytes, str]:
+    return example.link, example.direction, example.frame, example.message
+
+
+def _alone(example: Example) -> tuple[str, str, str, str]:
+    """What the explanation of an example depends on beside its frame."""
+    return example.link, example.direction, example.message, example.reply_to
 
 
 def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:

@@ -103,9 +103,12 @@ def errata_at(device: Device, path: str) -> tuple[str, ...]:
 def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
     """The errata of a message but for those of its fields."""
     path = message.place.path
+    found = errata_at(device, path)
+    if not found:
+        return ()
     fields = (f"{path}/request/", f"{path}/response/")
     of_fields = {erratum.id for erratum in device.errata if erratum.fact.startswith(fields)}
-    return tuple(found for found in errata_at(device, path) if found not in of_fields)
+    return tuple(one for one in found if one not in of_fields)
 
 
 def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
