@@ -11,7 +11,8 @@ from fieldspec.model.register import RegisterGroup
 from fieldspec.reading.building import links, records, registers, signals, texts, words
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.keeping import Kept, listed
-from fieldspec.reading.nodes import Mapping, Scalar, Sequence
+from fieldspec.reading.nodes import Mapping, Scalar, mappings
+from fieldspec.source import Span
 
 Noun = TypeVar("Noun")
 
@@ -65,37 +66,40 @@ def _by_name(
     root: Entry, section: str, build: Callable[[Entry], Noun], kept: Kept, name: str = "name"
 ) -> dict[str, Noun]:
     """The nouns of a section by name; a name that is taken is a finding. What is the same node is the same noun."""
-    whole = root.own.get(section)
-    wholes, same = kept.setdefault((section, "whole"), {}), kept.setdefault(section, {})
-    known = wholes.get(id(whole))
-    if known is not None:
-        return cast("dict[str, Noun]", known[1])
+    held = root.own.get(section)
+    sections, same = kept.setdefault((section, "whole"), {}), kept.setdefault(section, {})
+    if id(held) in sections:
+        return cast("dict[str, Noun]", sections[id(held)][1])
     nouns: dict[str, Noun] = {}
     first: dict[str, Mapping] = {}
-    quiet = len(root.found)
-    for number, item in enumerate(whole.items if isinstance(whole, Sequence) else ()):
-        if not isinstance(item, Mapping):
-            continue
-        held = item.values.get(name)
-        key = held.value if isinstance(held, Scalar) and isinstance(held.value, str) else ""
-        before = same.get(id(item))
-        if before is not None and key not in nouns:
-            first[key], nouns[key] = item, cast("Noun", before[1])
-            continue
-        entry = Entry(item, f"{section}/{held.text if isinstance(held, Scalar) else number}", root.found)
+    before = len(root.found)
+    for item in mappings(held):
+        key = _text(item, name)
+        known = same.get(id(item))
         if key in nouns:
-            label = Label(Entry(first[key], "", []).span(name), "the first one")
+            label = Label(_span(first[key], name), "the first one")
             text = f"`{section}` has two entries named `{key}`"
-            entry.refuse("duplicate_name", name, text, "give one of them another name", label)
-            continue
-        first[key] = item
-        before_it = len(root.found)
-        nouns[key] = build(entry)
-        if len(root.found) == before_it:  # a finding is for every version
-            same[id(item)] = item, nouns[key]
-    if len(root.found) == quiet:
-        wholes[id(whole)] = whole, nouns
+            help = "give one of them another name"
+            root.found.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
+        elif known is not None:
+            first[key], nouns[key] = item, cast("Noun", known[1])
+        else:
+            quiet = len(root.found)
+            first[key], nouns[key] = item, build(Entry(item, f"{section}/{key}", root.found))
+            if len(root.found) == quiet:  # a finding is for every version
+                same[id(item)] = item, nouns[key]
+    if len(root.found) == before:
+        sections[id(held)] = held, nouns
     return nouns
+
+
+def _text(item: Mapping, key: str) -> str:
+    held = item.values.get(key)
+    return held.text if isinstance(held, Scalar) else ""
+
+
+def _span(item: Mapping, name: str) -> Span:
+    return Entry(item, "", []).span(name)
 
 
 def _groups(root: Entry, kept: Kept) -> tuple[RegisterGroup, ...]:
