@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t", "?": "\\?"}
 _ESCAPED = re.compile(r'[^ -~]|[\\"?]')
 _MARKS = re.compile(r"[*/?<\\@]")
 _TAG = re.compile(r"<(?=[A-Za-z/!])")
 _WIDTH = 108
+_KEPT = 1 << 14
+"""How many texts are remembered as they were written: versions share most of theirs."""
 _LONGEST = 120
 
 # What may be folded, and the pieces of it, which end behind a comma or an operator, the weaker one if there are two.
@@ -17,6 +20,7 @@ _FOLDED = re.compile(r"\s*(static inline|if \(|\} else if \()")
 _PIECES = re.compile(r".+?(?: \|\| |$)"), re.compile(r".+?(?:, | && |$)")
 
 
+@lru_cache(maxsize=_KEPT)
 def string(text: str) -> str:
     """A string literal in UTF-8. Octal escapes have three digits, so that no digit behind them joins in."""
     return f'"{_ESCAPED.sub(_escape, text)}"'
@@ -47,7 +51,8 @@ def plain(text: str) -> str:
     return " ".join(text.split())
 
 
-def wrapped(text: str) -> list[str]:
+@lru_cache(maxsize=_KEPT)
+def wrapped(text: str) -> tuple[str, ...]:
     """A text in lines of a comment."""
     text = plain(text)
     lines = []
@@ -58,7 +63,7 @@ def wrapped(text: str) -> list[str]:
             break
         lines.append(text[:end])
         text = text[end + 1 :]
-    return [*lines, text]
+    return (*lines, text)
 
 
 def integer(value: int, size: int = 4, signed: bool = True) -> str:
