@@ -40,6 +40,7 @@ _SIGNS = str.maketrans(
     }
 )
 _CIRCLED = {ord("①") + at: f"({at + 1}) " for at in range(20)}
+_SPELLED = _SIGNS | _CIRCLED
 _CELL_TAG = re.compile(r"</?(?:td|th)\b[^<>]{0,100}>", re.IGNORECASE)
 _TAG = re.compile(r"</?[a-zA-Z]+\b[^<>]{0,100}>")
 _FOOTNOTE = re.compile(r"(?<![A-Za-z0-9])\^?\{? ?\*[0-9]{1,2}(?![0-9.,%])\}?")
@@ -63,8 +64,9 @@ def reduced(line: str) -> str:
     text = _CELL_TAG.sub("|", line[:LONGEST])
     text = _TAG.sub(" ", text)
     text = _FOOTNOTE.sub("", text)
-    text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
-    text = unicodedata.normalize("NFKC", text.translate(_SIGNS | _CIRCLED)).translate(_SIGNS)
+    if not text.isascii():
+        text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
+        text = unicodedata.normalize("NFKC", text.translate(_SPELLED)).translate(_SIGNS)
     text = _COMMAND.sub(" ", text).replace("$", "").replace("\t", "|")
     if _RULE.fullmatch(text):
         return ""
