@@ -220,7 +220,7 @@ class _Builder:
                 items.append(self._node(inner, depth + 1))
         return Sequence(self.file, _bounds(event)[0], _bounds(inner)[1], tuple(items))
 
-    def _mapping(self, event: Event, depth: int) -> Mapping:
+    def _mapping(self, event: Any, depth: int) -> Mapping:
         # Nearly all of a file is mappings of plain scalars, which are built here without a call for each: half the
         # time. All else, and what is refused, is left to `_node`.
         file, get, new, intern = self.file, self.get, object.__new__, sys.intern
@@ -258,7 +258,7 @@ class _Builder:
             else:
                 first[name], values[name] = key, value
         self.total = total
-        return Mapping(file, _bounds(event)[0], key.end_mark.index, values, ALL_THERE)
+        return Mapping(file, event.start_mark.index, key.end_mark.index, values, ALL_THERE)
 
     def _misplaced(self, name: str | None, key: Event | Node, first: dict[str, Any]) -> None:
         """Finds a key that is no word, or that stands in its mapping already."""
