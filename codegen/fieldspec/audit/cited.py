@@ -53,8 +53,14 @@ def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Seq
     """What cites each line of the manual, in any version; `facts` are the rows of each layout."""
     by_line: dict[int, OnLine] = defaultdict(OnLine)
     known: set[object] = set()
+    shared: set[int] = set()
     for layout, held in zip(layouts, facts, strict=True):
-        for row in _completed([row for row in held if row["kind"] not in _OUR_WORDS]):
+        printed = [row for row in held if row["kind"] not in _OUR_WORDS]
+        for own, row in zip(printed, _completed(printed), strict=True):
+            if row is own:
+                if id(row) in shared:
+                    continue
+                shared.add(id(row))
             key = _cells(row), row["printed"] is None
             if key not in known:
                 known.add(key)

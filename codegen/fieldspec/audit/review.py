@@ -139,8 +139,10 @@ def states(facts: Iterable[Iterable[Row]]) -> dict[str, State]:
     """The state of every section that some versions of a device cite, by the rows of each."""
     held: dict[str, dict[str, dict[str, None]]] = {}
     digests: dict[str, str] = {}
+    seen: dict[int, Row] = {}
     for row in chain.from_iterable(facts):
-        if row["section"] is not None:
+        if row["section"] is not None and id(row) not in seen:
+            seen[id(row)] = row
             said = _said(row)
             digest = digests.get(said) or digests.setdefault(said, _digest(said))
             held.setdefault(str(row["section"]), {}).setdefault(digest, {})[str(row["path"])] = None

@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     """
     from fieldspec.audit.report import printed_report, report
     from fieldspec.audit.subject import Subject
-    from fieldspec.facts import rows
+    from fieldspec.facts import of_versions
     from fieldspec.proofs.running import errata_proofs
 
     _must_go_together(arguments)
@@ -69,7 +69,7 @@ def run(arguments: argparse.Namespace) -> int:
     index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)
     proofs = errata_proofs(spec)
     held = tuple(layouts.values())
-    subject = Subject(spec, layout, held, [*map(rows, held)], proofs, index, manual)
+    subject = Subject(spec, layout, held, of_versions(held), proofs, index, manual)
     if arguments.as_printed:
         made, found = printed_report(subject)
     else:

@@ -12,7 +12,7 @@ from fieldspec.audit.sourcing import section_order
 from fieldspec.commands import specs
 from fieldspec.commands.lists import write
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.facts import rows
+from fieldspec.facts import of_versions
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reading.project import DeviceSpec, read
 
@@ -31,7 +31,7 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     if day > today:
         raise UsageError(f"--on {day} is still to come, as today is {today}; give the day of the comparison")
     held = list(layouts)
-    signed = _picked(states(map(rows, held)), arguments.sign)
+    signed = _picked(states(of_versions(held)), arguments.sign)
     manual = held[-1].device.manual
     entry = written(spec, signed, arguments.by.strip(), day, manual.sha256, manual.edition, arguments.how or "")
     folder = specs.folder(arguments.specs)

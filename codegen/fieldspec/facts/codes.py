@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from fieldspec.facts.row import Cell, Row, of_fact, of_ranges, row
+from fieldspec.facts.row import Cell, Kept, Row, of_fact, of_ranges, row
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.flags import Flags
 
 
-def codes(device: Device) -> Iterator[Row]:
+def codes(device: Device, kept: Kept) -> Iterator[Row]:
     """The rows of enums and of words of flags."""
     for enum in device.enums.values():
-        yield from _enum(enum)
+        yield from kept.rows(enum, partial(_enum, enum))
     for word in device.flags.values():
-        yield from _flags(word)
+        yield from kept.rows(word, partial(_flags, word))
 
 
 def _enum(enum: Enum) -> Iterator[Row]:

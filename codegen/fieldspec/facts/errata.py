@@ -11,23 +11,22 @@ def with_errata(device: Device, found: list[Row]) -> list[Row]:
 
     A fact of which there is no row, because it does not hold for this version, gets one of the kind `fact`.
     """
-    by_path: dict[str, Row] = {}
-    for listed in found:
-        by_path.setdefault(str(listed["path"]), listed)
-    added: list[Row] = []
+    by_path: dict[str, int] = {}
+    for number, listed in enumerate(found):
+        by_path.setdefault(str(listed["path"]), number)
     for erratum in device.errata:
         path = erratum.fact
         while path and path not in by_path:
             path = path.rpartition("/")[0]
-        held = by_path.get(path)
-        if held is None:
-            held = row("fact", erratum.fact, erratum.sources, name=erratum.fact.rpartition("/")[2])
-            by_path[erratum.fact] = held
-            added.append(held)
-        ids = held["errata"]
+        if path not in by_path:
+            path = erratum.fact
+            by_path[path] = len(found)
+            found.append(row("fact", path, erratum.sources, name=path.rpartition("/")[2]))
+        held = found[by_path[path]]
+        ids, before = held["errata"], held["printed"]
         assert isinstance(ids, list)
-        ids.append(erratum.id)
+        added: Row = {"errata": [*ids, erratum.id]}
         if erratum.printed:
-            before = held["printed"]
-            held["printed"] = {**(before if isinstance(before, dict) else {}), **erratum.printed}
-    return [*found, *added]
+            added["printed"] = {**(before if isinstance(before, dict) else {}), **erratum.printed}
+        found[by_path[path]] = {**held, **added}  # others may share the row
+    return found

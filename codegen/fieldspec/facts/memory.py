@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from fieldspec.facts.row import Row, of_fact, of_flag, of_ranges, of_value, row
+from fieldspec.facts.row import Kept, Row, of_fact, of_flag, of_ranges, of_value, row
 from fieldspec.facts.wire import fields
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
@@ -12,25 +13,28 @@ from fieldspec.model.parameter import Parameter, ParameterSet
 from fieldspec.model.register import Register, RegisterGroup
 
 
-def memory(layout: DeviceLayout) -> Iterator[Row]:
+def memory(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
     """The rows of groups of registers, of tables and of sets of parameters."""
     for group in layout.device.groups:
-        yield from _group(group)
+        yield from _group(group, kept)
     yield from _tables(layout)
-    yield from _parameters(layout.device)
+    yield from _parameters(layout.device, kept)
 
 
-def _group(group: RegisterGroup) -> Iterator[Row]:
+def _group(group: RegisterGroup, kept: Kept) -> Iterator[Row]:
     yield from of_fact("register_group", group)
     for number, gap in enumerate(group.gaps):
         low, high = gap.addresses.low, gap.addresses.high
         path = f"{group.place.path}/gaps/{number}"
         yield row("gap", path, group.sources, name=group.name, address=low, words=high - low + 1)
     for register in group.registers:
-        if register.count == 1:
-            yield from of_fact("register", register, register.value, **_cells(register))
-        else:
-            yield from _series(register)
+        yield from kept.rows(register, partial(_register, register))
+
+
+def _register(register: Register) -> Iterator[Row]:
+    if register.count > 1:
+        return _series(register)
+    return of_fact("register", register, register.value, **_cells(register))
 
 
 def _cells(register: Register) -> Row:
@@ -83,11 +87,11 @@ def _elements(laid: TableLayout) -> Iterator[Row]:
         yield row("table_element", element.place.path, element.sources, **cells)
 
 
-def _parameters(device: Device) -> Iterator[Row]:
+def _parameters(device: Device, kept: Kept) -> Iterator[Row]:
     for held in device.parameters.values():
         yield from of_fact("parameter_set", held, None, number=held.base, **of_ranges(held.numbers))
         for parameter in held.parameters:
-            yield from _parameter(held, parameter)
+            yield from kept.rows(parameter, partial(_parameter, held, parameter), held.base)
 
 
 def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[Row]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from typing import TypeAlias
 
@@ -73,6 +73,20 @@ _CLAIMED = {
     "span": "position",
     "word_span": "position",
 }
+
+
+class Kept:
+    """The rows that are made of nouns of the model, which versions share as long as these are the same objects."""
+
+    def __init__(self) -> None:
+        self._rows: dict[tuple[int, int], list[Row]] = {}
+
+    def rows(self, noun: object, make: Callable[[], Iterable[Row]], base: int = 0) -> list[Row]:
+        """The rows of a noun, and of a number on which they depend too."""
+        key = id(noun), base
+        if key not in self._rows:
+            self._rows[key] = list(make())
+        return self._rows[key]
 
 
 def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row:

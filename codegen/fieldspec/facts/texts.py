@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from fieldspec.facts.row import Row, of_fact, row
+from fieldspec.facts.row import Kept, Row, of_fact, row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.lookup import Lookup
 
 
-def texts(layout: DeviceLayout) -> Iterator[Row]:
+def texts(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
     """The rows of look-up tables, limits, notes, examples and versions."""
     device = layout.device
     for lookup in device.lookups:
-        yield from _lookup(lookup)
+        yield from kept.rows(lookup, partial(_lookup, lookup))
     yield from _limits(device)
     for note in device.notes:
         yield row("note", note.place.path, note.sources, name=note.name, label=note.title)

@@ -10,7 +10,7 @@ from fieldspec.audit.report import report
 from fieldspec.audit.subject import Subject
 from fieldspec.backends.docs.backend import index
 from fieldspec.backends.docs.changes import page_name
-from fieldspec.facts import rows
+from fieldspec.facts import of_versions
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.proofs.running import Outcome, errata_proofs
 from fieldspec.reading.project import DeviceSpec
@@ -37,7 +37,7 @@ def pages(
     """
     newest = layouts[-1]
     proofs = known.proofs if known is not None else errata_proofs(spec)
-    subject = Subject(spec, newest, layouts, [*map(rows, layouts)], proofs, recorded, known=known)
+    subject = Subject(spec, newest, layouts, of_versions(layouts), proofs, recorded, known=known)
     page = rendered(report(subject), newest.device, _documented(newest, documentation))
     texts = {f"{spec.id}/{NAME}": page, **index(layouts, [("audit", NAME)])}
     return {f"docs/{path}": text.encode("utf-8") for path, text in texts.items()}
