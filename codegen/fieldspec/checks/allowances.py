@@ -19,18 +19,24 @@ class Allowance:
     fact: Fact
     check: str
 
-    def covers(self, finding: Diagnostic) -> bool:
-        """Whether a finding of the check has its place, or a label, at the fact."""
-        spans = [finding.span, *(label.span for label in finding.labels)]
-        own = [self.fact.place.whole, *self.fact.place.spans.values()]
-        return any(_within(span, outer) for span in spans for outer in own)
+    def spans(self) -> list[Span]:
+        """Where the fact stands, and the values of its keys, some of which may come from elsewhere."""
+        return [self.fact.place.whole, *self.fact.place.spans.values()]
 
 
-def allowances(device: Device) -> Iterator[Allowance]:
-    """All allowances of a device."""
+def covered(finding: Diagnostic, allowed: list[Span]) -> bool:
+    """Whether a finding has its place, or a label, within one of some spans."""
+    spans = [finding.span, *(label.span for label in finding.labels)]
+    return any(_within(span, outer) for span in spans for outer in allowed)
+
+
+def allowances(device: Device, check: str = "") -> Iterator[Allowance]:
+    """All allowances of a device, or those for one check."""
     for fact in facts(device):
-        for check in fact.allowed:
-            yield Allowance(fact, check)
+        if fact.allowed:
+            for allowed in fact.allowed:
+                if not check or allowed == check:
+                    yield Allowance(fact, allowed)
 
 
 def _within(span: Span, outer: Span) -> bool:

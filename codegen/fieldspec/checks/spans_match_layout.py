@@ -37,9 +37,10 @@ def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
         begins = starts[layer.name] if device.records.get(layer.name) is layer else [0]
         for field, offset in sizes.offsets(layer):
             for place, key, printed in _printed(field):
-                fitting = [_spans(field, start + offset, sizes, _UNITS[key][1]) for start in begins]
+                fitting = (_spans(field, start + offset, sizes, _UNITS[key][1]) for start in begins)
                 if not any(printed in spans for spans in fitting):
-                    yield _finding(field, place, key, printed, fitting[0])
+                    first = _spans(field, begins[0] + offset, sizes, _UNITS[key][1])
+                    yield _finding(field, place, key, printed, first)
 
 
 def _starts(device: Device, sizes: Sizes) -> dict[str, list[int]]:

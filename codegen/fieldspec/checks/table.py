@@ -11,7 +11,7 @@ from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
 from fieldspec.checks.aliases_agree import aliases_agree
-from fieldspec.checks.allowances import Allowance, allowances
+from fieldspec.checks.allowances import Allowance, allowances, covered
 from fieldspec.checks.allowances_used import allowances_used
 from fieldspec.checks.bits_match_range import bits_match_range
 from fieldspec.checks.bits_unique import bits_unique
@@ -83,6 +83,7 @@ from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
+from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
     ("addresses_ascending", addresses_ascending),
@@ -167,8 +168,11 @@ _BY_NAME = dict(CHECKS)
 def run(device: Device) -> list[Diagnostic]:
     """The findings of all checks, in order."""
     given = list(allowances(device))
+    by_check: dict[str, list[Allowance]] = {}
+    for allowance in given:
+        by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
-    found = [finding for name, _ in CHECKS for finding in _kept(device, name, given, used)]
+    found = [finding for name, _ in CHECKS for finding in _kept(device, name, by_check.get(name, []), used)]
     return in_order([*found, *allowances_used(given, used, _BY_NAME)])
 
 
@@ -176,15 +180,16 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     """The findings of one check, in order."""
     if name == "allowances_used":
         return [finding for finding in run(device) if finding.code == name]
-    return in_order(_kept(device, name, list(allowances(device)), set()))
+    return in_order(_kept(device, name, list(allowances(device, name)), set()))
 
 
 def _kept(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
-    """The findings of a check that nothing allows; allowances that are met are added to `used`."""
-    own = [allowance for allowance in given if allowance.check == name]
+    """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
+    own: list[tuple[Allowance, list[Span]]] = []
     kept = 0
     for finding in _BY_NAME[name](device):
-        covering = [allowance for allowance in own if allowance.covers(finding)]
+        own = own or [(allowance, allowance.spans()) for allowance in given]
+        covering = [allowance for allowance, spans in own if covered(finding, spans)]
         used.update(covering)
         if covering:
             continue
