@@ -11,9 +11,9 @@ START = (
     "and the templates. The peer has a tenth of that to import."
 )
 READS = (
-    "The spec is read, validated and laid out at each call, and the modules for that are imported. A cache of compiled "
-    "devices would have to be compared with the specs and the compiler by their hashes, and the hash of the compiler "
-    "alone takes more than half of the goal."
+    "The device is compiled already; of its ten thousand objects, three hundred are made. Half of what is left is the "
+    "import of sixty small modules, which say what a device is made of and how a frame is explained, and a fifth is that "
+    "of argparse; to see that specs and compiler are the same takes 3 ms."
 )
 WATCH = "All outputs of all versions of a device are made again, however little of it has changed."
 ALL = (
