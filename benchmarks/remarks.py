@@ -12,7 +12,7 @@ START = (
 )
 READS = (
     "The device is compiled already; of its ten thousand objects, three hundred are made. Half of what is left is the "
-    "import of sixty small modules, which say what a device is made of and how a frame is explained, and a fifth is that "
+    "import of sixty small modules, which say what a device is made of and how a frame is explained, and a fifth that "
     "of argparse; to see that specs and compiler are the same takes 3 ms."
 )
 WATCH = "All outputs of all versions of a device are made again, however little of it has changed."
