@@ -128,14 +128,14 @@ class _Thawing:
         final = self.cls(number)
         names = attributes(final)
 
+        puts = [getattr(final, name).__set__ for name in names]  # past what forbids to set them
+
         def fill(held: Any) -> Any:
-            values = _read(self.lines[self.numbers[id(held)]])
-            for name, value in zip(names, values, strict=True):
-                put(held, name, self.value(value) if value.__class__ is list else value)
-            put(held, "__class__", final)
+            for put, value in zip(puts, _read(self.lines[self.numbers[id(held)]]), strict=True):
+                put(held, self.value(value) if value.__class__ is list else value)
+            object.__setattr__(held, "__class__", final)
             return held
 
-        put = object.__setattr__
         made = type(
             final.__name__,
             (final,),
