@@ -1,21 +1,27 @@
 """Fills forms: texts with a place for everything that is worked out, `${name}`.
 
-A form has no loops, so that nothing but the standard library is loaded for it, which takes a tenth of the time of
-templates. What is repeated is written before, and stands in one place.
+A form has no loops, so that no library is loaded for it. What is repeated is written before, and stands in one place,
+as one text or as many, so that a text of megabytes is put together once.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
-from string import Template
 
 _PACKAGE = Path(__file__).resolve().parent.parent
+_PLACE = re.compile(r"\$\{(\w+)\}")
 
 
-def filled(form: str, **texts: object) -> str:
+def filled(form: str, **texts: str | Iterable[str]) -> str:
     """The text of a form, given by its path in the package. Raises KeyError for a place that nothing is given for."""
-    return Template(text(form)).substitute(texts)
+    pieces: list[str] = []
+    for number, piece in enumerate(_PLACE.split(text(form))):
+        held = texts[piece] if number % 2 else piece
+        pieces += [held] if isinstance(held, str) else held
+    return "".join(pieces)
 
 
 @cache

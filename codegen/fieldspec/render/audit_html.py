@@ -35,11 +35,11 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
         title=_shown(f"Audit of {report.title}"),
         identity=_shown(report.identity),
         style=text("backends/docs/page.css") + text("render/audit.css"),
-        contents="".join(map(_entry, report.sections)),
+        contents=map(_entry, report.sections),
         head=_head(report, device, [one for _, one in found]),
-        glance="".join(map(_glance, report.sections)),
-        findings="".join(['<ol class="findings">\n', *findings, "</ol>\n"]) if findings else "<p>There is none.</p>\n",
-        parts="".join([_part(section, links) for section in report.sections]),
+        glance=map(_glance, report.sections),
+        findings=['<ol class="findings">\n', *findings, "</ol>\n"] if findings else "<p>There is none.</p>\n",
+        parts=[held for section in report.sections for held in _part(section, links)],
     )
 
 
@@ -130,28 +130,22 @@ def _figure(figure: Figure) -> str:
     return f'<li class="{kind}">{mark}<span>{whole}{_shown(figure.what)}{standing}</span></li>\n'
 
 
-def _part(section: Section, links: Mapping[str, str]) -> str:
+def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
     """A section: its texts, its figures, its drawings, and its tables, the folded ones behind the others."""
-    return "".join(
-        [
-            f'<section id="{section.name}">\n<h2>{_shown(section.title)}</h2>\n',
-            *(f"<p>{_shown(said)}</p>\n" for said in section.says),
-            f"{_figures(section)}\n" if section.figures else "",
-            *_drawn(section),
-            *(f"{table_html(section.name, table, links)}\n" for table in _tables(section, False)),
-            *(_folded(section, table, links) for table in _tables(section, True)),
-            "</section>\n",
-        ]
-    )
-
-
-def _folded(section: Section, table: SectionTable, links: Mapping[str, str]) -> str:
-    many = len(table.rows)
-    return (
-        f'<details id="{_anchor(section, table)}-folded"{" open" if many <= OPEN else ""}>\n'
-        f"<summary>{_shown(table.title)} ({_many(many, 'row')})</summary>\n"
-        f"{table_html(section.name, table, links)}\n</details>\n"
-    )
+    yield f'<section id="{section.name}">\n<h2>{_shown(section.title)}</h2>\n'
+    yield from (f"<p>{_shown(said)}</p>\n" for said in section.says)
+    yield f"{_figures(section)}\n" if section.figures else ""
+    yield from _drawn(section)
+    for table in _tables(section, False):
+        yield from table_html(section.name, table, links)
+        yield "\n"
+    for table in _tables(section, True):
+        many = len(table.rows)
+        yield f'<details id="{_anchor(section, table)}-folded"{" open" if many <= OPEN else ""}>\n'
+        yield f"<summary>{_shown(table.title)} ({_many(many, 'row')})</summary>\n"
+        yield from table_html(section.name, table, links)
+        yield "\n</details>\n"
+    yield "</section>\n"
 
 
 def _drawn(section: Section) -> Iterator[str]:
@@ -167,28 +161,23 @@ def _drawn(section: Section) -> Iterator[str]:
         yield "".join(['<ul class="legend" aria-label="Legend">\n', *legend, "</ul>\n"])
     for held in maps(spaces):
         yield f"<h3>{escaped(held.title)}</h3>\n"
-        yield from map(_drawing, held.drawings)
+        for drawing in held.drawings:
+            yield from _drawing(drawing)
 
 
-def _drawing(drawing: Drawing) -> str:
+def _drawing(drawing: Drawing) -> Iterator[str]:
     anchor, caption = escaped(drawing.anchor), escaped(drawing.caption)
-    marks = [
-        f'<text class="address" x="{mark.x}" y="{mark.y}" text-anchor="{mark.anchor}">{escaped(mark.text)}</text>\n'
-        for mark in drawing.marks
-    ]
-    return "".join(
-        [
-            f'<figure id="{anchor}">\n<figcaption>{caption}</figcaption>\n',
-            f'<div tabindex="0" role="region" aria-label="{caption}">\n',
-            f'<svg role="img" viewBox="0 0 {drawing.width} {drawing.height}"',
-            f' aria-labelledby="{anchor}-title {anchor}-text">\n',
-            f'<title id="{anchor}-title">{escaped(drawing.title)}</title>\n',
-            f'<desc id="{anchor}-text">{escaped(drawing.description)}</desc>\n',
-            *marks,
-            *map(_box, drawing.boxes),
-            "</svg>\n</div>\n</figure>\n\n",
-        ]
-    )
+    yield f'<figure id="{anchor}">\n<figcaption>{caption}</figcaption>\n'
+    yield f'<div tabindex="0" role="region" aria-label="{caption}">\n'
+    yield f'<svg role="img" viewBox="0 0 {drawing.width} {drawing.height}"'
+    yield f' aria-labelledby="{anchor}-title {anchor}-text">\n'
+    yield f'<title id="{anchor}-title">{escaped(drawing.title)}</title>\n'
+    yield f'<desc id="{anchor}-text">{escaped(drawing.description)}</desc>\n'
+    for mark in drawing.marks:
+        place = f'x="{mark.x}" y="{mark.y}" text-anchor="{mark.anchor}"'
+        yield f'<text class="address" {place}>{escaped(mark.text)}</text>\n'
+    yield from map(_box, drawing.boxes)
+    yield "</svg>\n</div>\n</figure>\n\n"
 
 
 def _box(box: Box) -> str:

@@ -22,8 +22,8 @@ much there is to share, and what the edges of a cell and bold letters take."""
 _LETTERS = re.compile(r"[A-Za-z]+")
 
 
-def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> str:
-    """A table; `links` leads from paths of facts to where they are documented."""
+def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> Iterator[str]:
+    """A table, piece by piece; `links` leads from paths of facts to where they are documented."""
     anchor, title = f"{section}-{table.name}", escaped(clean(table.title))
     marked = any(table.kinds)
     full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
@@ -33,17 +33,12 @@ def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> s
     headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, at)))}</th>' for at in full])
     standing = '<th scope="col"><span class="said">standing</span></th>' if marked else ""
     broad = ' class="broad"' if shares else ""
-    return "".join(
-        [
-            f'<div class="scroll" role="region" aria-labelledby="{anchor}-title" tabindex="0">\n',
-            f'<table id="{anchor}"{broad}>\n',
-            f'<caption id="{anchor}-title">{title}</caption>\n',
-            f"<colgroup>{widths}</colgroup>\n" if shares else "",
-            f"<thead><tr>{standing}{headings}</tr></thead>\n<tbody>\n",
-            *_rows(anchor, table, texts, marked, links),
-            "</tbody>\n</table>\n</div>\n",
-        ]
-    )
+    yield f'<div class="scroll" role="region" aria-labelledby="{anchor}-title" tabindex="0">\n'
+    yield f'<table id="{anchor}"{broad}>\n<caption id="{anchor}-title">{title}</caption>\n'
+    yield f"<colgroup>{widths}</colgroup>\n" if shares else ""
+    yield f"<thead><tr>{standing}{headings}</tr></thead>\n<tbody>\n"
+    yield from _rows(anchor, table, texts, marked, links)
+    yield "</tbody>\n</table>\n</div>\n"
 
 
 def _heading(table: SectionTable, at: int) -> str:

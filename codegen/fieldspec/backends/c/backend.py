@@ -84,12 +84,16 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         identity_macro=naming.own_macro("identity"),
         identity_text=string(layout.identity),
         switches=_switches(naming, algorithms, bool(coded(device)), bool(device.conversions)),
-        sections="".join([_section(name, blocks) for name, blocks in sections if blocks]) + _texts(naming, device),
+        sections=[
+            *(text for name, blocks in sections if blocks for text in _section(name, blocks)),
+            *_texts(naming, device),
+        ],
     )
 
 
-def _section(name: str, blocks: Sequence[list[str]]) -> str:
-    return "".join([f"\n/* ---- {name} ---- */\n", *(_block(folded(block)) for block in blocks)])
+def _section(name: str, blocks: Sequence[list[str]]) -> Iterator[str]:
+    yield f"\n/* ---- {name} ---- */\n"
+    yield from (_block(folded(block)) for block in blocks)
 
 
 def _block(lines: Sequence[str]) -> str:
@@ -97,17 +101,16 @@ def _block(lines: Sequence[str]) -> str:
     return "\n".join(["", *lines, ""])
 
 
-def _texts(naming: Naming, device: Device) -> str:
+def _texts(naming: Naming, device: Device) -> Iterator[str]:
     """The texts of codes, where there are some."""
     held = coded(device)
-    if not held:
-        return ""
-    return filled(
-        "backends/c/texts.h.in",
-        macro=naming.own_macro("with_texts"),
-        type=naming.own("code_text"),
-        texts="".join([_block(text_lines(naming, enum)) for enum in held]),
-    )
+    if held:
+        yield filled(
+            "backends/c/texts.h.in",
+            macro=naming.own_macro("with_texts"),
+            type=naming.own("code_text"),
+            texts=[_block(text_lines(naming, enum)) for enum in held],
+        )
 
 
 def _claim(naming: Naming, version: str, versions: Sequence[str]) -> None:

@@ -157,10 +157,10 @@ def target(layout: DeviceLayout, naming: Naming, header: str) -> str:
         source=header.replace(".h", "_fuzz.c"),
         title=plain(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
-        macros="".join([f"\n{_macro(naming, text)}\n" for name, text in _MACROS.items() if name in used]),
-        functions="".join(["\n".join(["", *lines, ""]) for lines in functions]),
-        choices="".join([f"    case {at}:\n        {choice}\n        break;\n" for at, choice in enumerate(choices)]),
-        number_of_choices=len(choices),
+        macros=[f"\n{_macro(naming, text)}\n" for name, text in _MACROS.items() if name in used],
+        functions=["\n".join(["", *lines, ""]) for lines in functions],
+        choices=[f"    case {at}:\n        {choice}\n        break;\n" for at, choice in enumerate(choices)],
+        number_of_choices=str(len(choices)),
     )
 
 

@@ -35,9 +35,9 @@ def selection(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         select=select,
         latest=naming.own_macro(_SELECT, _LATEST),
         newest=macros[device.version],
-        listed="".join([f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in taken]),
-        defined="".join([f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(taken, 1)]),
-        included="".join([f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in taken]),
+        listed=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in taken],
+        defined=[f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(taken, 1)],
+        included=[f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in taken],
         choices=", ".join(macros.values()),
     )
     return {header: text}

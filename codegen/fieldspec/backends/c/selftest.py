@@ -33,8 +33,8 @@ def program(layout: DeviceLayout, naming: Naming, header: str) -> str:
         identity=layout.identity,
         selftest=naming.own("selftest"),
         switches=switches,
-        tests="".join([_function(f"test_{at}", lines) for at, lines in enumerate(tests)]),
-        calls="".join([f"    test_{at}();\n" for at in range(len(tests))]),
+        tests=[_function(f"test_{at}", lines) for at, lines in enumerate(tests)],
+        calls=[f"    test_{at}();\n" for at in range(len(tests))],
     )
 
 

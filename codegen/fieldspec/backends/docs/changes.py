@@ -23,7 +23,6 @@ from fieldspec.backends.docs.document import (
     table,
 )
 from fieldspec.backends.docs.identity import version_title
-from fieldspec.changes import changes
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.judging import Compared, Judged, judged
 from fieldspec.classes import dataclass
@@ -77,6 +76,8 @@ def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
 
 
 def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
+    from fieldspec.changes import changes  # with all rules, for which a device of one version has no use
+
     compared = Compared(old.device, new.device, changes(old.device, new.device), step=True)
     return Step(old, new, tuple(judged(compared)))
 

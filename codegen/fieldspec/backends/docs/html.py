@@ -48,7 +48,7 @@ def page(document: Document) -> str:
         script=text("backends/docs/filter.js"),
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
         contents="".join(map(made.entry, document.sections)),
-        sections="".join([made.section(section, 2) for section in document.sections]),
+        sections=[held for section in document.sections for held in made.section(section, 2)],
     )
 
 
@@ -120,23 +120,29 @@ class _Page:
         within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
         return f'<li><a href="#{escaped(section.anchor)}">{self._line(section.title)}</a>\n{within}</li>\n'
 
-    def section(self, section: Section, level: int) -> str:
+    def section(self, section: Section, level: int) -> Iterator[str]:
         """A section, and those within it, under a heading of a level."""
         if section.written is None:
-            return self._section(section, level)
+            yield from self._section(section, level)
+            return
         before = section.written.get(self._form)
         if before is not None and self._anchors.have(before.paths):
-            return before.text
-        text, held = self._section(section, level), paths_of(section)
+            yield before.text
+            return
+        text, held = "".join(self._section(section, level)), paths_of(section)
         if self._anchors.have(held):
             section.written[self._form] = Written(text, held)
-        return text
+        yield text
 
-    def _section(self, section: Section, level: int) -> str:
-        blocks = "".join([text for block in section.blocks for text in self._block(block)])
-        inner = "".join([self.section(one, level + 1) for one in section.sections])
+    def _section(self, section: Section, level: int) -> Iterator[str]:
         heading = f"<h{level}>{self._line(section.title)}</h{level}>"
-        return f'<section id="{escaped(section.anchor)}">\n{heading}\n{blocks}\n{inner}</section>\n'
+        yield f'<section id="{escaped(section.anchor)}">\n{heading}\n'
+        for block in section.blocks:
+            yield from self._block(block)
+        yield "\n"
+        for one in section.sections:
+            yield from self.section(one, level + 1)
+        yield "</section>\n"
 
     def _line(self, pieces: Line) -> str:
         return self._writer.line(self._anchors.line(pieces))

@@ -40,8 +40,8 @@ def page(document: Document) -> str:
         title=escaped(document.title),
         identity=document.identity,
         head=subtitle + (f"{summary}\n" if summary else ""),
-        contents="".join(_contents(document.sections, "")),
-        sections="".join(_sections(document.sections, "##", _Page(document))),
+        contents=_contents(document.sections, ""),
+        sections=_sections(document.sections, "##", _Page(document)),
     )
 
 
