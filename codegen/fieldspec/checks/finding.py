@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterator, Sequence
-from difflib import get_close_matches
 from typing import TypeAlias
 
 from fieldspec.diagnostics import Diagnostic, Label, Severity
@@ -93,6 +92,8 @@ def near(word: str, known: Collection[str]) -> str:
     """What to say of a word that is not among the known ones."""
     if len(known) > _SEARCHED:
         return "define it, or put the name right"
+    from difflib import get_close_matches
+
     names = sorted(known)
     close = get_close_matches(word, names, 1)
     if close:

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import pairwise
 
 from fieldspec.checks.finding import finding, hexadecimal, label
@@ -41,11 +40,13 @@ def numbers_regular(device: Device) -> Iterator[Diagnostic]:
 
 def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
     """Rows that are not where most of them say."""
+    if len(rows) < 2:
+        return
+    from fractions import Fraction
+
     steps = Counter(
         Fraction(behind.address - before.address, number - last) for (last, before), (number, behind) in pairwise(rows)
     )
-    if not steps:
-        return
     step, _ = steps.most_common(1)[0]
     bases = Counter(row.address - step * number for number, row in rows)
     base, _ = bases.most_common(1)[0]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from difflib import get_close_matches
 
 from fieldspec.diagnostics import Diagnostic
 
@@ -30,6 +29,8 @@ def quoted(text: str) -> str:
 
 def near(word: str, known: Collection[str]) -> str:
     """What to say of a word that is none of the known ones: which one is meant, or which there are."""
+    from difflib import get_close_matches
+
     close = get_close_matches(word, known, 1) if len(known) <= _SEARCHED else []
     if close:
         return f"did you mean `{close[0]}`?"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from fractions import Fraction
 
 from fieldspec.model.fact import Plain
 from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive
@@ -90,6 +89,8 @@ def _ranges(entry: Entry, scale: Decimal, offset: Decimal) -> Ranges | None:
     in_unit = entry.ranges("unit_range")
     if in_unit is None:
         return entry.whole_ranges("range")
+    from fractions import Fraction
+
     counts = []
     for low, high in in_unit:
         raw = sorted((Fraction(bound) - Fraction(offset)) / Fraction(scale) for bound in (low, high))
@@ -104,6 +105,8 @@ def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
     if in_unit is None:
         given = entry.value("default")
         return given if isinstance(given, int | str) else None
+    from fractions import Fraction
+
     raw = (Fraction(in_unit) - Fraction(offset)) / Fraction(scale)
     if raw.denominator != 1:
         entry.refuse("wrong_form", "unit_default", "it is no whole number of counts", "compare it with `scale`")
