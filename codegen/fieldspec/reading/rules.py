@@ -67,7 +67,7 @@ Example: `uses: [{protocol: wires}]` where the file is `protocols/wire.yaml`.
 
 Cure: Put the name right, or write the file.
 """,
-    "file_too_large": """A spec file has at most 8 MiB and two million values.
+    "file_too_large": """A spec file has at most 16 MiB and two million values.
 
 Why: what is larger is no spec that a person wrote.
 
