@@ -56,3 +56,15 @@ def test_nonsense_is_refused_in_seconds(make: Callable[[], bytes], tmp_path: Pat
     assert 1 <= len(json.loads(ran.stdout)) <= MOST
     assert len(ran.stdout) < 2_000_000
     assert time.monotonic() - start < SECONDS
+
+
+def test_a_device_with_a_register_at_every_address_is_read(tmp_path: Path) -> None:
+    row = (
+        "    - {at: %d, name: r%d, doc: Value %d of all., type: u16, access: rw, range: 0..9, default: 0, source: 1 L1}"
+    )
+    every = "\n".join(row % (at, at, at) + " # as the manual has it" for at in range(0x10000))
+    (tmp_path / "gadget").mkdir()
+    (tmp_path / "gadget" / "device.yaml").write_text(f"{DEVICE}registers:\n  - group: a\n    rows:\n{every}\n", "utf-8")
+    check = [sys.executable, "-m", "fieldspec", "check", "--specs", str(tmp_path)]
+    ran = subprocess.run(check, capture_output=True, text=True, encoding="utf-8", timeout=SECONDS)
+    assert (ran.returncode, ran.stderr) == (0, "")
