@@ -137,7 +137,7 @@ def _alone(
     wrong, broken = put_back(spec, tree, version, device, erratum)
     if wrong is device:
         return broken
-    return everything(wrong, broken, not TEXTS.issuperset(erratum.printed), remembered)
+    return everything(wrong, broken, not TEXTS.issuperset(erratum.printed), remembered, OF_WRITING)
 
 
 def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device, remembered: Remembered) -> list[Diagnostic]:
@@ -147,7 +147,7 @@ def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device, rememb
         tree, broken = printed_tree(tree, erratum)
         refused += broken
     wrong, found = built(tree, version, spec.kept)
-    return [*refused, *everything(wrong, found, remembered=remembered)]
+    return [*refused, *everything(wrong, found, remembered=remembered, without=OF_WRITING)]
 
 
 def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagnostic]) -> bool:

@@ -5,7 +5,7 @@ A check yields findings and knows nothing of allowances: they are applied here, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
@@ -165,15 +165,17 @@ MOST_FINDINGS = 200
 _BY_NAME = dict(CHECKS)
 
 
-def run(device: Device) -> list[Diagnostic]:
-    """The findings of all checks, in order."""
+def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
+    """The findings of all checks, `without` those of some, in order."""
     given = list(allowances(device))
     by_check: dict[str, list[Allowance]] = {}
     for allowance in given:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
-    found = [finding for name, _ in CHECKS for finding in _kept(device, name, by_check.get(name, []), used)]
-    return in_order([*found, *allowances_used(given, used, _BY_NAME)])
+    names = [name for name, _ in CHECKS if name not in without]
+    found = [finding for name in names for finding in _kept(device, name, by_check.get(name, []), used)]
+    unused = () if "allowances_used" in without else allowances_used(given, used, _BY_NAME)
+    return in_order([*found, *unused])
 
 
 def run_named(device: Device, name: str) -> list[Diagnostic]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 from fieldspec import checks
 from fieldspec.classes import dataclass
@@ -43,14 +43,18 @@ def findings(device: Device, name: str, remembered: Remembered) -> list[Diagnost
 
 
 def everything(
-    device: Device, broken: Sequence[Diagnostic], examples: bool = True, remembered: Remembered | None = None
+    device: Device,
+    broken: Sequence[Diagnostic],
+    examples: bool = True,
+    remembered: Remembered | None = None,
+    without: Container[str] = (),
 ) -> list[Diagnostic]:
     """The findings of all checks, and of the proofs of examples where the device can be laid out.
 
     `broken` is what reading has found, which comes with them. Without `examples`, those are taken to be right.
-    `remembered` has those that are found already.
+    `remembered` has those that are found already. Checks that are not asked for are named by `without`.
     """
-    found = [*broken, *checks.run(device)]
+    found = [*broken, *checks.run(device, without)]
     if not examples or has_errors(broken) or any(one.code in LAYING_OUT for one in found):
         return found
     return [*found, *(remembered or Remembered()).findings(device, sound=True)]
