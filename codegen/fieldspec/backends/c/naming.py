@@ -34,6 +34,8 @@ _TAKEN = (
 
 _OWN = {"in", "out", "code", "length", "capacity", "body_length", "status", "total", "at", "byte", "value"}
 _FRAME = {"code", "error", "body", "body_length"}
+_ARGUMENTS = C | _OWN
+_MEMBERS = C | _FRAME
 
 
 class Naming:
@@ -47,6 +49,7 @@ class Naming:
         self.device = Name.of(device)
         self._taken = {word for name in _TAKEN for word in (name, name.upper())}
         self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
+        self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
 
     def type(self, noun: Noun, *parts: str) -> str:
         """`gadget_point`"""
@@ -70,10 +73,18 @@ class Naming:
         key = (upper, noun, parts)
         name = self._given.get(key)
         if name is None:
-            held = (self.device, Name.of(_PREFIXES.get(noun, "")), *map(Name.of, parts))
-            words = Name(tuple(word for one in held for word in one.words))
-            name = self._given[key] = self._free(words, upper)
+            name = self._given[key] = self._free(self._words(noun, parts), upper)
         return name
+
+    def _words(self, noun: Noun, parts: tuple[str, ...]) -> Name:
+        """The words of a thing. Those of what it belongs to are looked up, as that has many names."""
+        if not parts:
+            return self.device + Name.of(_PREFIXES.get(noun, ""))
+        key = noun, parts[:-1]
+        stem = self._stems.get(key)
+        if stem is None:
+            stem = self._stems[key] = self._words(*key)
+        return stem + Name.of(parts[-1])
 
     def _free(self, words: Name, upper: bool) -> str:
         number, tried = 1, words
@@ -91,12 +102,12 @@ def member(name: str) -> str:
 
 def argument(name: str) -> str:
     """A parameter of a function; a word of C, or a name that the function itself uses, gets an underscore behind it."""
-    return f"{name}_" if name in C | _OWN else name
+    return f"{name}_" if name in _ARGUMENTS else name
 
 
 def frame_member(name: str) -> str:
     """A member of an opened frame that a part of the frame gives."""
-    return f"{name}_" if name in C | _FRAME else name
+    return f"{name}_" if name in _MEMBERS else name
 
 
 def stem(device: str, version: str) -> str:
