@@ -231,7 +231,7 @@ def test_options_of_dumps_need_a_dump(run: CommandLine) -> None:
 
 
 def test_a_dump_may_be_a_workbook(run: CommandLine) -> None:
-    from fieldspec.lists.workbook import packed
+    from fieldspec.lists.packing import packed
     from fieldspec.spreadsheet import Workbook, Worksheet
 
     content = packed(Workbook((Worksheet("dump", (("address", "value"), ("0x10", 101))),)))
