@@ -38,12 +38,15 @@ def build(arguments: argparse.Namespace) -> int:
     before = manifest.read(out)
     hashes = _hashes(wanted, result)
     gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
-    contents = {**result.contents, manifest.NAME: before.renewed(wanted, result, hashes, gone).written()}
-    stale = sorted(path for path, content in contents.items() if earlier.hash_of(path) != digest(content))
+    contents = dict(result.contents)
+    now = before.renewed(wanted, result, hashes, gone).written()
+    if earlier.hash_of(manifest.NAME) != digest(now):
+        contents[manifest.NAME] = now
+    stale = sorted(contents)
     if arguments.check:
         return _report([(path, before.reason(path, result, earlier)) for path in stale], gone)
     if stale or gone:
-        placing.place(out, {path: contents[path] for path in stale}, gone)
+        placing.place(out, contents, gone)
     if not wanted.picked:
         earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
     print(f"{len(hashes)} files, {len(set(stale) - {manifest.NAME})} written, {len(gone)} removed")

@@ -39,6 +39,14 @@ def digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
+def lying(out: Path, path: str) -> str | None:
+    """The hash of a file of a folder as it is now; None where it cannot be read."""
+    try:
+        return digest((out / path).read_bytes())
+    except OSError:
+        return None
+
+
 class Earlier:
     """What is known of an earlier build into a folder. `now` are the hashes of the spec files as they are."""
 
@@ -46,8 +54,8 @@ class Earlier:
         self.now = {path: digest(content) for path, content in files.items()}
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
+        self.out = out
         self._name = str(out.resolve())
-        self._out = out
         self._specs: Hashes = {}
         self._held: dict[str, Any] = {}
         self._found: dict[str, str | None] = {}
@@ -76,10 +84,7 @@ class Earlier:
     def hash_of(self, path: str) -> str | None:
         """The hash of a file of the outputs as it is now; None where it cannot be read."""
         if path not in self._found:
-            try:
-                self._found[path] = digest((self._out / path).read_bytes())
-            except OSError:
-                self._found[path] = None
+            self._found[path] = lying(self.out, path)
         return self._found[path]
 
     def confined(self) -> bool:

@@ -36,7 +36,7 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """What a build has found, the devices as they are now, and the contents of the files that were made anew.
+    """What a build has found, the devices as they are now, and the contents of files that are not as they should be.
 
     `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
     """
@@ -105,14 +105,15 @@ def _anew(
             tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
     lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
-    done = {one.device: one for one in carried_out(project, tasks, sum(map(len, files.values())))}
+    done = {one.device: one for one in carried_out(project, tasks, earlier.out, sum(map(len, files.values())))}
     found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
     shown = _from_here(found, sources.shown(path))
     if has_errors(found):
         return Made(shown, {}, {}, {}, False)
-    contents = {path: content for one in done.values() for path, content in one.files.items()}
-    for held in common.values():
-        contents |= held
+    contents = {path: content for one in done.values() for path, content in one.contents.items()}
+    hashes = {name: {path: digest(content) for path, content in held.items()} for name, held in common.items()}
+    for name, held in common.items():
+        contents |= {path: held[path] for path, one in hashes[name].items() if earlier.hash_of(path) != one}
     marked = {finding.span.file.path for finding in found}
     devices = {}
     for device, plan in plans.items():
@@ -125,11 +126,9 @@ def _anew(
             {file: earlier.now[file] for file in sorted(files_read)},
             one.identities or earlier.devices[device].identities,
             not marked.isdisjoint(files_read),
-            {**plan.kept, **{name: _hashes(held) for name, held in one.outputs.items()}},
+            {**plan.kept, **one.hashes},
         )
-    return Made(
-        shown, devices, {**shared, **{name: _hashes(held) for name, held in common.items()}}, contents, not found
-    )
+    return Made(shown, devices, {**shared, **hashes}, contents, not found)
 
 
 def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
@@ -163,7 +162,3 @@ def _manual(device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
         raise UsageError(f"cannot read {path}: it is not UTF-8") from None
     except ManualError as error:
         raise UsageError(f"{path} {error}") from None
-
-
-def _hashes(contents: Mapping[str, bytes]) -> Hashes:
-    return {path: digest(content) for path, content in contents.items()}

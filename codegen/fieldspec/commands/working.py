@@ -8,11 +8,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from fieldspec import pipeline
 from fieldspec.audit.manual_index import ManualIndex
 from fieldspec.backends import OUTPUTS
 from fieldspec.classes import dataclass, replace
+from fieldspec.commands.fresh import Hashes, digest, lying
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.proofs.running import Outcome, outcome
 from fieldspec.reading.project import DeviceSpec, Project
@@ -40,21 +42,29 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """What is found in a device, the identities of its versions, and its files by output; nothing after errors."""
+    """What is found in a device, the identities of its versions, and its files; nothing after errors.
+
+    `hashes` are those of all files by output, `contents` those that do not lie among the outputs already.
+    """
 
     device: str
     found: list[Diagnostic]
-    identities: dict[str, str]
-    outputs: dict[str, dict[str, bytes]]
-
-    @property
-    def files(self) -> dict[str, bytes]:
-        """All files by path."""
-        return {path: content for held in self.outputs.values() for path, content in held.items()}
+    identities: Hashes
+    hashes: dict[str, Hashes]
+    contents: dict[str, bytes]
 
 
-def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done]:
-    """The results of tasks in any order. `size` is that of the specs, in bytes.
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What all tasks share: the project, the folder of outputs, and what checks have come to, where they have run."""
+
+    project: Project
+    out: Path
+    known: Mapping[str, Outcome]
+
+
+def carried_out(project: Project, tasks: Sequence[Task], out: Path, size: int) -> list[Done]:
+    """The results of tasks in any order. `out` is the folder of outputs, `size` is that of the specs, in bytes.
 
     Each processor has one device at a time. Where there are more processors than devices, these are checked first, and
     then each of them has outputs of a device.
@@ -62,26 +72,26 @@ def carried_out(project: Project, tasks: Sequence[Task], size: int) -> list[Done
     tasks = sorted(tasks, key=lambda task: -_work(project.devices[task.device]))  # who is left alone has a small one
     processes = _processors()
     if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
-        return [carry_out(project, task) for task in tasks]
+        return [carry_out(Work(project, out, {}), task) for task in tasks]
     if len(tasks) >= processes:
-        return _in_processes(project, {}, tasks, processes)
+        return _in_processes(Work(project, out, {}), tasks, processes)
     known = {task.device: outcome(project.devices[task.device]) for task in tasks if task.check}
-    checked = [Done(task.device, known[task.device].findings if task.check else [], {}, {}) for task in tasks]
+    checked = [Done(task.device, known[task.device].findings if task.check else [], {}, {}, {}) for task in tasks]
     if any(has_errors(done.found) for done in checked):
         return checked
     single = [replace(task, check=False, outputs=names) for task in tasks for names in _families(task.outputs)]
-    parts = _in_processes(project, known, single, processes) if single else []
+    parts = _in_processes(Work(project, out, known), single, processes) if single else []
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
 
 
-def _in_processes(project: Project, known: Mapping[str, Outcome], tasks: Sequence[Task], processes: int) -> list[Done]:
+def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[Done]:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing import get_context
 
     try:
-        pool = ProcessPoolExecutor(min(processes, len(tasks)), get_context("fork"), _start, (project, known))
+        pool = ProcessPoolExecutor(min(processes, len(tasks)), get_context("fork"), _start, (work,))
     except OSError:  # the system has no semaphores for us
-        return [carry_out(project, task, known.get(task.device)) for task in tasks]
+        return [carry_out(work, task) for task in tasks]
     with pool:
         return list(pool.map(_carry_out, tasks))
 
@@ -100,31 +110,32 @@ def _work(spec: DeviceSpec) -> int:
 
 
 def _joined(done: Done, parts: list[Done]) -> Done:
-    found, identities, outputs = list(done.found), dict(done.identities), dict(done.outputs)
+    found, identities, hashes, contents = [*done.found], dict(done.identities), dict(done.hashes), dict(done.contents)
     for part in parts:
         found += part.found
         identities |= part.identities
-        outputs |= part.outputs
-    return Done(done.device, found, identities, outputs)
+        hashes |= part.hashes
+        contents |= part.contents
+    return Done(done.device, found, identities, hashes, contents)
 
 
 def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def carry_out(project: Project, task: Task, known: Outcome | None = None) -> Done:
-    """The result of one task. `known` is what checking the device has come to, where that has happened already."""
-    spec = project.devices[task.device]
-    ran = outcome(spec) if task.check else known
+def carry_out(work: Work, task: Task) -> Done:
+    """The result of one task."""
+    spec = work.project.devices[task.device]
+    ran = outcome(spec) if task.check else work.known.get(task.device)
     found = [*ran.findings] if ran is not None and task.check else []
     if has_errors(found) or not task.outputs:
-        return Done(task.device, found, {}, {})
+        return Done(task.device, found, {}, {}, {})
     layouts = pipeline.layouts(spec, ran)
     if task.versions:
         layouts = [laid for laid in layouts if laid.device.version in task.versions]
     found += pipeline.refusals(layouts, task.outputs)
     if has_errors(found):
-        return Done(task.device, found, {}, {})
+        return Done(task.device, found, {}, {}, {})
     identities = {
         f"{spec.id}@{version}": laid.identity for laid in layouts for version in (laid.device.version, *laid.twins)
     }
@@ -133,17 +144,23 @@ def carry_out(project: Project, task: Task, known: Outcome | None = None) -> Don
         from fieldspec.render.audit_pages import pages
 
         outputs[DOCUMENTATION] |= pages(spec, layouts, task.manual, outputs[DOCUMENTATION], ran)
-    return Done(task.device, found, identities, outputs)
+    hashes = {name: {path: digest(content) for path, content in held.items()} for name, held in outputs.items()}
+    contents = {
+        path: content
+        for name, held in outputs.items()
+        for path, content in held.items()
+        if lying(work.out, path) != hashes[name][path]
+    }
+    return Done(task.device, found, identities, hashes, contents)
 
 
-_project: Project
-_known: Mapping[str, Outcome]
+_work_at_hand: Work
 
 
-def _start(project: Project, known: Mapping[str, Outcome]) -> None:
-    global _project, _known
-    _project, _known = project, known
+def _start(work: Work) -> None:
+    global _work_at_hand
+    _work_at_hand = work
 
 
 def _carry_out(task: Task) -> Done:
-    return carry_out(_project, task, _known.get(task.device))
+    return carry_out(_work_at_hand, task)
