@@ -328,6 +328,18 @@ def test_after_findings_the_old_note_holds_for_the_old_specs(place: Place) -> No
     assert place.made == []
 
 
+@pytest.mark.parametrize("option", ["--check", "--no-cache"])
+def test_nothing_is_left_of_a_build_that_stops(place: Place, tmp_path: Path, option: str) -> None:
+    """Some devices are made before another one is found to be wrong."""
+    replaced(place.spec, "unit: mm", "unit: rev")  # which an example contradicts
+    assert place.build(option, out=tmp_path / "new" / "out") == 1
+    assert "glider-x c" in place.made
+    assert not (tmp_path / "new").exists()
+    before = sorted(place.out.rglob("*"))
+    assert place.build(option) == 1
+    assert sorted(place.out.rglob("*")) == before
+
+
 def test_without_a_folder_to_keep_notes_in_all_is_made(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("FIELDSPEC_CACHE", str(place.spec / "no folder"))
     for _ in range(2):

@@ -6,9 +6,10 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from fieldspec.commands import manifest, placing, sources
+from fieldspec.commands import manifest, sources
 from fieldspec.commands.fresh import Earlier, Hashes, digest
 from fieldspec.commands.making import Made, Wanted, made
+from fieldspec.commands.placing import Beside
 from fieldspec.commands.usage import UsageError, unknown
 
 
@@ -27,29 +28,28 @@ def build(arguments: argparse.Namespace) -> int:
     path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
     out = Path(arguments.out)
     earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
-    result = made(wanted, path, files, earlier)
-    if result.found:
-        from fieldspec.commands.output import print_findings
-        from fieldspec.diagnostics import has_errors
+    with Beside(out) as beside:
+        result = made(wanted, path, files, earlier, None if arguments.check else beside)
+        if result.found:
+            from fieldspec.commands.output import print_findings
+            from fieldspec.diagnostics import has_errors
 
-        print_findings(result.found, "text", "")
-        if has_errors(result.found):
-            return 1
-    before = manifest.read(out)
-    hashes = _hashes(wanted, result)
-    gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
-    contents = dict(result.contents)
-    now = before.renewed(wanted, result, hashes, gone).written()
-    if earlier.hash_of(manifest.NAME) != digest(now):
-        contents[manifest.NAME] = now
-    stale = sorted(contents)
-    if arguments.check:
-        return _report([(path, before.reason(path, result, earlier)) for path in stale], gone)
-    if stale or gone:
-        placing.place(out, contents, gone)
+            print_findings(result.found, "text", "")
+            if has_errors(result.found):
+                return 1
+        before = manifest.read(out)
+        hashes = _hashes(wanted, result)
+        gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
+        now = before.renewed(wanted, result, hashes, gone).written()
+        stale = sorted([*result.stale, *([manifest.NAME] if earlier.hash_of(manifest.NAME) != digest(now) else [])])
+        if arguments.check:
+            return _report([(path, before.reason(path, result, earlier)) for path in stale], gone)
+        if stale or gone:
+            beside.write(manifest.NAME, now)
+            beside.place(stale, gone)
     if not wanted.picked:
         earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
-    print(f"{len(hashes)} files, {len(set(stale) - {manifest.NAME})} written, {len(gone)} removed")
+    print(f"{len(hashes)} files, {len(result.stale)} written, {len(gone)} removed")
     return 0
 
 

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 from fieldspec.classes import dataclass, replace
 from fieldspec.commands import sources
-from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in, digest
+from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
 from fieldspec.commands.sources import INDEX
 from fieldspec.commands.usage import UsageError
 
 if TYPE_CHECKING:
     from fieldspec.audit.manual_index import ManualIndex
+    from fieldspec.commands.placing import Beside
     from fieldspec.diagnostics import Diagnostic
 
 
@@ -36,7 +37,7 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """What a build has found, the devices as they are now, and the contents of files that are not as they should be.
+    """What a build has found, the devices as they are now, and the files that were not as they should be.
 
     `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
     """
@@ -44,7 +45,7 @@ class Made:
     found: list[Diagnostic]
     devices: dict[str, Built]
     shared: dict[str, Hashes]
-    contents: dict[str, bytes]
+    stale: list[str]
     quiet: bool
 
 
@@ -57,16 +58,19 @@ class _Plan:
     kept: dict[str, Hashes]
 
 
-def made(wanted: Wanted, path: str, files: Mapping[str, bytes], earlier: Earlier) -> Made:
-    """What must be made of some spec files; nothing of outputs where something is found that stops a build."""
+def made(wanted: Wanted, path: str, files: Mapping[str, bytes], earlier: Earlier, beside: Beside | None = None) -> Made:
+    """Makes what must be made of some spec files; nothing where something is found that stops a build.
+
+    What is not the same as what lies there is written `beside` it.
+    """
     plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
     kept = {name: earlier.unspoilt(earlier.shared.get(name)) for name in wanted.outputs}
     shared = {name: held for name, held in kept.items() if held is not None}
     stale = frozenset(device for device, plan in plans.items() if plan.check or plan.outputs)
     everything = wanted.whole and not earlier.confined()
     if not stale and not everything and len(shared) == len(wanted.outputs):
-        return Made([], {device: earlier.devices[device] for device in plans}, shared, {}, True)
-    return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier)
+        return Made([], {device: earlier.devices[device] for device in plans}, shared, [], True)
+    return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
 
 
 def _plan(device: str, wanted: Wanted, earlier: Earlier) -> _Plan:
@@ -86,11 +90,12 @@ def _anew(
     path: str,
     files: Mapping[str, bytes],
     earlier: Earlier,
+    beside: Beside | None,
 ) -> Made:
     """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
     from fieldspec import pipeline
     from fieldspec.commands import specs
-    from fieldspec.commands.working import Task, carried_out
+    from fieldspec.commands.working import Task, Work, carried_out, settled
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
@@ -105,15 +110,14 @@ def _anew(
             tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
     lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
-    done = {one.device: one for one in carried_out(project, tasks, earlier.out, sum(map(len, files.values())))}
+    work = Work(project, earlier.out, beside)
+    done = {one.device: one for one in carried_out(work, tasks, sum(map(len, files.values())))}
     found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
     shown = _from_here(found, sources.shown(path))
     if has_errors(found):
-        return Made(shown, {}, {}, {}, False)
-    contents = {path: content for one in done.values() for path, content in one.contents.items()}
-    hashes = {name: {path: digest(content) for path, content in held.items()} for name, held in common.items()}
-    for name, held in common.items():
-        contents |= {path: held[path] for path, one in hashes[name].items() if earlier.hash_of(path) != one}
+        return Made(shown, {}, {}, [], False)
+    stale = [path for one in done.values() for path in one.stale]
+    hashes = {name: settled(work, held, stale) for name, held in common.items()}
     marked = {finding.span.file.path for finding in found}
     devices = {}
     for device, plan in plans.items():
@@ -128,7 +132,7 @@ def _anew(
             not marked.isdisjoint(files_read),
             {**plan.kept, **one.hashes},
         )
-    return Made(shown, devices, {**shared, **hashes}, contents, not found)
+    return Made(shown, devices, {**shared, **hashes}, stale, not found)
 
 
 def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:

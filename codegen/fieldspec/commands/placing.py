@@ -4,35 +4,59 @@ from __future__ import annotations
 
 import errno
 import os
-import tempfile
-from collections.abc import Mapping
+import shutil
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
 from fieldspec.commands.usage import UsageError
 
 
-def place(out: Path, files: Mapping[str, bytes], gone: list[str]) -> None:
-    """Writes all files beside their folder first, then moves them into place; on failure nothing has changed."""
-    made = _missing(out)
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".fieldspec-", dir=out) as beside:
-            new, old = Path(beside, "new"), Path(beside, "old")
-            for path, content in files.items():
-                target = new / path
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(content)
-            _move(out, new, old, list(files), gone)
-    except OSError as error:
-        for folder in made:
+class Beside:
+    """Files that lie beside a folder of outputs until all of them are moved into place. None is left when this ends.
+
+    Whoever makes a file writes it, in whichever process, so that no more than one output is held at a time.
+    """
+
+    def __init__(self, out: Path) -> None:
+        self.out = out
+        self._made = _missing(out)
+        self._folder = out / f".fieldspec-{os.urandom(8).hex()}"
+        self._placed = False
+
+    def __enter__(self) -> Beside:
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        shutil.rmtree(self._folder, ignore_errors=True)
+        for folder in () if self._placed else self._made:
             with suppress(OSError):
                 folder.rmdir()
-        place = error.filename or out
-        raise UsageError(f"cannot write {place}: {error.strerror}; nothing was changed") from None
+
+    def write(self, path: str, content: bytes) -> None:
+        """Writes a file, by its path in the folder of outputs. Raises UsageError."""
+        try:
+            self.out.mkdir(parents=True, exist_ok=True)
+            self._folder.mkdir(mode=0o700, exist_ok=True)
+            target = self._folder / "new" / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+        except OSError as error:
+            raise self._unwritten(error) from None
+
+    def place(self, paths: Sequence[str], gone: Sequence[str]) -> None:
+        """Moves files that were written into place, and removes others; on failure nothing has changed."""
+        try:
+            _move(self.out, self._folder / "new", self._folder / "old", paths, gone)
+        except OSError as error:
+            raise self._unwritten(error) from None
+        self._placed = True
+
+    def _unwritten(self, error: OSError) -> UsageError:
+        return UsageError(f"cannot write {error.filename or self.out}: {error.strerror}; nothing was changed")
 
 
-def _move(out: Path, new: Path, old: Path, paths: list[str], gone: list[str]) -> None:
+def _move(out: Path, new: Path, old: Path, paths: Sequence[str], gone: Sequence[str]) -> None:
     """Moves new files into place, keeping what was there until all are moved."""
     kept: list[str] = []
     placed: list[str] = []

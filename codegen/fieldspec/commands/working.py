@@ -13,8 +13,9 @@ from pathlib import Path
 from fieldspec import pipeline
 from fieldspec.audit.manual_index import ManualIndex
 from fieldspec.backends import OUTPUTS
-from fieldspec.classes import dataclass, replace
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.commands.fresh import Hashes, digest, lying
+from fieldspec.commands.placing import Beside
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.proofs.running import Outcome, outcome
 from fieldspec.reading.project import DeviceSpec, Project
@@ -44,43 +45,48 @@ class Task:
 class Done:
     """What is found in a device, the identities of its versions, and its files; nothing after errors.
 
-    `hashes` are those of all files by output, `contents` those that do not lie among the outputs already.
+    `hashes` are those of all files by output, `stale` are the paths of those that did not lie there already.
     """
 
     device: str
     found: list[Diagnostic]
     identities: Hashes
     hashes: dict[str, Hashes]
-    contents: dict[str, bytes]
+    stale: list[str]
 
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """What all tasks share: the project, the folder of outputs, and what checks have come to, where they have run."""
+    """What all tasks share: the project, the folder of outputs, what writes beside it, None where nothing is written.
+
+    `known` is what checks have come to, where they have run already.
+    """
 
     project: Project
     out: Path
-    known: Mapping[str, Outcome]
+    beside: Beside | None
+    known: Mapping[str, Outcome] = field(default_factory=dict)
 
 
-def carried_out(project: Project, tasks: Sequence[Task], out: Path, size: int) -> list[Done]:
-    """The results of tasks in any order. `out` is the folder of outputs, `size` is that of the specs, in bytes.
+def carried_out(work: Work, tasks: Sequence[Task], size: int) -> list[Done]:
+    """The results of tasks in any order. `size` is that of the specs, in bytes.
 
     Each processor has one device at a time. Where there are more processors than devices, these are checked first, and
     then each of them has outputs of a device.
     """
-    tasks = sorted(tasks, key=lambda task: -_work(project.devices[task.device]))  # who is left alone has a small one
+    devices = work.project.devices
+    tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # who is left alone has a small one
     processes = _processors()
     if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
-        return [carry_out(Work(project, out, {}), task) for task in tasks]
+        return [carry_out(work, task) for task in tasks]
     if len(tasks) >= processes:
-        return _in_processes(Work(project, out, {}), tasks, processes)
-    known = {task.device: outcome(project.devices[task.device]) for task in tasks if task.check}
-    checked = [Done(task.device, known[task.device].findings if task.check else [], {}, {}, {}) for task in tasks]
+        return _in_processes(work, tasks, processes)
+    known = {task.device: outcome(devices[task.device]) for task in tasks if task.check}
+    checked = [Done(task.device, known[task.device].findings if task.check else [], {}, {}, []) for task in tasks]
     if any(has_errors(done.found) for done in checked):
         return checked
     single = [replace(task, check=False, outputs=names) for task in tasks for names in _families(task.outputs)]
-    parts = _in_processes(Work(project, out, known), single, processes) if single else []
+    parts = _in_processes(replace(work, known=known), single, processes) if single else []
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
 
 
@@ -104,19 +110,19 @@ def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
     return [*map(tuple, found.values())]
 
 
-def _work(spec: DeviceSpec) -> int:
+def _size(spec: DeviceSpec) -> int:
     """About how much there is to do for a device."""
     return len(spec.files) * len(spec.versions())
 
 
 def _joined(done: Done, parts: list[Done]) -> Done:
-    found, identities, hashes, contents = [*done.found], dict(done.identities), dict(done.hashes), dict(done.contents)
+    found, identities, hashes, stale = [*done.found], dict(done.identities), dict(done.hashes), [*done.stale]
     for part in parts:
         found += part.found
         identities |= part.identities
         hashes |= part.hashes
-        contents |= part.contents
-    return Done(done.device, found, identities, hashes, contents)
+        stale += part.stale
+    return Done(done.device, found, identities, hashes, stale)
 
 
 def _processors() -> int:
@@ -129,29 +135,37 @@ def carry_out(work: Work, task: Task) -> Done:
     ran = outcome(spec) if task.check else work.known.get(task.device)
     found = [*ran.findings] if ran is not None and task.check else []
     if has_errors(found) or not task.outputs:
-        return Done(task.device, found, {}, {}, {})
+        return Done(task.device, found, {}, {}, [])
     layouts = pipeline.layouts(spec, ran)
     if task.versions:
         layouts = [laid for laid in layouts if laid.device.version in task.versions]
     found += pipeline.refusals(layouts, task.outputs)
     if has_errors(found):
-        return Done(task.device, found, {}, {}, {})
+        return Done(task.device, found, {}, {}, [])
     identities = {
         f"{spec.id}@{version}": laid.identity for laid in layouts for version in (laid.device.version, *laid.twins)
     }
-    outputs = {name: pipeline.output(name, layouts) for name in task.outputs}
-    if DOCUMENTATION in outputs and not task.versions:
-        from fieldspec.render.audit_pages import pages
+    hashes: dict[str, Hashes] = {}
+    stale: list[str] = []
+    for name in task.outputs:
+        files = pipeline.output(name, layouts)
+        if name == DOCUMENTATION and not task.versions:
+            from fieldspec.render.audit_pages import pages
 
-        outputs[DOCUMENTATION] |= pages(spec, layouts, task.manual, outputs[DOCUMENTATION], ran)
-    hashes = {name: {path: digest(content) for path, content in held.items()} for name, held in outputs.items()}
-    contents = {
-        path: content
-        for name, held in outputs.items()
-        for path, content in held.items()
-        if lying(work.out, path) != hashes[name][path]
-    }
-    return Done(task.device, found, identities, hashes, contents)
+            files |= pages(spec, layouts, task.manual, files, ran)
+        hashes[name] = settled(work, files, stale)
+    return Done(task.device, found, identities, hashes, stale)
+
+
+def settled(work: Work, files: Mapping[str, bytes], stale: list[str]) -> Hashes:
+    """The hashes of some files. Those that do not lie there already are written beside, and noted as `stale`."""
+    hashes = {path: digest(content) for path, content in files.items()}
+    for path, content in files.items():
+        if lying(work.out, path) != hashes[path]:
+            stale.append(path)
+            if work.beside is not None:
+                work.beside.write(path, content)
+    return hashes
 
 
 _work_at_hand: Work
