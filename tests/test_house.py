@@ -36,6 +36,7 @@ HOMES = {
     "jinja2": ("backends/templates.py",),
     "construct": ("reference/",),
     "openpyxl": ("lists/workbook.py",),
+    "xlsxwriter": ("lists/packing.py",),
     "argparse": ("cli.py", "commands/"),
     "rich": ("commands/",),
     "shtab": ("commands/",),
@@ -46,7 +47,7 @@ HOMES = {
     "socket": (),
     "platform": (),
     "getpass": (),
-    "datetime": (),
+    "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them
     "time": ("commands/watching.py", "commands/signing.py"),  # a review has the day on which it is recorded
     "random": (),
     "uuid": ("backends/twincat/",),  # identifiers made of names: the same in every build

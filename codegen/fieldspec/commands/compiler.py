@@ -18,6 +18,7 @@ LIBRARIES = {
     "jsonschema_rs": "jsonschema_rs",
     "markupsafe": "markupsafe",
     "openpyxl": "openpyxl",
+    "xlsxwriter": "xlsxwriter",
     "yaml": "pyyaml",
 }
 """The libraries that outputs and findings depend on: what is imported, and the name of the distribution."""

@@ -10,7 +10,7 @@ from decimal import Decimal
 from typing import TypeAlias
 
 from fieldspec.lists.item import Item, plain
-from fieldspec.lists.workbook import workbook
+from fieldspec.lists.packing import workbook
 from fieldspec.spreadsheet import clean, guarded
 
 Cell: TypeAlias = int | Decimal | str | None

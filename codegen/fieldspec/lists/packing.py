@@ -1,6 +1,6 @@
-"""Workbooks as bytes, for programs that import them: every cell is there, and texts are in a table of their own.
+"""Workbooks as they are written. This is the one module that knows XlsxWriter.
 
-openpyxl is not used here: its import alone takes longer than a build has for all workbooks of a device.
+The same cells give the same bytes: no times, no versions, and no compression, which differs between machines.
 """
 
 from __future__ import annotations
@@ -8,101 +8,85 @@ from __future__ import annotations
 import io
 import re
 import zipfile
-from collections.abc import Iterable, Iterator
-from html import escape
+from collections.abc import Callable, Iterable, Sequence
+from datetime import datetime
+from typing import Any
 
-from fieldspec.lists import parts
-from fieldspec.lists.sheet import letters
-from fieldspec.spreadsheet import Cell, Workbook, Worksheet, clean
+from xlsxwriter import Workbook as Book
+
+from fieldspec.spreadsheet import Workbook, clean
 
 LONGEST = 32_767
 """The most characters of a cell."""
 
-_HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
+LONGEST_TITLE = 31
+"""The most characters of the title of a sheet."""
+
+_MADE = {"created": datetime(1980, 1, 1)}  # else it is the time of the run
 _FORMULAS = ("=", "+", "-", "@")
 _NOT_XML = re.compile("[\ufffe\uffff]")
+_WIDEST = 40
 
 
 def packed(held: Workbook) -> bytes:
-    """The bytes of a workbook. The same cells give the same bytes: no times, and no compression.
+    """The bytes of a workbook for a program that imports it: every cell is there, an empty one as an empty text."""
 
-    An empty cell is an empty text. A text that begins like a formula is marked as a text.
-    """
-    return zipped(_parts(held))
+    def fill(book: Any) -> None:
+        quoted = book.add_format({"quote_prefix": True})
+        for sheet in held.sheets:
+            made = book.add_worksheet(sheet.title[:LONGEST_TITLE])
+            for number, row in enumerate(sheet.rows):
+                for column, value in enumerate(row):
+                    _put(made, number, column, "" if value is None else value, quoted)
+        for name, text in held.properties.items():
+            book.set_custom_property(name, text, "text")
+
+    return _written(fill)
 
 
-def zipped(parts_of: Iterable[tuple[str, str]]) -> bytes:
-    """The parts of a workbook by name, XML each without its first line, in one file."""
+def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> bytes:
+    """A workbook for people, with one sheet: a heading that stays in sight, texts as texts, numbers as numbers."""
+
+    def fill(book: Any) -> None:
+        quoted = book.add_format({"quote_prefix": True})
+        bold = book.add_format({"bold": True})
+        sheet = book.add_worksheet(title[:LONGEST_TITLE])
+        widths = [len(column) for column in columns]
+        for column, heading in enumerate(columns):
+            sheet.write_string(0, column, heading, bold)
+        last = 0
+        for last, row in enumerate(rows, 1):
+            for column, value in enumerate(row):
+                if value is not None and value != "":
+                    shown = _put(sheet, last, column, value, quoted)
+                    widths[column] = min(max(widths[column], len(shown) + 1), _WIDEST)
+        for column, width in enumerate(widths):
+            sheet.set_column(column, column, width + 2)
+        sheet.freeze_panes(1, 0)
+        sheet.autofilter(0, 0, last, len(columns) - 1)
+
+    return _written(fill)
+
+
+def _put(sheet: Any, row: int, column: int, value: object, quoted: object) -> str:
+    """Writes a value and gives what the cell then shows. A text that begins like a formula is marked as a text."""
+    if not isinstance(value, str):
+        sheet.write_number(row, column, value)
+        return str(value)
+    shown = _NOT_XML.sub("", clean(value))[:LONGEST]
+    sheet.write_string(row, column, shown, quoted if shown.startswith(_FORMULAS) else None)
+    return shown
+
+
+def _written(fill: Callable[[Any], None]) -> bytes:
     made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as package:
-        for name, text in parts_of:
-            part = zipfile.ZipInfo(name)
-            part.create_system = 3
-            part.external_attr = 0o644 << 16
-            package.writestr(part, _HEAD + text)
-    return made.getvalue()
-
-
-def _parts(held: Workbook) -> Iterator[tuple[str, str]]:
-    texts = _Texts()
-    sheets = [_sheet(sheet, texts) for sheet in held.sheets]
-    described = bool(held.properties)
-    yield "docProps/app.xml", parts.APP
-    yield "docProps/core.xml", parts.CORE
-    yield "xl/theme/theme1.xml", parts.theme()
-    if described:
-        yield "docProps/custom.xml", parts.properties(held.properties)
-    for number, sheet in enumerate(sheets, 1):
-        yield f"xl/worksheets/sheet{number}.xml", sheet
-    yield "xl/styles.xml", parts.styles(texts.quoted)
-    yield "_rels/.rels", parts.relations(described)
-    yield "xl/workbook.xml", parts.workbook([sheet.title for sheet in held.sheets])
-    yield "xl/_rels/workbook.xml.rels", parts.workbook_relations(len(sheets))
-    yield "[Content_Types].xml", parts.contents(len(sheets), described)
-    uses = sum(not isinstance(cell, int) for sheet in held.sheets for row in sheet.rows for cell in row)
-    items = "".join(f'<si><t xml:space="preserve">{text}</t></si>' for text in texts.numbers)
-    yield (
-        "xl/sharedStrings.xml",
-        f'<sst xmlns="{parts.MAIN}" count="{uses}" uniqueCount="{len(texts.numbers)}">{items}</sst>',
-    )
-
-
-class _Texts(dict[Cell, str]):
-    """What a cell has behind its place, by its value.
-
-    `numbers` has the place of each different text in their table, `quoted` says that one looks like a formula.
-    """
-
-    def __init__(self) -> None:
-        self.numbers: dict[str, int] = {}
-        self.quoted = False
-
-    def __missing__(self, value: Cell) -> str:
-        if isinstance(value, int):
-            return f'" t="n"><v>{value}</v></c>'
-        shown = clean(value or "")
-        quoted = shown.startswith(_FORMULAS)
-        self.quoted |= quoted
-        text = escape(_NOT_XML.sub("", shown[:LONGEST]), quote=False)
-        number = self.numbers.setdefault(text, len(self.numbers))
-        style = '" s="1"' if quoted else '"'
-        self[value] = made = f'{style} t="s"><v>{number}</v></c>'
-        return made
-
-
-def _sheet(sheet: Worksheet, texts: _Texts) -> str:
-    columns = [letters(number) for number in range(1, len(sheet.rows[0]) + 1)]
-    rows = "".join(
-        f'<row r="{number}">'
-        + "".join([f'<c r="{column}{number}{texts[cell]}' for column, cell in zip(columns, row, strict=True)])
-        + "</row>"
-        for number, row in enumerate(sheet.rows, 1)
-    )
-    return (
-        f'<worksheet xmlns="{parts.MAIN}"><sheetPr><outlinePr summaryBelow="1" summaryRight="1"></outlinePr>'
-        f'<pageSetUpPr></pageSetUpPr></sheetPr><dimension ref="A1:{columns[-1]}{len(sheet.rows)}"></dimension>'
-        '<sheetViews><sheetView workbookViewId="0"><selection activeCell="A1" sqref="A1"></selection></sheetView>'
-        '</sheetViews><sheetFormatPr baseColWidth="8" defaultRowHeight="15"></sheetFormatPr>'
-        f"<sheetData>{rows}</sheetData>"
-        '<pageMargins bottom="1" footer="0.5" header="0.5" left="0.75" right="0.75" top="1"></pageMargins></worksheet>'
-    )
+    with Book(made, {"in_memory": True}) as book:
+        book.set_properties(_MADE)
+        fill(book)
+    stored = io.BytesIO()
+    with zipfile.ZipFile(made) as parts, zipfile.ZipFile(stored, "w", zipfile.ZIP_STORED) as package:
+        for part in parts.infolist():
+            content = parts.read(part)
+            part.compress_type = zipfile.ZIP_STORED
+            package.writestr(part, content)
+    return stored.getvalue()

@@ -1,29 +1,20 @@
-"""Lists as XLSX. This is the one module that knows openpyxl."""
+"""Lists as XLSX, as they are read. This is the one module that knows openpyxl."""
 
 from __future__ import annotations
 
 import io
-import xml.etree.ElementTree as ElementTree
 import zipfile
-from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from fieldspec.lists.packing import zipped
-from fieldspec.lists.parts import APP, CORE
 from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Region, Sheet, SheetRow
 from fieldspec.spreadsheet import clean
 
 if TYPE_CHECKING:
-    from openpyxl.cell.cell import Cell, MergedCell
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
 _MOST_UNPACKED = 256 << 20
 _DECLARATIONS = (b"<!DOCTYPE", b"<!ENTITY")
-
-# openpyxl writes its version and the time there.
-_FIXED = {"docProps/app.xml": APP, "docProps/core.xml": CORE}
-_WIDEST = 40
 
 
 def workbook_sheet(content: bytes, named: str = "") -> Sheet:
@@ -95,56 +86,3 @@ def _text(value: object) -> str:
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return str(int(value))
     return clean(str(value))
-
-
-def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> bytes:
-    """A workbook with one sheet: a heading that stays in sight, texts as texts, numbers as numbers.
-
-    The same rows give the same bytes: no times, no versions, no compression, which differs between machines.
-    """
-    import openpyxl
-    from openpyxl.styles import Font
-    from openpyxl.utils import get_column_letter
-
-    book = openpyxl.Workbook()
-    sheet = book.active
-    assert sheet is not None
-    sheet.title = title
-    widths = [len(column) for column in columns]
-    for number, row in enumerate([columns, *rows], 1):
-        for column, value in enumerate(row, 1):
-            if value is None or value == "":
-                continue
-            shown = _put(sheet.cell(number, column), value)
-            widths[column - 1] = min(max(widths[column - 1], len(str(shown)) + 1), _WIDEST)
-    for cell in sheet[1]:
-        cell.font = Font(bold=True)
-    for column, width in enumerate(widths, 1):
-        sheet.column_dimensions[get_column_letter(column)].width = width + 2
-    sheet.freeze_panes = "A2"
-    sheet.auto_filter.ref = sheet.dimensions
-    made = io.BytesIO()
-    book.save(made)
-    return _settled(made.getvalue())
-
-
-def _put(cell: Cell | MergedCell, value: object) -> object:
-    """Writes a value and gives what the cell then shows. A text that begins with `=` is a text."""
-    shown = clean(value) if isinstance(value, str) else value
-    cell.value = shown  # type: ignore[assignment]
-    if isinstance(shown, str):
-        cell.data_type = "s"
-        cell.style = "Normal"
-        cell.quotePrefix = shown.startswith(("=", "+", "-", "@"))
-    return shown
-
-
-def _settled(content: bytes) -> bytes:
-    """A workbook whose parts are in one form, without what the run has left in it."""
-    return zipped(_parts(content))
-
-
-def _parts(content: bytes) -> Iterator[tuple[str, str]]:
-    with zipfile.ZipFile(io.BytesIO(content)) as held:
-        for name in held.namelist():
-            yield name, _FIXED.get(name) or ElementTree.canonicalize(held.read(name).decode("utf-8"))

@@ -7,7 +7,7 @@ import io
 import json
 
 from fieldspec.audit.section import SectionTable
-from fieldspec.lists.workbook import workbook
+from fieldspec.lists.packing import workbook
 from fieldspec.render.audit_cells import cell_text
 from fieldspec.render.audit_json import rows
 from fieldspec.spreadsheet import clean, guarded
