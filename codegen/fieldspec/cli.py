@@ -151,7 +151,9 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--to", metavar="NAME,...", help="the outputs to write; left out: all")
     build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (generated)")
     build.add_argument("--check", action="store_true", help="write nothing; tell which files are not fresh")
-    build.add_argument("--no-cache", action="store_true", help="make all outputs anew, whatever is fresh")
+    build.add_argument(
+        "--no-cache", action="store_true", help="make all outputs anew, whatever is fresh, and note nothing of it"
+    )
     build.add_argument("--watch", action="store_true", help="build again whenever a spec is saved, until interrupted")
 
     check = verb("check", "find what is wrong with the specs")

@@ -48,7 +48,10 @@ def lying(out: Path, path: str) -> str | None:
 
 
 class Earlier:
-    """What is known of an earlier build into a folder. `now` are the hashes of the spec files as they are."""
+    """What is known of an earlier build into a folder. `now` are the hashes of the spec files as they are.
+
+    Where it is not `trusted`, nothing is known, and nothing is noted.
+    """
 
     def __init__(self, out: Path, files: Mapping[str, bytes], trusted: bool = True) -> None:
         self.now = {path: digest(content) for path, content in files.items()}
@@ -59,8 +62,8 @@ class Earlier:
         self._specs: Hashes = {}
         self._held: dict[str, Any] = {}
         self._found: dict[str, str | None] = {}
-        self._compiler = _running()
-        kept = caching.kept(KIND, self._name) if trusted and self._compiler else None
+        self._compiler = _running() if trusted else ""
+        kept = caching.kept(KIND, self._name) if self._compiler else None
         held = json.loads(kept) if kept else {}
         if held.get("compiler") == self._compiler:
             self._held = held

@@ -95,7 +95,7 @@ def _anew(
     """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
     from fieldspec import pipeline
     from fieldspec.commands import specs
-    from fieldspec.commands.working import Task, Work, carried_out, settled
+    from fieldspec.commands.working import DOCUMENTATION, Task, Work, carried_out, settled
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
@@ -106,7 +106,7 @@ def _anew(
         plan = plans.get(spec.id, _Plan(True, (), {}))
         versions = frozenset(specs.picked(spec, version) for version in wanted.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
-            manual = _manual(spec.id, files)
+            manual = _manual(spec.id, files) if DOCUMENTATION in plan.outputs else None
             tasks.append(Task(spec.id, versions, plan.check, plan.outputs if outputs else (), manual))
     lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them

@@ -11,14 +11,16 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from fieldspec import pipeline
-from fieldspec.audit.manual_index import ManualIndex
 from fieldspec.backends import OUTPUTS
-from fieldspec.classes import dataclass, field, replace
+from fieldspec.classes import TYPE_CHECKING, dataclass, field, replace
 from fieldspec.commands.fresh import Hashes, digest, lying
 from fieldspec.commands.placing import Beside
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.proofs.running import Outcome, outcome
 from fieldspec.reading.project import DeviceSpec, Project
+
+if TYPE_CHECKING:
+    from fieldspec.audit.manual_index import ManualIndex
 
 DOCUMENTATION = "docs"
 """The output that audits are a part of, where all versions of a device are built."""
