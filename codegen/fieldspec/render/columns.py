@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 def width(text: str) -> int:
     """How many columns a text takes: wide characters take two, combining ones none."""
-    return sum(_char_width(char) for char in text)
+    return len(text) if text.isascii() else sum(map(_char_width, text))
 
 
 def _char_width(char: str) -> int:
@@ -19,6 +19,8 @@ def _char_width(char: str) -> int:
 
 def one_line(text: str) -> str:
     """A text with its control characters made visible."""
+    if text.isprintable():
+        return text
     return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
 
 
