@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 RICHER = (
-    "The floor knows one device in one form. Ours checks by some seventy rules, and what it writes is eight times as "
-    "long: tests of every constant beside the C header, codecs in Python, pages as HTML and Markdown."
+    "The floor knows one device in one form. Ours takes 2.5 to 3 times as long to read and check alone, as every value "
+    "knows its place and seventy rules look at it. What it writes is eight times as long: tests of every constant and "
+    "example beside the C header, codecs in Python, pages as HTML and Markdown, and an audit."
 )
 START = (
-    "About 0.2 s are spent before the first register: Python, some three hundred modules, the library of the schema, "
-    "and the templates. The peer has a tenth of that to import."
+    "Of 130 ms for reading and checking, 60 are imports: the libraries of YAML and of the schema take 17, and 160 "
+    "modules of ours 20. The peer has a tenth of that to import."
 )
 READS = (
     "The device is compiled already; of its ten thousand objects, three hundred are made. Half of what is left is the "
     "import of sixty small modules, which say what a device is made of and how a frame is explained, and a fifth that "
     "of argparse; to see that specs and compiler are the same takes 3 ms."
 )
-WATCH = "All outputs of all versions of a device are made again, however little of it has changed."
+MODEL = "What was read, and the model that is made of it, take 0.8 GB; the text of an output comes on top."
+WATCH = (
+    "Findings are there after 0.1 s. All outputs of all versions of a device are then made again, however little of it "
+    "has changed; half of that is the documentation with its audit, which is one piece of work."
+)
 ALL = (
-    "It is all work of Python, for texts as long as that. Versions that share most of their facts are written anew, "
-    "but for wrapped and escaped texts, and a device keeps one processor busy."
+    "3.5 s of work are shared by two processors, but not evenly: one has the largest device, the other the three that "
+    "are left, which take a fifth longer. To divide a device made more work than it saved. Before they begin, 0.3 s go "
+    "by with imports and the reading of all specs."
 )
 TURNS = (
     "pymodbus takes 3.7 times as long as the loop over 256 entries; when the goal was set, it took 4.7 times as long. "
@@ -50,7 +56,10 @@ REMARKS = {
     ("400 registers", "HTML and Markdown"): START,
     ("10,000 registers", "C, Python, Markdown and HTML"): RICHER,
     ("100,000 registers", "C, Python, Markdown and HTML"): RICHER,
-    ("100,000 registers", "memory"): "All files are held until all are made, so that none is written where one fails.",
+    (
+        "100,000 registers",
+        "memory",
+    ): MODEL,
 }
 NODES = (
     "Every value becomes an object of its own that knows its place, and tags, anchors, keys that stand there twice, "
