@@ -22,8 +22,8 @@ WATCH = (
     "has changed; half of that is the documentation with its audit, which is one piece of work."
 )
 ALL = (
-    "Nearly 4 s of work are shared by two processors, but not evenly: one has the largest device, the other the three that "
-    "are left, which take a fifth longer. To divide a device made more work than it saved. Before they begin, 0.3 s go "
+    "Nearly 4 s of work are shared by two processors, but not evenly: one has the largest device, the other the three "
+    "that are left, which take a fifth longer. To divide a device made more work than it saved. Before they begin, 0.3 s go "
     "by with imports and the reading of all specs."
 )
 TURNS = (
