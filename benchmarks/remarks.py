@@ -22,9 +22,9 @@ WATCH = (
     "has changed; half of that is the documentation with its audit, which is one piece of work."
 )
 ALL = (
-    "Nearly 4 s of work are shared by two processors, but not evenly: one has the largest device, the other the three "
-    "that are left, which take a fifth longer. To divide a device made more work than it saved. Before they begin, 0.3 s "
-    "go by with imports and the reading of all specs."
+    "Nearly 4 s of work are shared by two processors, but not evenly: one has the largest device, the other the "
+    "three that are left, which take a fifth longer. To divide a device made more work than it saved. Before they "
+    "begin, 0.3 s go by with imports and the reading of all specs."
 )
 TURNS = (
     "pymodbus takes 3.7 times as long as the loop over 256 entries; when the goal was set, it took 4.7 times as long. "
