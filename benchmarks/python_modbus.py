@@ -76,7 +76,7 @@ def rows() -> Iterator[Row]:
     yield timed(GROUP, "build", built, hand, lambda: modbus.ReadRequest(1, 0x1000, 1).build())
     yield timed(GROUP, "parse", parsed, hand, lambda: modbus.ReadRequest.parse(FRAME))
     yield timed(GROUP, "build and parse", both, hand, by_hand, at_most=0.55)
-    position = "the least by hand that makes the same objects: tables by position, no link, one message"
+    position = "the least by hand"
     yield timed(GROUP, "build and parse", both, position, by_position)
     yield timed(GROUP, "build and parse", both, f"pymodbus {version('pymodbus')}", by_pymodbus, at_least=8)
     yield timed(
