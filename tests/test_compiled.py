@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from enum import Enum
 from pathlib import Path
@@ -12,9 +15,10 @@ from typing import Any
 import pytest
 
 from command_line import MADE_UP, SPECS
+from fieldspec.checks.laying_out import LAYING_OUT
 from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
-from fieldspec.commands import caching, compiled, compiler, frozen, sources, specs
+from fieldspec.commands import caching, compiled, compiler, frozen, sources
 from fieldspec.commands.specs import laid
 from fieldspec.model.fact import Citation, Claim
 from fieldspec.model.place import Place
@@ -22,6 +26,11 @@ from fieldspec.reading import project
 from fieldspec.source import SourceFile, Span
 
 NOWHERE = Span(SourceFile("x", ""), 0, 0)
+BROKEN = sorted(
+    file.parent
+    for check in LAYING_OUT
+    for file in Path(__file__).parent.joinpath("cases", check).glob("failing*/device.yaml")
+)
 DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in sources.devices(folder)]
 
 
@@ -212,7 +221,24 @@ def test_places_are_shown_as_they_are_found_from_here(
     assert near == f"specs/{path()}"
 
 
-def test_the_reading_of_specs_is_no_part_of_taking_a_compiled_device(cache: Path) -> None:
-    assert specs  # which reads, checks and lays out
-    source = Path(compiled.__file__).read_text("utf-8")
-    assert "\nfrom fieldspec.commands.specs" not in source
+def test_a_compiled_device_is_taken_without_what_reads_specs(cache: Path) -> None:
+    code = (
+        "import sys; from fieldspec.cli import main; main(sys.argv[1:]); "
+        "print({'yaml', 'jsonschema_rs', 'construct', 'fieldspec.commands.specs'} & {*sys.modules})"
+    )
+    command = [sys.executable, "-c", code, "show", "widget", "--specs", str(MADE_UP)]
+    first, second = (subprocess.run(command, capture_output=True, encoding="utf-8", check=True) for _ in range(2))
+    assert "yaml" in first.stdout.splitlines()[-1]
+    assert second.stdout.splitlines()[-1] == "set()"
+
+
+@pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
+def test_a_device_that_cannot_be_laid_out_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
+    found = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
+    assert found is not None
+    shutil.copytree(case, tmp_path / "specs" / found[1])
+    for more in (["show"], ["decode"]):
+        frame = ["01 02 03"] if more == ["decode"] else []
+        assert main([*more, found[1], *frame, "--specs", str(tmp_path / "specs")]) == 2
+        assert f"the spec of {found[1]} has findings" in capsys.readouterr().err
+    assert not cache.exists()

@@ -41,10 +41,6 @@ class Name:
         pascal = self.pascal()
         return pascal[:1].lower() + pascal[1:]
 
-    def kebab(self) -> str:
-        """`servo-on`"""
-        return "-".join(self.words)
-
     def title(self) -> str:
         """`Servo on`"""
         text = " ".join(self.words)

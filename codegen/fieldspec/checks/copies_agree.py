@@ -24,8 +24,6 @@ from fieldspec.model.register import Register, RegisterGroup
 
 _CODE = "copies_agree"
 
-_Pair = tuple[Register, Register]
-
 
 def copies_agree(device: Device) -> Iterator[Diagnostic]:
     registers = {register.name: register for register in device.registers()}

@@ -9,7 +9,6 @@ from __future__ import annotations
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import caching, compiler, sources
 from fieldspec.commands.frozen import thawed
-from fieldspec.commands.usage import UsageError
 from fieldspec.source import SourceFile
 
 if TYPE_CHECKING:
@@ -64,12 +63,12 @@ def _key(text: str, files: dict[str, bytes]) -> str:
 def _compiled(name: str, version: str, files: dict[str, bytes]) -> bytes:
     """A device as it is kept."""
     from fieldspec.commands.frozen import frozen
-    from fieldspec.commands.specs import laid, picked
+    from fieldspec.commands.specs import laid, picked, unsound
     from fieldspec.diagnostics import has_errors
     from fieldspec.reading.project import read
 
     project = read(files, frozenset([name]))
     if name not in project.devices or has_errors(project.found):
-        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+        raise unsound(name)
     spec = project.devices[name]
     return frozen(laid(spec, picked(spec, version)))

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fieldspec.checks.records_finite import records_finite
-from fieldspec.checks.references_resolve import references_resolve
-from fieldspec.checks.repeat_last import repeat_last
+from fieldspec.checks.laying_out import can_be_laid_out
 from fieldspec.commands import sources
 from fieldspec.commands.sources import FOLDER, VARIABLE, files, of_devices, shown, split
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.model.device import Device
 from fieldspec.reading.project import JOINT, DeviceSpec, Project, read
 
-__all__ = ["FOLDER", "VARIABLE", "files", "folder", "laid", "picked", "project", "shown", "spec_at", "split"]
+__all__ = ["FOLDER", "VARIABLE", "files", "folder", "laid", "picked", "project", "shown", "spec_at", "split", "unsound"]
 
 
 def folder(given: str | None) -> Path:
@@ -45,19 +42,19 @@ def spec_at(given: str | None, text: str) -> tuple[DeviceSpec, str]:
     name, version = split(text)
     found = project(given, frozenset([name]))
     if name not in found.devices:
-        raise UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
+        raise unsound(name)
     spec = found.devices[name]
     return spec, picked(spec, version)
+
+
+def unsound(name: str) -> UsageError:
+    """That a verb which does not judge specs cannot use that of a device."""
+    return UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
 
 
 def laid(spec: DeviceSpec, version: str) -> DeviceLayout:
     """The layout of a device at a version."""
     device, broken = spec.at(version)
-    if has_errors(broken) or not _sound(device):
-        raise UsageError(f"the spec of {spec.id} has findings; see them with: fieldspec check {spec.id}")
+    if has_errors(broken) or not can_be_laid_out(device):
+        raise unsound(spec.id)
     return device_layout(device)
-
-
-def _sound(device: Device) -> bool:
-    """Whether a device can be laid out: what it names is there, and its records end."""
-    return not any(True for check in (references_resolve, records_finite, repeat_last) for _ in check(device))

@@ -62,7 +62,6 @@ HEADINGS: dict[str, tuple[str, ...]] = {
         当前值 當前值 现在值 現在值 读数 讀數 数据 數據 資料"""
     ),
 }
-ROLES = tuple(HEADINGS)
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from fieldspec import checks
-from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.checks.laying_out import can_be_laid_out
+from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
-from fieldspec.proofs.twins import LAYING_OUT
 
 if TYPE_CHECKING:
     from fieldspec.model.example import Example
@@ -36,7 +35,7 @@ class Remembered:
         meaning = _meaning(device)
         if meaning not in self._laid:
             self._devices.append(device)
-            self._laid[meaning] = _laid(device) if sound or _can_be_laid_out(device) else None
+            self._laid[meaning] = _laid(device) if sound or can_be_laid_out(device) else None
         laid = self._laid[meaning]
         if laid is None:
             return []
@@ -52,10 +51,6 @@ class Remembered:
             self._devices.append(device)
             self._known[key] = [*example_proven(*laid, example)]
         return self._known[key]
-
-
-def _can_be_laid_out(device: Device) -> bool:
-    return not any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT)
 
 
 def _laid(device: Device) -> tuple[DeviceLayout, DeviceCodec]:

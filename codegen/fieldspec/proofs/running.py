@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 
 from fieldspec import checks
+from fieldspec.checks.laying_out import LAYING_OUT
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -12,7 +13,7 @@ from fieldspec.model.device import Device
 from fieldspec.proofs.accepted import accepted
 from fieldspec.proofs.errata import Findings, Proof, errata_by_version, proofs
 from fieldspec.proofs.remembered import Remembered
-from fieldspec.proofs.twins import LAYING_OUT, lines_alike, twins
+from fieldspec.proofs.twins import lines_alike, twins
 from fieldspec.reading.project import DeviceSpec
 
 EXAMPLE_PROOFS = (
@@ -30,7 +31,6 @@ READING_PROOFS = (
     "wrong_form",
     "wrong_value",
 )
-ERRATA_PROOFS = ("errata_differ", "errata_paths_resolve", "errata_proven")
 
 
 def findings(device: Device, name: str, remembered: Remembered) -> list[Diagnostic]:

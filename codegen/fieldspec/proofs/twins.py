@@ -4,22 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from fieldspec import checks
+from fieldspec.checks.laying_out import can_be_laid_out
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import device_layout
 from fieldspec.model.device import Device
 from fieldspec.reading.nodes import identity, mappings
 from fieldspec.reading.project import DeviceSpec
-
-LAYING_OUT = (
-    "choices_complete",
-    "links_complete",
-    "messages_complete",
-    "records_finite",
-    "references_resolve",
-    "repeat_last",
-)
-"""The checks without which a device has no layout."""
 
 
 def twins(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
@@ -35,7 +25,7 @@ def twins(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
             continue
         own = known.get(_wire(device))
         if own is None:
-            if any(has_errors(checks.run_named(device, check)) for check in LAYING_OUT):
+            if not can_be_laid_out(device):
                 continue
             own = device_layout(device).identity
         same = [other for other in _members(spec, line.text) if identities.get(other) == own]

@@ -53,11 +53,6 @@ def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     return node, _objections(node, _typed(node, _form(schema())), ())
 
 
-def violations(node: Node) -> list[Diagnostic]:
-    """What the schema has against the tree of a file; little more than `MOST_FINDINGS` findings."""
-    return _objections(node, plain(node), ())
-
-
 def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
     """What the schema has against the node at some keys of a tree, whatever else is there."""
     node = node_at(tree, at)

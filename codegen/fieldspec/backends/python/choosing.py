@@ -9,7 +9,7 @@ from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.values import value_expression
 from fieldspec.backends.python.writing import tuple_of
-from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.layout.record import CaseLayout, RecordLayout
 
 CASE = "case"
 """The variable that holds the case of the selector."""
@@ -38,11 +38,6 @@ def _case(case: CaseLayout, order: str, decided: Slots) -> str:
     letters = case.value.type.letter if native and case.value.type.letter != "s" else f"{case.value.size}s"
     value = value_expression(case.value, case.value.size, case.order, case.swapped, decided.words)
     return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"
-
-
-def choosing_value(selector: FieldLayout, fields: Sequence[Slots]) -> Slots:
-    """The slots of the selector."""
-    return next(field for field in fields if field.title == selector.name)
 
 
 def decided_read(decided: Slots, owner: str, at: int) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.plc.constants import Constant
-from fieldspec.plc.routines.types import ArrayType, Elementary, Type
+from fieldspec.plc.routines.types import ArrayType, Type
 
 
 def number(constant: Constant) -> str:
@@ -67,8 +67,3 @@ def innermost(kind: Type) -> Type:
     while isinstance(kind, ArrayType):
         kind = kind.of
     return kind
-
-
-def plain_type(kind: Type) -> bool:
-    """Whether a type is one that the language has."""
-    return isinstance(innermost(kind), Elementary)
