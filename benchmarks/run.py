@@ -24,7 +24,7 @@ RESULTS = HERE / "results.json"
 PAGE = ROOT / "docs" / "benchmarks.md"
 PLOT = ROOT / "docs" / "benchmarks.svg"
 BUSY = 1.0
-"""The load from which on other work on the machine is mentioned."""
+"""The load from which on it is mentioned."""
 FILES = (
     "python_modbus",
     "python_point",
@@ -91,8 +91,8 @@ def _lines(rows: list[Row], held: dict[str, Any]) -> Iterator[str]:
     if busy:
         most = max(held[name]["load"] for name in busy)
         yield (
-            f"\nWhile {', '.join(f'`{name}`' for name in busy)} ran, the machine had other work, at a load of up to "
-            f"{most}: what these files measure by the clock is too long, and ratios scatter more."
+            f"\nWhen {', '.join(f'`{name}`' for name in busy)} began, the machine had a load of up to {most}, of which "
+            "the benchmark before may have been a part: what they measure by the clock may be too long."
         )
     yield from (f"\n`{name}`: {held[name]['note']}" for name in FILES if held.get(name, {}).get("note"))
     if missing := [name for name in FILES if name not in held]:
