@@ -17,7 +17,7 @@ from compiling import require_tool
 from driver import records, settled, source
 
 from fieldspec.backends.c.backend import files
-from fieldspec.backends.c.support import STATUSES
+from fieldspec.backends.c.runtime_files import status_names
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.primitive import Kind
@@ -29,7 +29,7 @@ REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
 MADE = ["gadget", "gizmo", "glider-x", "widget"]
 DEVICES = [*((SPECS, device) for device in REAL), *((MADE_UP, device) for device in MADE)]
 TRIES = 60
-NUMBERS = {name.removeprefix("err_"): number for number, (name, _) in enumerate(STATUSES)}
+NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}
 
 
 @pytest.fixture(params=DEVICES, ids=[device for _, device in DEVICES], scope="module")

@@ -1,26 +1,66 @@
-"""What the comments of a header say of a fact and of a value."""
+"""Comments of C: texts of a spec as lines that end no comment and start none, and what is said of facts and values."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.text import comment
+import re
+from functools import lru_cache
+
+from fieldspec.backends.c.declarations import Comment
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
+_WIDTH = 108
+_CACHE_SIZE = 1 << 14
+"""How many texts are remembered: versions have most of theirs in common."""
 
-def told(fact: Fact, *more: str) -> list[str]:
+_MARKS = re.compile(r"[*/?<\\@]")
+_TAG = re.compile(r"<(?=[A-Za-z/!])")
+
+
+def escape_comment(text: str) -> str:
+    """A text that ends no comment and starts none, on one line, without trigraphs, joined lines or marks of HTML."""
+    if not text.isprintable():
+        text = "".join(char if char.isprintable() else " " for char in text)
+    if _MARKS.search(text):
+        text = text.replace("*/", "* /").replace("/*", "/ *").replace("//", "/ /").replace("??", "? ?")
+        text = _TAG.sub("< ", text).replace("\\", "\\ ").replace("@", "(at)")
+    return " ".join(text.split())
+
+
+@lru_cache(maxsize=_CACHE_SIZE)
+def wrap_comment(text: str) -> tuple[str, ...]:
+    """A text as lines of a comment."""
+    text = escape_comment(text)
+    lines = []
+    while len(text) > _WIDTH:
+        end = text.rfind(" ", 0, _WIDTH + 1)
+        end = end if end > 0 else text.find(" ")
+        if end < 0:
+            break
+        lines.append(text[:end])
+        text = text[end + 1 :]
+    return (*lines, text)
+
+
+def comment(*paragraphs: str) -> Comment:
+    """A comment of some paragraphs; empty ones are left out."""
+    return Comment(tuple([line for text in paragraphs if text for line in wrap_comment(text)]))
+
+
+def describe_fact(fact: Fact, *more: str) -> Comment:
     """The comment of a fact: what it is, what the manual calls it, and where it stands."""
     printed = " ".join(text for text in (fact.printed_name, fact.label) if text)
-    sources = "; ".join(citation.text() for citation in fact.sources)
+    sources = "; ".join([citation.text() for citation in fact.sources])
     return comment(
         fact.doc,
         f"Printed as {printed}." if printed else "",
         *more,
-        *(f"Note: {note}" for note in fact.notes),
+        *[f"Note: {note}" for note in fact.notes],
         f"Source: {sources}" if sources else "",
     )
 
 
-def of_value(value: Value | None) -> str:
+def describe_value(value: Value | None) -> str:
     """What a count of a value is, which counts it may be, and what some of them stand for."""
     if value is None:
         return ""

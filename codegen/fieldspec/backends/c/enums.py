@@ -1,10 +1,51 @@
-"""Enums and tables of codes."""
+"""Enums, and tables of codes with their texts."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import told
+from fieldspec.backends.c.comments import describe_fact, escape_comment
+from fieldspec.backends.c.declarations import (
+    BLANK,
+    Comment,
+    Declaration,
+    Define,
+    Enumeration,
+    Enumerator,
+    Function,
+    Typedef,
+)
+from fieldspec.backends.c.expressions import (
+    FALSE,
+    INDEX,
+    NULL,
+    TRUE,
+    VALUE,
+    ZERO,
+    Call,
+    Cast,
+    Element,
+    Expression,
+    Identifier,
+    Initializer,
+    Operation,
+    SizeOf,
+    Type,
+    address_of,
+    all_of,
+    at_least,
+    at_most,
+    different,
+    equal,
+    hexadecimal,
+    hexadecimal_digits,
+    integer,
+    negate,
+    string,
+)
+from fieldspec.backends.c.expressions import (
+    Member as StructMember,
+)
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import hexadecimal, indented, integer, plain, string
+from fieldspec.backends.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.value import Value
@@ -14,90 +55,100 @@ _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = 2**63 - 1
 
 # Enums that are no tables of codes, and have no texts but their members' comments.
-_PLAIN_KINDS = ("enum", "function", "type")
+_KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
 
 
-def coded(device: Device) -> list[Enum]:
-    """The tables of codes, which have texts: alarms, faults, exceptions, errors."""
-    return [enum for enum in device.enums.values() if enum.kind not in _PLAIN_KINDS]
+def code_tables(device: Device) -> list[Enum]:
+    """The enums that are tables of codes, which have texts: alarms, faults, exceptions, errors."""
+    return [enum for enum in device.enums.values() if enum.kind not in _KINDS_WITHOUT_TEXTS]
 
 
-def available(enum: Enum) -> list[Member]:
+def available_members(enum: Enum) -> list[Member]:
     """The members that a value may be."""
     return [member for member in enum.members if not member.unavailable]
 
 
-def enum_lines(naming: Naming, enum: Enum) -> list[str]:
+def declare_enum(naming: Naming, enum: Enum) -> list[Declaration]:
     """The members' values, and the function that says which values a closed enum has.
 
-    Members that are more than an int holds make all of them macros of one integer type.
+    Members that are more than an int can be make all of them macros of one integer type.
     """
-    members = available(enum)
-    lines = told(enum, "Other values may occur." if enum.open else "")
+    members = available_members(enum)
+    declarations: list[Declaration] = [describe_fact(enum, "Other values may occur." if enum.open else "")]
     if all(_LEAST <= member.value <= _LARGEST for member in members):
-        lines += _enumerators(naming, enum, members)
+        declarations += _enumeration(naming, enum, members)
     else:
-        lines += _macros(naming, enum, members)
+        declarations += _macros(naming, enum, members)
     if not enum.open:
-        lines += ["", *_known(naming, enum)]
-    return lines
+        declarations += [BLANK, *_known_function(naming, enum)]
+    return declarations
 
 
-def _enumerators(naming: Naming, enum: Enum, members: list[Member]) -> list[str]:
+def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
     if not members:
         return []
-    name = naming.type("enum", enum.name)
-    hexadecimal_in_print = "x}" in enum.printed_as.lower()
-    lines = [f"typedef enum {name} {{"]
-    for at, member in enumerate(members):
-        comma = "," if at + 1 < len(members) else ""
-        constant = naming.macro("enum", enum.name, member.name)
-        number = f"0x{member.value:X}" if hexadecimal_in_print and member.value >= 0 else integer(member.value)
-        lines.append(f"    {constant} = {number}{comma}{_beside(member)}")
-    return [*lines, f"}} {name};"]
+    printed_in_hexadecimal = "x}" in enum.printed_as.lower()
+    enumerators = tuple(
+        Enumerator(
+            naming.macro("enum", enum.name, member.name),
+            hexadecimal_digits(member.value) if printed_in_hexadecimal and member.value >= 0 else integer(member.value),
+            _remark(member),
+        )
+        for member in members
+    )
+    return [Enumeration(naming.type("enum", enum.name), enumerators)]
 
 
-def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[str]:
+def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
     signed = any(member.value < 0 for member in members)
     size = 4 if not signed and all(member.value < 2**32 for member in members) else 8
-    lines = [f"typedef {'' if signed else 'u'}int{8 * size}_t {naming.type('enum', enum.name)};"]
-    for member in members:
-        number = integer(member.value, size) if signed else hexadecimal(member.value, size)
-        lines.append(f"#define {naming.macro('enum', enum.name, member.name)} {number}{_beside(member)}")
-    return lines
-
-
-def _beside(member: Member) -> str:
-    number = f"Number {member.number}." if member.number is not None else ""
-    text = plain(" ".join(part for part in (member.printed_name, member.label, number, member.doc) if part))
-    return f" /**< {text} */" if text else ""
-
-
-def _wide(enum: Enum) -> bool:
-    return any(member.value > _LARGEST_CODE for member in available(enum))
-
-
-def _known(naming: Naming, enum: Enum) -> list[str]:
-    kind = "uint64_t" if _wide(enum) else "int64_t"
-    lines = [
-        f"/** Whether a value is one of {plain(naming.type('enum', enum.name))}. */",
-        f"static inline bool {naming.function('enum', enum.name, 'known')}({kind} value)",
-        "{",
+    kind = Type(f"{'' if signed else 'u'}int{8 * size}_t")
+    return [
+        Typedef(kind, naming.type("enum", enum.name)),
+        *(
+            Define(
+                naming.macro("enum", enum.name, member.name),
+                integer(member.value, size) if signed else hexadecimal(member.value, size),
+                _remark(member),
+            )
+            for member in members
+        ),
     ]
-    runs = _runs(sorted({member.value for member in available(enum)}))
-    tests = []
-    for low, high in runs:
-        first, last = (integer(bound, 8, not _wide(enum)) for bound in (low, high))
-        test = f"value == {first}" if low == high else f"value >= {first} && value <= {last}"
-        tests.append(f"value <= {last}" if low == 0 and high > 0 and _wide(enum) else test)
-    for test in tests[:-1]:
-        lines += [f"    if ({test}) {{", "        return true;", "    }"]
+
+
+def _remark(member: Member) -> str:
+    number = f"Number {member.number}." if member.number is not None else ""
+    return escape_comment(" ".join(part for part in (member.printed_name, member.label, number, member.doc) if part))
+
+
+def _is_wide(enum: Enum) -> bool:
+    return any(member.value > _LARGEST_CODE for member in available_members(enum))
+
+
+def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
+    """`bool stop_mode_known(int64_t value)`"""
+    wide = _is_wide(enum)
+    tests: list[Expression] = []
+    for low, high in _runs(sorted({member.value for member in available_members(enum)})):
+        least, most = integer(low, 8, not wide), integer(high, 8, not wide)
+        if low == 0 and high > 0 and wide:
+            tests.append(at_most(VALUE, most))
+        else:
+            tests.append(equal(VALUE, least) if low == high else all_of([at_least(VALUE, least), at_most(VALUE, most)]))
+    body: list[Statement] = [If(test, (Return(TRUE),)) for test in tests[:-1]]
     if tests:
-        return [*lines, f"    return {naming.own_macro('likely')}({tests[-1]});", "}"]
-    return [*lines, "    (void)value;", "    return false;", "}"]
+        body.append(Return(Call(naming.own_macro("likely"), (tests[-1],))))
+    else:
+        body += [discard("value"), Return(FALSE)]
+    parameter = Variable(Type("uint64_t" if wide else "int64_t"), "value")
+    # The name of the type is claimed before that of the function.
+    about = f"Whether a value is one of {escape_comment(naming.type('enum', enum.name))}."
+    function = Function(Type("bool"), naming.function("enum", enum.name, "known"), (parameter,), tuple(body))
+    return [Comment((about,)), function]
 
 
 def _runs(values: list[int]) -> list[tuple[int, int]]:
+    """The intervals of consecutive numbers."""
     runs: list[tuple[int, int]] = []
     for value in values:
         if runs and runs[-1][1] == value - 1:
@@ -107,42 +158,47 @@ def _runs(values: list[int]) -> list[tuple[int, int]]:
     return runs
 
 
-def closed_test(naming: Naming, device: Device, value: Value, name: str) -> str:
-    """The condition under which the value's closed enum refuses it, or an empty one."""
+def unknown_value_test(naming: Naming, device: Device, value: Value, number: Expression) -> Expression | None:
+    """`!stop_mode_known((int64_t)value)`: whether the value's closed enum refuses it; None where nothing is refused."""
     if not value.enum or device.enums[value.enum].open:
-        return ""
-    kind = "uint64_t" if _wide(device.enums[value.enum]) else "int64_t"
-    known = f"!{naming.function('enum', value.enum, 'known')}(({kind}){name})"
-    others = [f" && {name} != {integer(s.value, value.size, value.type.signed)}" for s in value.sentinels]
-    return known + "".join(others)
+        return None
+    kind = "uint64_t" if _is_wide(device.enums[value.enum]) else "int64_t"
+    known = negate(Call(naming.function("enum", value.enum, "known"), (Cast(kind, number),)))
+    sentinels = [different(number, integer(s.value, value.size, value.type.signed)) for s in value.sentinels]
+    return all_of([known, *sentinels])
 
 
-def text_lines(naming: Naming, enum: Enum) -> list[str]:
+def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
-    kind = naming.own("code_text")
-    lines = [
-        f"/** The texts of a code of {naming.type('enum', enum.name)}, or NULL where it is not listed. */",
-        f"static inline const {kind} *{naming.function('enum', enum.name, 'text')}(int64_t code)",
-        "{",
-    ]
+    struct = naming.own("code_text")
+    about = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL where it is not listed."
     members = [member for member in enum.members if member.value <= _LARGEST_CODE]
-    if not members:
-        return [*lines, "    (void)code;", "    return NULL;", "}"]
-    lines.append(f"    static const {kind} texts[] = {{")
-    for member in members:
-        causes = "\n".join(cause.cause for cause in member.causes)
-        remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
-        texts = (member.printed_name, member.name, member.label, member.problem or member.doc, causes, remedies)
-        cells = ", ".join(string(text) for text in texts)
-        number = integer(-1 if member.number is None else member.number, 8)
-        lines.append(f"        {{{integer(member.value, 8)}, {number}, {cells}}},")
-    lines += [
-        "    };",
-        "    size_t at;",
-        "    for (at = 0; at < sizeof texts / sizeof texts[0]; at++) {",
-        *indented(["if (texts[at].code == code) {", "    return &texts[at];", "}"], 2),
-        "    }",
-        "    return NULL;",
-        "}",
-    ]
-    return lines
+    texts, code = Identifier("texts"), Identifier("code")
+    row = Element(texts, INDEX)
+    body: tuple[Statement, ...] = (discard("code"), Return(NULL))
+    if members:
+        body = (
+            Table(Type(struct), "texts", tuple([_code_text(member) for member in members])),
+            Variable(INDEX.type, INDEX.name),
+            CountUp(
+                INDEX,
+                Operation("/", (SizeOf(texts), SizeOf(Element(texts, ZERO)))),
+                (If(equal(StructMember(row, "code"), code), (Return(address_of(row)),)),),
+            ),
+            Return(NULL),
+        )
+    function = Function(
+        Type(struct, const=True, pointer=True),
+        naming.function("enum", enum.name, "text"),
+        (Variable(Type("int64_t"), "code"),),
+        body,
+    )
+    return [Comment((about,)), function]
+
+
+def _code_text(member: Member) -> Initializer:
+    causes = "\n".join(cause.cause for cause in member.causes)
+    remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
+    texts = (member.printed_name, member.name, member.label, member.problem or member.doc, causes, remedies)
+    number = integer(-1 if member.number is None else member.number, 8)
+    return Initializer((integer(member.value, 8), number, *[string(text) for text in texts]))

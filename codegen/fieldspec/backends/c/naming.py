@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
+from fieldspec.backends.c.expressions import Identifier
 from fieldspec.names import Name
 from fieldspec.reserved import C
 
@@ -50,6 +51,7 @@ class Naming:
         self._taken = {word for name in _TAKEN for word in (name, name.upper())}
         self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
+        self._statuses: dict[str, Identifier] = {}
 
     def type(self, noun: Noun, *parts: str) -> str:
         """`gadget_point`"""
@@ -68,6 +70,13 @@ class Naming:
     def own_macro(self, *parts: str) -> str:
         """`GADGET_OK`"""
         return self.macro("own", *parts)
+
+    def status(self, name: str) -> Identifier:
+        """A constant of the status that functions return: `GADGET_ERR_OUT_OF_RANGE`"""
+        constant = self._statuses.get(name)
+        if constant is None:
+            constant = self._statuses[name] = Identifier(self.own_macro(name))
+        return constant
 
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
         key = (upper, noun, parts)

@@ -4,113 +4,153 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.c.accessors import ACCESS, access_lines, constant_lines
-from fieldspec.backends.c.comments import of_value, told
+from fieldspec.backends.c.comments import comment, describe_fact, describe_value
+from fieldspec.backends.c.declarations import BLANK, Declaration, Define, Function
+from fieldspec.backends.c.expressions import (
+    NUMBER,
+    OUT,
+    Cast,
+    Expression,
+    Group,
+    Identifier,
+    Literal,
+    Type,
+    add,
+    all_of,
+    any_of,
+    at_least,
+    at_most,
+    dereference,
+    hexadecimal_digits,
+    negate,
+    unsigned,
+)
 from fieldspec.backends.c.naming import Naming
-from fieldspec.backends.c.text import comment, indented
-from fieldspec.backends.c.values import Wire
+from fieldspec.backends.c.registers import ACCESS, access_functions, define_constants
+from fieldspec.backends.c.statements import Body, Variable, assign
+from fieldspec.backends.c.values import (
+    WireValue,
+    refuse,
+    return_ok,
+    status_type,
+)
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
 from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 
 
-def parameter_lines(naming: Naming, device: Device, held: ParameterSet) -> Iterator[list[str]]:
-    """The numbers of a set, then the constants and functions of its parameters, one block each."""
-    if held.base or held.numbers is not None:
-        yield _family(naming, held)
-    for one in held.parameters:
-        yield _parameter(naming, device, held, one)
-        if not one.reserved:
-            for inner in one.subindices:
-                if not inner.reserved:
-                    yield _subindex(naming, device, held, one, inner)
+def declare_parameters(naming: Naming, device: Device, parameters: ParameterSet) -> Iterator[list[Declaration]]:
+    """The numbers of a set, then the constants and functions of its parameters, one list each."""
+    if parameters.base or parameters.numbers is not None:
+        yield _declare_set(naming, parameters)
+    for parameter in parameters.parameters:
+        yield _declare_parameter(naming, device, parameters, parameter)
+        if not parameter.reserved:
+            for subindex in parameter.subindices:
+                if not subindex.reserved:
+                    yield _declare_subindex(naming, device, parameters, parameter, subindex)
 
 
-def number_text(held: ParameterSet, number: int) -> str:
+def wire_number_type(parameters: ParameterSet) -> str:
+    """The type of the set's numbers on the wire."""
+    assert parameters.numbers is not None
+    return "uint16_t" if parameters.base + parameters.numbers.high <= 0xFFFF else "uint32_t"
+
+
+def _number(parameters: ParameterSet, number: int) -> Literal:
     """A number of the set as a constant: in hexadecimal where the manual writes it so."""
-    return f"0x{number:04X}u" if held.base or "x}" in held.printed_as.lower() else f"{number}u"
+    if parameters.base or "x}" in parameters.printed_as.lower():
+        return hexadecimal_digits(number, 4, "u")
+    return unsigned(number)
 
 
-def wire_type(held: ParameterSet) -> str:
-    """The type that holds every number of the set on the wire."""
-    assert held.numbers is not None
-    return "uint16_t" if held.base + held.numbers.high <= 0xFFFF else "uint32_t"
+def _number_text(parameters: ParameterSet, number: int) -> str:
+    """The same for people, without the mark of its type."""
+    return _number(parameters, number).text.removesuffix("u")
 
 
-def _family(naming: Naming, held: ParameterSet) -> list[str]:
+def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
     """The base of the set's numbers on the wire, and the function that gives one where they are a formula."""
-    names = (held.name,)
-    lines = told(held, f"Their numbers on the wire are those of the set and {number_text(held, held.base)[:-1]}.")
-    lines.append(f"#define {naming.macro('parameter', *names, 'base')} {number_text(held, held.base)}")
-    if held.numbers is None:
-        return lines
-    lines += [
-        f"#define {naming.macro('parameter', *names, 'first')} {number_text(held, held.numbers.low)}",
-        f"#define {naming.macro('parameter', *names, 'last')} {number_text(held, held.numbers.high)}",
+    base_text = _number_text(parameters, parameters.base)
+    base = Identifier(naming.macro("parameter", parameters.name, "base"))
+    declarations: list[Declaration] = [
+        describe_fact(parameters, f"Their numbers on the wire are those of the set and {base_text}."),
+        Define(base.name, _number(parameters, parameters.base)),
     ]
-    number, wire = held.numbers.low, held.base + held.numbers.low
-    example = f"{number_text(held, wire)[:-1]} for {held.written(number)}"
-    tests = []
-    for low, high in held.numbers.intervals:
-        first, last = (number_text(held, bound) for bound in (low, high))
-        tests.append(f"number <= {last}" if low == 0 else f"(number >= {first} && number <= {last})")
-    kind = wire_type(held)
-    return [
-        *lines,
-        *comment(f"A number of the set as it is on the wire: {example}. A number that there is not is refused."),
-        f"static inline {naming.own('codec_status')} {naming.function('parameter', *names, 'wire_number')}"
-        f"(uint32_t number, {kind} *out)",
-        "{",
-        *indented(
-            [
-                f"if (!({' || '.join(tests)})) {{",
-                f"    return {naming.own_macro('err_out_of_range')};",
-                "}",
-                f"*out = ({kind})({naming.macro('parameter', *names, 'base')} + number);",
-                f"return {naming.own_macro('ok')};",
-            ]
-        ),
-        "}",
+    numbers = parameters.numbers
+    if numbers is None:
+        return declarations
+    declarations += [
+        Define(naming.macro("parameter", parameters.name, "first"), _number(parameters, numbers.low)),
+        Define(naming.macro("parameter", parameters.name, "last"), _number(parameters, numbers.high)),
     ]
+    example = f"{_number_text(parameters, parameters.base + numbers.low)} for {parameters.written(numbers.low)}"
+    inside: list[Expression] = []
+    for low, high in numbers.intervals:
+        least, most = at_least(NUMBER, _number(parameters, low)), at_most(NUMBER, _number(parameters, high))
+        inside.append(most if low == 0 else Group(all_of([least, most])))
+    kind = wire_number_type(parameters)
+    body: Body = (
+        *refuse(naming, negate(any_of(inside)), "err_out_of_range"),
+        assign(dereference(OUT), Cast(kind, add(base, NUMBER))),
+        return_ok(naming),
+    )
+    function = Function(
+        status_type(naming),
+        naming.function("parameter", parameters.name, "wire_number"),
+        (Variable(Type("uint32_t"), "number"), Variable(Type(kind, pointer=True), "out")),
+        body,
+    )
+    about = f"A number of the set as it is on the wire: {example}. A number that there is not is refused."
+    return [*declarations, comment(about), function]
 
 
-def _parameter(naming: Naming, device: Device, held: ParameterSet, parameter: Parameter) -> list[str]:
-    names = (held.name, parameter.name)
-    written = held.written(parameter.number) if held.printed_as else ""
+def _declare_parameter(
+    naming: Naming, device: Device, parameters: ParameterSet, parameter: Parameter
+) -> list[Declaration]:
+    names = (parameters.name, parameter.name)
+    printed_number = parameters.written(parameter.number) if parameters.printed_as else ""
     facts = (
         "Reserved." if parameter.reserved else "",
-        f"{written} of {held.name}." if written else "",
+        f"{printed_number} of {parameters.name}." if printed_number else "",
         ACCESS[parameter.access] if parameter.access else "",
         "A change takes effect after a restart." if parameter.restart else "",
         f"For {', '.join(parameter.applies_to)} only." if parameter.applies_to else "",
         f"With {', '.join(parameter.messages)}." if parameter.messages else "",
     )
-    lines = told(parameter, " ".join(fact for fact in facts if fact), of_value(parameter.value))
-    number = number_text(held, held.base + parameter.number)
-    lines.append(f"#define {naming.macro('parameter', *names, 'number')} {number}")
+    constants = [("number", _number(parameters, parameters.base + parameter.number))]
     if parameter.count > 1:
-        lines.append(f"#define {naming.macro('parameter', *names, 'count')} {parameter.count}u")
+        constants.append(("count", unsigned(parameter.count)))
     if parameter.elements is not None:
-        lines.append(f"#define {naming.macro('parameter', *names, 'elements')} {parameter.elements}u")
+        constants.append(("elements", unsigned(parameter.elements)))
+    declarations: list[Declaration] = [
+        describe_fact(parameter, " ".join(fact for fact in facts if fact), describe_value(parameter.value)),
+        *(Define(naming.macro("parameter", *names, name), number) for name, number in constants),
+    ]
     if parameter.reserved:
-        return lines
-    return [*lines, *_held(naming, device, names, parameter.value)]
+        return declarations
+    return [*declarations, *_declare_parameter_value(naming, device, names, parameter.value)]
 
 
-def _subindex(naming: Naming, device: Device, held: ParameterSet, parameter: Parameter, inner: Subindex) -> list[str]:
-    names = (held.name, parameter.name, inner.name)
-    low, high = inner.indices.low, inner.indices.high
+def _declare_subindex(
+    naming: Naming, device: Device, parameters: ParameterSet, parameter: Parameter, subindex: Subindex
+) -> list[Declaration]:
+    names = (parameters.name, parameter.name, subindex.name)
+    low, high = subindex.indices.low, subindex.indices.high
     ends = [("subindex", low)] if low == high else [("first_subindex", low), ("last_subindex", high)]
-    lines = told(inner, f"Of {parameter.name}.", of_value(inner.value))
-    lines += [f"#define {naming.macro('parameter', *names, end)} {number}u" for end, number in ends]
-    return [*lines, *_held(naming, device, names, inner.value)]
-
-
-def _held(naming: Naming, device: Device, names: tuple[str, ...], value: Value) -> list[str]:
-    order, swapped = Orders(device.byte_order, device.word_order).of(value)
     return [
-        *constant_lines(naming, "parameter", names, value),
-        "",
-        *access_lines(naming, device, "parameter", names, Wire(value, order, swapped), value.size),
+        describe_fact(subindex, f"Of {parameter.name}.", describe_value(subindex.value)),
+        *(Define(naming.macro("parameter", *names, end), unsigned(number)) for end, number in ends),
+        *_declare_parameter_value(naming, device, names, subindex.value),
+    ]
+
+
+def _declare_parameter_value(naming: Naming, device: Device, names: tuple[str, ...], value: Value) -> list[Declaration]:
+    order, swapped = Orders(device.byte_order, device.word_order).of(value)
+    wire = WireValue(value, order, swapped)
+    return [
+        *define_constants(naming, "parameter", names, value),
+        BLANK,
+        *access_functions(naming, device, "parameter", names, wire, value.size),
     ]

@@ -1,78 +1,200 @@
-"""Registers and tables of records: constants, and functions for their values and addresses."""
+"""Values that have an address: registers, tables of records; and constants and functions of any value."""
 
 from __future__ import annotations
 
-from fieldspec.backends.c.accessors import ACCESS, access_lines, constant_lines
-from fieldspec.backends.c.comments import of_value, told
+from fractions import Fraction
+
+from fieldspec.backends.c.comments import comment, describe_fact, describe_value
+from fieldspec.backends.c.declarations import BLANK, Declaration, Define, Function
+from fieldspec.backends.c.expressions import (
+    IN,
+    INPUT_BYTES,
+    NUMBER,
+    OUT,
+    OUTPUT_BYTES,
+    VALUE,
+    ZERO,
+    Cast,
+    Element,
+    Expression,
+    Identifier,
+    Type,
+    add,
+    at_least,
+    decimal,
+    dereference,
+    hexadecimal,
+    integer,
+    multiply,
+    subtract,
+    unsigned,
+)
 from fieldspec.backends.c.naming import Naming, Noun
-from fieldspec.backends.c.text import comment, hexadecimal, indented
-from fieldspec.backends.c.values import Wire
+from fieldspec.backends.c.statements import Body, Variable, assign
+from fieldspec.backends.c.values import (
+    WireValue,
+    check_constant,
+    declare_value,
+    decode_value,
+    encode_value,
+    refuse,
+    return_ok,
+    status_type,
+    store_constant,
+    type_name,
+)
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.device import Device
+from fieldspec.model.primitive import Kind
+from fieldspec.model.signal import Signal
+from fieldspec.model.value import Value
+
+ACCESS = {
+    "ro": "Read only.",
+    "rw": "Read and write.",
+    "wo": "Write only.",
+    "": "The manual does not say how it is accessed.",
+}
+_GREATEST_FRACTION = 2**63 - 1
 
 
-def register_lines(naming: Naming, device: Device, laid: RegisterLayout) -> list[str]:
+# Constants and functions of a value
+
+
+def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[Declaration]:
+    """`#define GADGET_REG_SPEED_MAX 3000`: constant, range, default and scale, in counts or as a fraction."""
+    size, signed = value.size, value.type.signed
+    constants: list[tuple[str, Expression]] = []
+    if value.const is not None:
+        constants.append(("value", integer(value.const, size, signed)))
+    if value.ranges is not None:
+        constants.append(("min", integer(value.ranges.low, size, signed)))
+        constants.append(("max", integer(value.ranges.high, size, signed)))
+    if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
+        constants.append(("default", integer(value.default, size, signed)))
+    for name, exact, implied in (("scale", value.scale, 1), ("offset", value.offset, 0)):
+        fraction = Fraction(exact)
+        if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
+            constants.append((f"{name}_numerator", integer(fraction.numerator, 8)))
+            constants.append((f"{name}_denominator", integer(fraction.denominator, 8)))
+    return [Define(naming.macro(noun, *names, name), number) for name, number in constants]
+
+
+def access_functions(
+    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int
+) -> list[Declaration]:
+    """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
+
+    `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
+    """
+    value = wire.value
+    read, written = [Variable(INPUT_BYTES, "in")], [Variable(OUTPUT_BYTES, "out")]
+    encode: Body
+    decode: Body
+    if value.const is not None:
+        encode, decode = store_constant(naming, wire, value.const, OUT), check_constant(naming, wire, IN)
+    else:
+        target = OUT if wire.is_array else dereference(OUT)
+        encode = encode_value(naming, device, wire, VALUE, OUT)
+        decode = decode_value(naming, device, wire, IN, target)
+        pointer = Variable(Type(type_name(value), pointer=True), "out")
+        read.append(declare_value(wire, "out") if wire.is_array else pointer)
+        written.insert(0, declare_value(wire, "value", const=wire.is_array))
+    padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
+    place = f" its value from the {size} bytes of its words." if noun == "register" else " its value."
+    decode_name, encode_name = naming.function(noun, *names, "decode"), naming.function(noun, *names, "encode")
+    return [
+        comment(f"Reads{place}"),
+        Function(status_type(naming), decode_name, tuple(read), (*decode, return_ok(naming))),
+        BLANK,
+        comment(f"Writes{place.replace(' from ', ' to ')}"),
+        Function(status_type(naming), encode_name, tuple(written), (*encode, *padding, return_ok(naming))),
+    ]
+
+
+# Registers and tables of records
+
+
+def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> list[Declaration]:
     """The constants of a register, and the functions for its value."""
-    register, value = laid.register, laid.register.value
+    register, value = layout.register, layout.register.value
     facts = (
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
-        f"{laid.words} words must be accessed in one request." if register.atomic and laid.words > 1 else "",
+        f"{layout.words} words must be accessed in one request." if register.atomic and layout.words > 1 else "",
         f"The same as {register.same_as}." if register.same_as else "",
         f"A copy of {register.copy_of}." if register.copy_of else "",
     )
-    lines = told(register, " ".join(fact for fact in facts if fact), of_value(value))
-    constants = [("address", hexadecimal(laid.address, 2)), ("words", f"{laid.words}u")]
-    if register.number is not None:
-        constants.append(("number", f"{register.number}u"))
-    if laid.count > 1:
-        constants += [("count", f"{laid.count}u"), ("stride", f"{laid.stride}u"), ("first", f"{register.index_from}u")]
-    lines += _defined(naming, "register", laid.name, constants)
-    lines += constant_lines(naming, "register", (laid.name,), value)
-    wire = Wire(value, laid.order, laid.swapped)
-    lines += ["", *access_lines(naming, device, "register", (laid.name,), wire, value.size + value.size % 2)]
-    if laid.count > 1:
-        lines += ["", *_address(naming, "register", laid.name, f"{laid.name} by its number")]
-    return lines
-
-
-def _defined(naming: Naming, noun: Noun, name: str, constants: list[tuple[str, str]]) -> list[str]:
-    return [f"#define {naming.macro(noun, name, constant)} {text}" for constant, text in constants]
-
-
-def _address(naming: Naming, noun: Noun, name: str, what: str) -> list[str]:
-    base, first, count, stride = (naming.macro(noun, name, end) for end in ("address", "first", "count", "stride"))
-    return [
-        *comment(f"The address of {what}; a number that there is not is refused."),
-        f"static inline {naming.own('codec_status')} {naming.function(noun, name, 'at')}"
-        "(uint32_t number, uint16_t *address)",
-        "{",
-        *indented(
-            [
-                f"if (number - {first} >= {count}) {{",
-                f"    return {naming.own_macro('err_out_of_range')};",
-                "}",
-                f"*address = (uint16_t)({base} + (number - {first}) * {stride});",
-                f"return {naming.own_macro('ok')};",
-            ]
-        ),
-        "}",
+    constants: list[tuple[str, Expression]] = [
+        ("address", hexadecimal(layout.address, 2)),
+        ("words", unsigned(layout.words)),
     ]
+    if register.number is not None:
+        constants.append(("number", unsigned(register.number)))
+    if layout.count > 1:
+        constants += [
+            ("count", unsigned(layout.count)),
+            ("stride", unsigned(layout.stride)),
+            ("first", unsigned(register.index_from)),
+        ]
+    names = (layout.name,)
+    wire = WireValue(value, layout.order, layout.swapped)
+    declarations: list[Declaration] = [
+        describe_fact(register, " ".join(fact for fact in facts if fact), describe_value(value)),
+        *(Define(naming.macro("register", layout.name, name), number) for name, number in constants),
+        *define_constants(naming, "register", names, value),
+        BLANK,
+        *access_functions(naming, device, "register", names, wire, value.size + value.size % 2),
+    ]
+    if layout.count > 1:
+        declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]
+    return declarations
 
 
-def table_lines(naming: Naming, laid: TableLayout) -> list[str]:
+def declare_table(naming: Naming, layout: TableLayout) -> list[Declaration]:
     """The constants of a table, and the function that gives an element's address."""
-    table = laid.table
+    table = layout.table
     access = ACCESS[table.access] if table.access else ""
-    lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access)
     constants = [
         ("address", hexadecimal(table.base, 2)),
-        ("words", f"{laid.words}u"),
-        ("stride", f"{table.stride}u"),
-        ("count", f"{table.count}u"),
-        ("first", f"{table.index_from}u"),
+        ("words", unsigned(layout.words)),
+        ("stride", unsigned(table.stride)),
+        ("count", unsigned(table.count)),
+        ("first", unsigned(table.index_from)),
     ]
-    lines += _defined(naming, "table", laid.name, constants)
-    return [*lines, "", *_address(naming, "table", laid.name, f"an element of {table.name} by its number")]
+    return [
+        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", access),
+        *(Define(naming.macro("table", layout.name, name), number) for name, number in constants),
+        BLANK,
+        *_address_function(naming, "table", layout.name, f"an element of {table.name} by its number"),
+    ]
+
+
+def _address_function(naming: Naming, noun: Noun, name: str, what: str) -> list[Declaration]:
+    """`codec_status table_points_at(uint32_t number, uint16_t *address)`"""
+    base, first, count, stride = (
+        Identifier(naming.macro(noun, name, end)) for end in ("address", "first", "count", "stride")
+    )
+    index = subtract(NUMBER, first)
+    address = Cast("uint16_t", add(base, multiply(index, stride)))
+    body: Body = (
+        *refuse(naming, at_least(index, count), "err_out_of_range"),
+        assign(dereference(Identifier("address")), address),
+        return_ok(naming),
+    )
+    parameters = Variable(Type("uint32_t"), "number"), Variable(Type("uint16_t", pointer=True), "address")
+    return [
+        comment(f"The address of {what}; a number that there is not is refused."),
+        Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),
+    ]
+
+
+# Signals
+
+
+def declare_signal(naming: Naming, signal: Signal) -> list[Declaration]:
+    """The constants of a signal of messages; nothing where it has none."""
+    constants = define_constants(naming, "signal", (signal.name,), signal.value)
+    return [describe_fact(signal, describe_value(signal.value)), *constants] if constants else []

@@ -5,112 +5,156 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from fieldspec.backends.c.assertions import assigned, compared, same
-from fieldspec.backends.c.decided import Decided, every
-from fieldspec.backends.c.enums import coded
-from fieldspec.backends.c.expected import field_value, high_value, record_bytes, record_value
+from fieldspec.backends.c.assertions import (
+    LENGTH,
+    clear_variable,
+    expect,
+    expect_array,
+    expect_equal,
+    expect_members,
+    set_members,
+)
+from fieldspec.backends.c.comments import escape_comment
+from fieldspec.backends.c.declarations import Function
+from fieldspec.backends.c.enums import code_tables
+from fieldspec.backends.c.expressions import (
+    SIZE_TYPE,
+    ZERO,
+    Call,
+    Expression,
+    Identifier,
+    Member,
+    SizeOf,
+    Type,
+    address_of,
+    byte_initializer,
+    decimal,
+    different,
+    integer,
+    subtract,
+)
 from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming, member
-from fieldspec.backends.c.proofs_of_constants import constants
-from fieldspec.backends.c.proofs_of_examples import example_lines
-from fieldspec.backends.c.proofs_of_values import conversions, values_at_bounds
-from fieldspec.backends.c.text import array, indented, integer, plain, string
-from fieldspec.backends.forms import filled
+from fieldspec.backends.c.printer import Printer
+from fieldspec.backends.c.runtime_files import all_records
+from fieldspec.backends.c.sample_values import (
+    RecordForm,
+    all_forms,
+    field_sample,
+    high_value,
+    record_bytes,
+    record_value,
+)
+from fieldspec.backends.c.selftest_constants import test_constants
+from fieldspec.backends.c.selftest_examples import test_example
+from fieldspec.backends.c.selftest_values import test_conversions, test_values
+from fieldspec.backends.c.statements import Statement, Variable, Variables, assign, call
+from fieldspec.backends.forms import filled, text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 
+BYTE = Type("uint8_t")
+_BYTES, _WANTED, _IN, _OUT = (Identifier(name) for name in ("bytes", "wanted", "in", "out"))
 
-def program(layout: DeviceLayout, naming: Naming, header: str) -> str:
+
+def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the program. It prints each failure, then a count, and exits with 0 where all is well."""
-    tests = [*constants(layout, naming), *_fields(layout, naming), *values_at_bounds(layout, naming)]
-    tests += [*conversions(layout, naming)]
-    tests += [example_lines(layout, naming, example) for example in layout.device.examples.values()]
-    switches = f"#define {naming.own_macro('with_texts')}\n" if coded(layout.device) else ""
+    tests = [*test_constants(layout, naming), *_test_records(layout, naming), *test_values(layout, naming)]
+    tests += [*test_conversions(layout, naming)]
+    tests += [test_example(layout, naming, example) for example in layout.device.examples.values()]
+    printer = Printer()
+    switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""
     return filled(
         "backends/c/selftest.c.in",
         header=header,
-        title=plain(f"{layout.device.name}, version {layout.device.version}"),
+        title=escape_comment(f"{layout.device.name}, version {layout.device.version}"),
         identity=layout.identity,
         selftest=naming.own("selftest"),
         switches=switches,
-        tests=[_function(f"test_{at}", lines) for at, lines in enumerate(tests)],
-        calls=[f"    test_{at}();\n" for at in range(len(tests))],
+        support=text("backends/c/runtime/selftest_support.h"),
+        tests=[_print_test(printer, number, body) for number, body in enumerate(tests)],
+        calls=[f"    test_{number}();\n" for number in range(len(tests))],
     )
 
 
-def _function(name: str, lines: list[str]) -> str:
-    return "\n".join(["", f"static void {name}(void)", "{", *indented("\n".join(lines).split("\n")), "}", ""])
+def _print_test(printer: Printer, number: int, body: list[Statement]) -> str:
+    function = Function(Type("void"), f"test_{number}", (), tuple(body), storage="static")
+    return "\n".join(["", *printer.print_declarations([function]), ""])
 
 
-def _records(layout: DeviceLayout) -> Iterator[RecordLayout]:
-    yield from layout.records.values()
-    for message in layout.messages.values():
-        yield from (message.request, message.response)
-
-
-def _fields(layout: DeviceLayout, naming: Naming) -> Iterator[list[str]]:
+def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
     """Each member of each record at its highest while all others are low: the bytes show where it lies."""
-    for record in _records(layout):
-        for form, selecting in every(record):
+    for record in all_records(layout):
+        for form, selection in all_forms(record):
             for field in members(form.record):
-                values = {**record_value(layout.device, form.record), **selecting}
-                if field.name not in selecting:
-                    values[field.name] = field_value(layout.device, field, high_value)
+                values = {**record_value(layout.device, form.record), **selection}
+                if field.name not in selection:
+                    values[field.name] = field_sample(layout.device, field, high_value)
                 what = ".".join([record.name, *([form.case] if form.case else []), field.name])
-                yield _round(naming, form, values, record_bytes(form.record, values), what)
+                yield _test_member(naming, form, values, record_bytes(form.record, values), what)
         if record.selector in members(record):
-            yield from _unchosen(naming, record)
+            yield from _test_unknown_selector(naming, record)
 
 
-def _round(naming: Naming, form: Decided, values: dict[str, Any], data: bytes, what: str) -> list[str]:
-    """Encodes values and compares bytes, decodes the bytes and encodes again."""
-    name = form.struct.name
-    encode, decode = naming.function("record", name, "encode"), naming.function("record", name, "decode")
-    ok = naming.own_macro("ok")
+def _record_call(naming: Naming, record: RecordLayout, verb: str, *arguments: Expression) -> Call:
+    return Call(naming.function("record", record.name, verb), arguments)
+
+
+def _test_member(naming: Naming, form: RecordForm, values: dict[str, Any], data: bytes, what: str) -> list[Statement]:
+    """Encodes values and compares bytes, decodes the bytes and compares members; too few bytes are refused."""
+    record = form.struct
+    ok, length, in_pointer, out_pointer = naming.status("ok"), address_of(LENGTH), address_of(_IN), address_of(_OUT)
+    one_less = subtract(SizeOf(_WANTED), decimal(1))
     last = form.record.fields[-1]
-    cut = f"expect({decode}(wanted, sizeof wanted - 1, &out) != {ok}, {string(what + ' cut')});"
+    cut = _record_call(naming, record, "decode", _WANTED, one_less, out_pointer)
+    encoded = _record_call(naming, record, "encode", in_pointer, _BYTES, SizeOf(_BYTES), length)
+    decoded = _record_call(naming, record, "decode", _BYTES, LENGTH, out_pointer)
+    short = _record_call(naming, record, "encode", in_pointer, _BYTES, one_less, length)
+    size = Identifier(naming.macro("record", record.name, "size"))
     return [
-        f"static const uint8_t wanted[] = {{{array(data)}}};",
-        f"uint8_t bytes[{naming.macro('record', name, 'size')}];",
-        f"{naming.type('record', name)} in, out;",
-        "size_t length = 0;",
-        "clear(bytes, sizeof bytes);",
-        "clear(&in, sizeof in);",
-        "clear(&out, sizeof out);",
-        *assigned(naming, form, values, "in."),
-        "copy(&in, &in, sizeof in);",
-        same(f"{what} encodes", f"{encode}(&in, bytes, sizeof bytes, &length)", ok),
-        f"expect(length == sizeof wanted && same_bytes(bytes, wanted, length), {string(what + ' bytes')});",
-        same(f"{what} decodes", f"{decode}(bytes, length, &out)", ok),
-        *compared(naming, form, values, "out.", what),
-        same(f"{what} short", f"{encode}(&in, bytes, sizeof wanted - 1, &length)", naming.own_macro("err_capacity")),
-        *([cut] if last.count is not None or last.size > 1 else []),
+        Variable(BYTE, "wanted", (None,), byte_initializer(data), "static const"),
+        Variable(BYTE, "bytes", (size,)),
+        Variables(Type(naming.type("record", record.name)), ("in", "out")),
+        Variable(SIZE_TYPE, "length", value=ZERO),
+        clear_variable(_BYTES),
+        clear_variable(in_pointer),
+        clear_variable(out_pointer),
+        *set_members(naming, form, values, _IN),
+        call("copy", in_pointer, in_pointer, SizeOf(_IN)),
+        expect_equal(f"{what} encodes", encoded, ok),
+        expect_array(f"{what} bytes", "bytes", "wanted"),
+        expect_equal(f"{what} decodes", decoded, ok),
+        *expect_members(naming, form, values, _OUT, what),
+        expect_equal(f"{what} short", short, naming.status("err_capacity")),
+        *([expect(different(cut, ok), f"{what} cut")] if last.count is not None or last.size > 1 else []),
     ]
 
 
-def _unchosen(naming: Naming, record: RecordLayout) -> Iterator[list[str]]:
-    """A value of the selector for which nothing may follow is refused."""
-    by = record.selector
-    assert by is not None
-    assert by.value is not None
-    kind = by.value.type
-    number = next((n for n in range(kind.high, kind.high - len(record.chosen) - 1, -1) if n not in record.chosen), None)
+def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[list[Statement]]:
+    """A value of the selector that chooses nothing is refused."""
+    selector = record.selector
+    assert selector is not None
+    assert selector.value is not None
+    kind = selector.value.type
+    highest = range(kind.high, kind.high - len(record.chosen) - 1, -1)
+    number = next((number for number in highest if number not in record.chosen), None)
     if number is None:
         return
-    name, literal = record.name, integer(number, kind.size, kind.signed)
-    encode, decode = naming.function("record", name, "encode"), naming.function("record", name, "decode")
-    refused = naming.own_macro("err_unknown_value")
-    wanted = bytearray(record.least)
-    wanted[by.offset : by.offset + by.size] = b"\xff" * by.size
-    lines = [
-        f"uint8_t bytes[{naming.macro('record', name, 'size')}];",
-        f"{naming.type('record', name)} in;",
-        "size_t length = 0;",
-        "clear(&in, sizeof in);",
-        f"in.{member(by.name)} = {literal};",
-        same(f"{name} chooses nothing", f"{encode}(&in, bytes, sizeof bytes, &length)", refused),
+    unknown_value = naming.status("err_unknown_value")
+    encoded = _record_call(naming, record, "encode", address_of(_IN), _BYTES, SizeOf(_BYTES), address_of(LENGTH))
+    body: list[Statement] = [
+        Variable(BYTE, "bytes", (Identifier(naming.macro("record", record.name, "size")),)),
+        Variable(Type(naming.type("record", record.name)), "in"),
+        Variable(SIZE_TYPE, "length", value=ZERO),
+        clear_variable(address_of(_IN)),
+        assign(Member(_IN, member(selector.name)), integer(number, kind.size, kind.signed)),
+        expect_equal(f"{record.name} chooses nothing", encoded, unknown_value),
     ]
     if not kind.signed and number == kind.high:
-        lines.insert(0, f"static const uint8_t unknown[] = {{{array(bytes(wanted))}}};")
-        lines.append(same(f"{name} chooses nothing", f"{decode}(unknown, sizeof unknown, &in)", refused))
-    yield lines
+        data = bytearray(record.least)
+        data[selector.offset : selector.offset + selector.size] = b"\xff" * selector.size
+        unknown = Identifier("unknown")
+        decoded = _record_call(naming, record, "decode", unknown, SizeOf(unknown), address_of(_IN))
+        body.insert(0, Variable(BYTE, "unknown", (None,), byte_initializer(bytes(data)), "static const"))
+        body.append(expect_equal(f"{record.name} chooses nothing", decoded, unknown_value))
+    yield body

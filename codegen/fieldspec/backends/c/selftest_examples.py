@@ -1,0 +1,194 @@
+"""What self-tests expect of the example frames."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fieldspec.backends.c.assertions import (
+    LENGTH,
+    clear_variable,
+    expect_array,
+    expect_equal,
+    expect_members,
+    set_members,
+)
+from fieldspec.backends.c.delimiters import is_wrapped
+from fieldspec.backends.c.expressions import (
+    FALSE,
+    SIZE_TYPE,
+    TRUE,
+    ZERO,
+    Call,
+    Expression,
+    Identifier,
+    Member,
+    SizeOf,
+    Type,
+    add,
+    address_of,
+    byte_initializer,
+    decimal,
+    equal,
+    integer,
+    unsigned,
+)
+from fieldspec.backends.c.fields import members
+from fieldspec.backends.c.frames import header_parts
+from fieldspec.backends.c.naming import Naming, frame_member
+from fieldspec.backends.c.sample_values import form_of_values, record_value
+from fieldspec.backends.c.statements import If, Statement, Variable, Variables, assign, call
+from fieldspec.backends.c.values import status_type
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.meaning import body_of, raw_values
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.example import Example
+
+_STATUSES = {
+    "unknown_code": "err_unknown_code",
+    "wrong_check": "err_wrong_check",
+    "wrong_length": "err_wrong_length",
+    "out_of_range": "err_out_of_range",
+    "incomplete": "err_incomplete",
+}
+_BYTE = Type("uint8_t")
+_FRAME, _RECEIVED, _BUFFER, _OPENED = (Identifier(name) for name in ("frame", "received", "buffer", "opened"))
+_IN, _OUT, _AGAIN, _STATUS = (Identifier(name) for name in ("in", "out", "again", "status"))
+
+
+def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list[Statement]:
+    """Opens a frame, decodes its body, compares every member, and writes the frame again."""
+    link = layout.links[example.link]
+    what = f"example {example.id}"
+    body: list[Statement] = [
+        Variable(_BYTE, "frame", (None,), byte_initializer(example.frame), "static const"),
+        Variable(_BYTE, "received", (SizeOf(_FRAME),)),
+    ]
+    buffer: tuple[Expression, ...] = ()
+    if is_wrapped(link):
+        body.append(Variable(_BYTE, "buffer", (SizeOf(_FRAME),)))
+        buffer = _BUFFER, SizeOf(_BUFFER)
+    body.append(Variable(Type(naming.type("link", link.name, example.direction, "frame")), "opened"))
+    received = _RECEIVED, SizeOf(_RECEIVED)
+    open_frame = naming.function("link", link.name, example.direction, "open")
+    opened = Call(open_frame, (*received, *buffer, address_of(_OPENED)))
+    receive: list[Statement] = [
+        call("copy", _RECEIVED, _FRAME, SizeOf(_FRAME)),
+        clear_variable(address_of(_OPENED)),
+    ]
+    if example.refused:
+        return [*body, *_expect_refusal(layout, naming, example, opened, receive)]
+    record = body_of(layout, link.name, example.direction, example.message, example.error)
+    values = raw_values(layout, example)
+    form = form_of_values(record, values)
+    shown: dict[str, Any] = {name: value for name, value in values.items() if record.named(name) is not None}
+    has_struct = bool(members(record))
+    if has_struct:
+        body.append(Variables(Type(naming.type("record", record.name)), ("in", "out")))
+    room = add(SizeOf(_FRAME), decimal(len(link.link.start) + len(link.link.end)))
+    body += [Variable(_BYTE, "again", (room,)), Variable(SIZE_TYPE, "length", value=ZERO)]
+    if has_struct:
+        body += [clear_variable(address_of(_IN)), clear_variable(address_of(_OUT))]
+    body += [*receive, expect_equal(f"{what} opens", opened, naming.status("ok"))]
+    body += _expect_header(link, example, values, what)
+    struct = (address_of(_OUT),) if has_struct else ()
+    decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
+    body.append(expect_equal(f"{what} decodes", decoded, naming.status("ok")))
+    body += expect_members(naming, form, shown, _OUT, what)
+    body += set_members(naming, form, {**record_value(layout.device, form.record), **shown}, _IN)
+    encoded = Call(*_encode_frame(layout, naming, example, values, record))
+    body.append(expect_equal(f"{what} encodes", encoded, naming.status("ok")))
+    body.append(expect_array(f"{what} bytes", "again", "frame"))
+    return body
+
+
+_BODY = Member(_OPENED, "body"), Member(_OPENED, "body_length")
+"""The arguments for the body of an opened frame."""
+
+
+def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], what: str) -> list[Statement]:
+    """Compares the parts before the body."""
+    frame = link.frame(example.direction)
+    body: list[Statement] = []
+    for part in header_parts(frame):
+        number = integer(values[part.name], part.size, False)
+        body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part.name)), number))
+    if frame.role("code") is not None:
+        body.append(expect_equal(f"{what}: code", Member(_OPENED, "code"), _code(link, example)))
+    if example.direction == "response" and link.link.error is not None:
+        body.append(expect_equal(f"{what}: error", Member(_OPENED, "error"), TRUE if example.error else FALSE))
+    return body
+
+
+def _code(link: LinkLayout, example: Example) -> Expression:
+    code, _ = _frame_code(link, example)
+    assert code is not None
+    return unsigned(code)
+
+
+def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
+    """The code in a frame without the flag of an error reply, and whether that is set; None where there is none."""
+    start, end = len(link.link.start), len(example.frame) - len(link.link.end)
+    data, part = example.frame[start:end], link.frame(example.direction).role("code")
+    if link.link.encoding == "hex_ascii":
+        pairs = [data[at : at + 2] for at in range(0, len(data), 2)]
+        data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
+    if part is None or len(data) < part.offset + part.size:
+        return None, False
+    number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")
+    error = link.link.error
+    if error is None or example.direction == "request" or not number & error.flag:
+        return number, False
+    return number & ~error.flag, True
+
+
+def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None:
+    """The record in the body of a frame that may be wrong, None where nothing says which it is."""
+    link = layout.links[example.link]
+    if example.message:
+        return body_of(layout, link.name, example.direction, example.message, example.error)
+    code, is_error = _frame_code(link, example)
+    if is_error and link.link.error is not None:
+        return layout.records[link.link.error.record]
+    message = link.message_with_code(code) if code is not None else None
+    return message.data(example.direction) if message is not None else None
+
+
+def _expect_refusal(
+    layout: DeviceLayout, naming: Naming, example: Example, opened: Call, receive: list[Statement]
+) -> list[Statement]:
+    """The frame, or the body in it, is refused for the reason of the example."""
+    error = naming.status(_STATUSES[example.refused])
+    what = f"example {example.id}"
+    record = _refused_body(layout, example)
+    if record is None:
+        return [*receive, expect_equal(what, opened, error)]
+    has_struct = bool(members(record))
+    struct = (address_of(_OUT),) if has_struct else ()
+    decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
+    return [
+        *([Variable(Type(naming.type("record", record.name)), "out")] if has_struct else []),
+        Variable(status_type(naming), "status"),
+        *receive,
+        *([clear_variable(address_of(_OUT))] if has_struct else []),
+        assign(_STATUS, opened),
+        If(equal(_STATUS, naming.status("ok")), (assign(_STATUS, decoded),)),
+        expect_equal(what, _STATUS, error),
+    ]
+
+
+def _encode_frame(
+    layout: DeviceLayout, naming: Naming, example: Example, values: dict[str, Any], record: RecordLayout
+) -> tuple[str, tuple[Expression, ...]]:
+    """The function that writes the whole frame, and its arguments."""
+    link = layout.links[example.link]
+    frame = link.frame(example.direction)
+    arguments: list[Expression] = [integer(int(values[part.name]), part.size, False) for part in header_parts(frame)]
+    if example.error and frame.role("code") is not None:
+        arguments.append(_code(link, example))
+    if members(record):
+        arguments.append(address_of(_IN))
+    name = "error" if example.error else example.message
+    direction = () if example.error else (example.direction,)
+    function = naming.function("link", link.name, "encode", name, *direction)
+    return function, (*arguments, _AGAIN, SizeOf(_AGAIN), address_of(LENGTH))
