@@ -16,6 +16,7 @@ from fieldspec.backends.c.expressions import (
     Literal,
     Member,
     SizeOf,
+    Unary,
     all_of,
     byte_string,
     decimal,
@@ -59,8 +60,8 @@ def expect_array(what: str, memory: str, wanted: str) -> Evaluation:
 
 def clear_variable(variable: Expression) -> Evaluation:
     """`clear(&variable, sizeof variable);` of a struct, `clear(bytes, sizeof bytes);` of an array"""
-    array = variable.operand if hasattr(variable, "operand") else variable
-    return call("clear", variable, SizeOf(array))
+    cleared = variable.operand if isinstance(variable, Unary) else variable
+    return call("clear", variable, SizeOf(cleared))
 
 
 def set_members(naming: Naming, form: RecordForm, values: Mapping[str, Any], struct: Expression) -> list[Statement]:

@@ -179,9 +179,12 @@ def _escape(match: re.Match[str]) -> str:
     return _ESCAPES.get(char) or "".join(f"\\{byte:03o}" for byte in char.encode("utf-8", "replace"))
 
 
+_OCTAL_BYTES = tuple([f"\\{byte:03o}" for byte in range(256)])
+
+
 def byte_string(data: bytes) -> Literal:
     """Bytes as a string, each as an octal escape: `"\\001\\377"`"""
-    return Literal('"' + "".join([f"\\{byte:03o}" for byte in data]) + '"')
+    return Literal(f'"{"".join([_OCTAL_BYTES[byte] for byte in data])}"')
 
 
 @lru_cache(maxsize=_CACHE_SIZE)
@@ -236,12 +239,12 @@ def double(value: float) -> Literal:
     return Literal(repr(value))
 
 
-_BYTES = tuple(Literal(f"0x{byte:02X}") for byte in range(256))
+_HEXADECIMAL_BYTES = tuple([f"0x{byte:02X}" for byte in range(256)])
 
 
-def byte_initializer(data: bytes) -> Initializer:
+def byte_initializer(data: bytes) -> Literal:
     """The bytes of an array: `{0x01, 0x02}`"""
-    return Initializer(tuple([_BYTES[byte] for byte in data]))
+    return Literal(f"{{{', '.join([_HEXADECIMAL_BYTES[byte] for byte in data])}}}")
 
 
 def equal(left: Expression, right: Expression) -> Operation:

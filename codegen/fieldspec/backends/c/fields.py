@@ -26,7 +26,7 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.naming import Naming, member
 from fieldspec.backends.c.statements import Assignment, Body, CountUp, If, Return, Statement, Switch, Variable
-from fieldspec.backends.c.values import declare_value, field_value, load, status_type
+from fieldspec.backends.c.values import declare_value, field_value, load
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 
 ELEMENT_SIZE = Local("element", SIZE_TYPE)
@@ -61,12 +61,7 @@ def count_member(record: RecordLayout, field: FieldLayout) -> str:
 
 def function_locals(naming: Naming) -> tuple[Local, ...]:
     """The variables that functions of records may have, in the order in which they are declared."""
-    return ELEMENT_SIZE, INDEX, INNER_LENGTH, status_variable(naming)
-
-
-def status_variable(naming: Naming) -> Local:
-    """The variable for the status of a call."""
-    return Local("status", status_type(naming))
+    return ELEMENT_SIZE, INDEX, INNER_LENGTH, naming.status_variable()
 
 
 def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> Iterator[Comment | Variable | Union]:
@@ -111,7 +106,7 @@ def walk_elements(
 
 def return_error(naming: Naming, call: Expression) -> Body:
     """`status = call; if (status != OK) { return status; }`"""
-    variable = status_variable(naming)
+    variable = naming.status_variable()
     return Assignment(variable, call), If(different(variable, naming.status("ok")), (Return(variable),))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
-from fieldspec.backends.c.expressions import Identifier
+from fieldspec.backends.c.expressions import Identifier, Local, Type
 from fieldspec.names import Name
 from fieldspec.reserved import C
 
@@ -52,6 +52,7 @@ class Naming:
         self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
         self._statuses: dict[str, Identifier] = {}
+        self._status_variable: Local | None = None
 
     def type(self, noun: Noun, *parts: str) -> str:
         """`gadget_point`"""
@@ -77,6 +78,12 @@ class Naming:
         if constant is None:
             constant = self._statuses[name] = Identifier(self.own_macro(name))
         return constant
+
+    def status_variable(self) -> Local:
+        """The variable for the status of a call; its type is what functions return."""
+        if self._status_variable is None:
+            self._status_variable = Local("status", Type(self.own("codec_status")))
+        return self._status_variable
 
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
         key = (upper, noun, parts)

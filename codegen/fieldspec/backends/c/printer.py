@@ -253,7 +253,10 @@ class Printer(ExpressionPrinter):
         self.lines.append(f"{indent}#endif")
 
     def _variable(self, node: Variable) -> str:
-        line = _declarator(node.type, node.name)
+        kind = node.type
+        line = f"{kind.name} *{node.name}" if kind.pointer else f"{kind.name} {node.name}"
+        if kind.const:
+            line = f"const {line}"
         if node.storage:
             line = f"{node.storage} {line}"
         for dimension in node.dimensions:

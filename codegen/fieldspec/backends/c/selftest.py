@@ -56,6 +56,12 @@ from fieldspec.layout.record import RecordLayout
 BYTE = Type("uint8_t")
 _BYTES, _WANTED, _IN, _OUT = (Identifier(name) for name in ("bytes", "wanted", "in", "out"))
 
+_IN_POINTER, _OUT_POINTER, _LENGTH_POINTER = address_of(_IN), address_of(_OUT), address_of(LENGTH)
+_SIZE_OF_BYTES = SizeOf(_BYTES)
+_ONE_LESS = subtract(SizeOf(_WANTED), decimal(1))
+_CLEAR = clear_variable(_BYTES), clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
+_COPY = call("copy", _IN_POINTER, _IN_POINTER, SizeOf(_IN))
+
 
 def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the program. It prints each failure, then a count, and exits with 0 where all is well."""
@@ -86,8 +92,9 @@ def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stateme
     """Each member of each record at its highest while all others are low: the bytes show where it lies."""
     for record in all_records(layout):
         for form, selection in all_forms(record):
+            low_values = {**record_value(layout.device, form.record), **selection}
             for field in members(form.record):
-                values = {**record_value(layout.device, form.record), **selection}
+                values = dict(low_values)
                 if field.name not in selection:
                     values[field.name] = field_sample(layout.device, field, high_value)
                 what = ".".join([record.name, *([form.case] if form.case else []), field.name])
@@ -103,24 +110,21 @@ def _record_call(naming: Naming, record: RecordLayout, verb: str, *arguments: Ex
 def _test_member(naming: Naming, form: RecordForm, values: dict[str, Any], data: bytes, what: str) -> list[Statement]:
     """Encodes values and compares bytes, decodes the bytes and compares members; too few bytes are refused."""
     record = form.struct
-    ok, length, in_pointer, out_pointer = naming.status("ok"), address_of(LENGTH), address_of(_IN), address_of(_OUT)
-    one_less = subtract(SizeOf(_WANTED), decimal(1))
+    ok = naming.status("ok")
     last = form.record.fields[-1]
-    cut = _record_call(naming, record, "decode", _WANTED, one_less, out_pointer)
-    encoded = _record_call(naming, record, "encode", in_pointer, _BYTES, SizeOf(_BYTES), length)
-    decoded = _record_call(naming, record, "decode", _BYTES, LENGTH, out_pointer)
-    short = _record_call(naming, record, "encode", in_pointer, _BYTES, one_less, length)
+    cut = _record_call(naming, record, "decode", _WANTED, _ONE_LESS, _OUT_POINTER)
+    encoded = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _SIZE_OF_BYTES, _LENGTH_POINTER)
+    decoded = _record_call(naming, record, "decode", _BYTES, LENGTH, _OUT_POINTER)
+    short = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _ONE_LESS, _LENGTH_POINTER)
     size = Identifier(naming.macro("record", record.name, "size"))
     return [
         Variable(BYTE, "wanted", (None,), byte_initializer(data), "static const"),
         Variable(BYTE, "bytes", (size,)),
         Variables(Type(naming.type("record", record.name)), ("in", "out")),
         Variable(SIZE_TYPE, "length", value=ZERO),
-        clear_variable(_BYTES),
-        clear_variable(in_pointer),
-        clear_variable(out_pointer),
+        *_CLEAR,
         *set_members(naming, form, values, _IN),
-        call("copy", in_pointer, in_pointer, SizeOf(_IN)),
+        _COPY,
         expect_equal(f"{what} encodes", encoded, ok),
         expect_array(f"{what} bytes", "bytes", "wanted"),
         expect_equal(f"{what} decodes", decoded, ok),
@@ -141,12 +145,12 @@ def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[lis
     if number is None:
         return
     unknown_value = naming.status("err_unknown_value")
-    encoded = _record_call(naming, record, "encode", address_of(_IN), _BYTES, SizeOf(_BYTES), address_of(LENGTH))
+    encoded = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _SIZE_OF_BYTES, _LENGTH_POINTER)
     body: list[Statement] = [
         Variable(BYTE, "bytes", (Identifier(naming.macro("record", record.name, "size")),)),
         Variable(Type(naming.type("record", record.name)), "in"),
         Variable(SIZE_TYPE, "length", value=ZERO),
-        clear_variable(address_of(_IN)),
+        clear_variable(_IN_POINTER),
         assign(Member(_IN, member(selector.name)), integer(number, kind.size, kind.signed)),
         expect_equal(f"{record.name} chooses nothing", encoded, unknown_value),
     ]
@@ -154,7 +158,7 @@ def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[lis
         data = bytearray(record.least)
         data[selector.offset : selector.offset + selector.size] = b"\xff" * selector.size
         unknown = Identifier("unknown")
-        decoded = _record_call(naming, record, "decode", unknown, SizeOf(unknown), address_of(_IN))
+        decoded = _record_call(naming, record, "decode", unknown, SizeOf(unknown), _IN_POINTER)
         body.insert(0, Variable(BYTE, "unknown", (None,), byte_initializer(bytes(data)), "static const"))
         body.append(expect_equal(f"{record.name} chooses nothing", decoded, unknown_value))
     yield body

@@ -55,6 +55,15 @@ _BYTE = Type("uint8_t")
 _FRAME, _RECEIVED, _BUFFER, _OPENED = (Identifier(name) for name in ("frame", "received", "buffer", "opened"))
 _IN, _OUT, _AGAIN, _STATUS = (Identifier(name) for name in ("in", "out", "again", "status"))
 
+_SIZE_OF_FRAME = SizeOf(_FRAME)
+_OPEN_ARGUMENTS = _RECEIVED, SizeOf(_RECEIVED)
+_BUFFER_ARGUMENTS = _BUFFER, SizeOf(_BUFFER)
+_RECEIVE = call("copy", _RECEIVED, _FRAME, _SIZE_OF_FRAME), clear_variable(address_of(_OPENED))
+_BODY = Member(_OPENED, "body"), Member(_OPENED, "body_length")
+_IN_POINTER, _OUT_POINTER = address_of(_IN), address_of(_OUT)
+_CLEAR_STRUCTS = clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
+_ENCODE_ARGUMENTS = _AGAIN, SizeOf(_AGAIN), address_of(LENGTH)
+
 
 def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list[Statement]:
     """Opens a frame, decodes its body, compares every member, and writes the frame again."""
@@ -62,22 +71,17 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     what = f"example {example.id}"
     body: list[Statement] = [
         Variable(_BYTE, "frame", (None,), byte_initializer(example.frame), "static const"),
-        Variable(_BYTE, "received", (SizeOf(_FRAME),)),
+        Variable(_BYTE, "received", (_SIZE_OF_FRAME,)),
     ]
     buffer: tuple[Expression, ...] = ()
     if is_wrapped(link):
-        body.append(Variable(_BYTE, "buffer", (SizeOf(_FRAME),)))
-        buffer = _BUFFER, SizeOf(_BUFFER)
+        body.append(Variable(_BYTE, "buffer", (_SIZE_OF_FRAME,)))
+        buffer = _BUFFER_ARGUMENTS
     body.append(Variable(Type(naming.type("link", link.name, example.direction, "frame")), "opened"))
-    received = _RECEIVED, SizeOf(_RECEIVED)
     open_frame = naming.function("link", link.name, example.direction, "open")
-    opened = Call(open_frame, (*received, *buffer, address_of(_OPENED)))
-    receive: list[Statement] = [
-        call("copy", _RECEIVED, _FRAME, SizeOf(_FRAME)),
-        clear_variable(address_of(_OPENED)),
-    ]
+    opened = Call(open_frame, (*_OPEN_ARGUMENTS, *buffer, address_of(_OPENED)))
     if example.refused:
-        return [*body, *_expect_refusal(layout, naming, example, opened, receive)]
+        return [*body, *_expect_refusal(layout, naming, example, opened)]
     record = body_of(layout, link.name, example.direction, example.message, example.error)
     values = raw_values(layout, example)
     form = form_of_values(record, values)
@@ -85,13 +89,13 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     has_struct = bool(members(record))
     if has_struct:
         body.append(Variables(Type(naming.type("record", record.name)), ("in", "out")))
-    room = add(SizeOf(_FRAME), decimal(len(link.link.start) + len(link.link.end)))
+    room = add(_SIZE_OF_FRAME, decimal(len(link.link.start) + len(link.link.end)))
     body += [Variable(_BYTE, "again", (room,)), Variable(SIZE_TYPE, "length", value=ZERO)]
     if has_struct:
-        body += [clear_variable(address_of(_IN)), clear_variable(address_of(_OUT))]
-    body += [*receive, expect_equal(f"{what} opens", opened, naming.status("ok"))]
+        body += _CLEAR_STRUCTS
+    body += [*_RECEIVE, expect_equal(f"{what} opens", opened, naming.status("ok"))]
     body += _expect_header(link, example, values, what)
-    struct = (address_of(_OUT),) if has_struct else ()
+    struct = (_OUT_POINTER,) if has_struct else ()
     decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
     body.append(expect_equal(f"{what} decodes", decoded, naming.status("ok")))
     body += expect_members(naming, form, shown, _OUT, what)
@@ -100,10 +104,6 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     body.append(expect_equal(f"{what} encodes", encoded, naming.status("ok")))
     body.append(expect_array(f"{what} bytes", "again", "frame"))
     return body
-
-
-_BODY = Member(_OPENED, "body"), Member(_OPENED, "body_length")
-"""The arguments for the body of an opened frame."""
 
 
 def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], what: str) -> list[Statement]:
@@ -154,23 +154,21 @@ def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None
     return message.data(example.direction) if message is not None else None
 
 
-def _expect_refusal(
-    layout: DeviceLayout, naming: Naming, example: Example, opened: Call, receive: list[Statement]
-) -> list[Statement]:
+def _expect_refusal(layout: DeviceLayout, naming: Naming, example: Example, opened: Call) -> list[Statement]:
     """The frame, or the body in it, is refused for the reason of the example."""
     error = naming.status(_STATUSES[example.refused])
     what = f"example {example.id}"
     record = _refused_body(layout, example)
     if record is None:
-        return [*receive, expect_equal(what, opened, error)]
+        return [*_RECEIVE, expect_equal(what, opened, error)]
     has_struct = bool(members(record))
-    struct = (address_of(_OUT),) if has_struct else ()
+    struct = (_OUT_POINTER,) if has_struct else ()
     decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
     return [
         *([Variable(Type(naming.type("record", record.name)), "out")] if has_struct else []),
         Variable(status_type(naming), "status"),
-        *receive,
-        *([clear_variable(address_of(_OUT))] if has_struct else []),
+        *_RECEIVE,
+        *([clear_variable(_OUT_POINTER)] if has_struct else []),
         assign(_STATUS, opened),
         If(equal(_STATUS, naming.status("ok")), (assign(_STATUS, decoded),)),
         expect_equal(what, _STATUS, error),
@@ -187,8 +185,8 @@ def _encode_frame(
     if example.error and frame.role("code") is not None:
         arguments.append(_code(link, example))
     if members(record):
-        arguments.append(address_of(_IN))
+        arguments.append(_IN_POINTER)
     name = "error" if example.error else example.message
     direction = () if example.error else (example.direction,)
     function = naming.function("link", link.name, "encode", name, *direction)
-    return function, (*arguments, _AGAIN, SizeOf(_AGAIN), address_of(LENGTH))
+    return function, (*arguments, *_ENCODE_ARGUMENTS)

@@ -34,6 +34,7 @@ from fieldspec.model.signal import Conversion
 from fieldspec.model.value import Value
 
 _BYTES, _IN, _OUT, _RAW = (Identifier(name) for name in ("bytes", "in", "out", "raw"))
+_OUT_POINTER = address_of(_OUT)
 _REFERENCE = 3000
 """The reference of quantities in tests: a usual speed in revolutions a minute."""
 
@@ -84,7 +85,7 @@ def _test_value(
         return
     kind = Type(type_name(value))
     body += [Variable(kind, "out", value=ZERO), Variable(kind, "in", value=ZERO, storage="volatile")]
-    encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, address_of(_OUT)))
+    encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in sorted(set(legal_numbers(device, value))):
         data = value_bytes(value, *order, number).ljust(size, b"\0")
         literal = integer(number, value.size, value.type.signed)

@@ -133,7 +133,7 @@ def clear_bytes(naming: Naming, target: Expression, size: Expression) -> Evaluat
 
 def status_type(naming: Naming) -> Type:
     """The type of the status."""
-    return Type(naming.own("codec_status"))
+    return naming.status_variable().type
 
 
 def return_ok(naming: Naming) -> Return:
