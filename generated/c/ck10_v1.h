@@ -2114,9 +2114,6 @@ static inline ck10_codec_status ck10_point_check(const ck10_point *in)
     if (!ck10_point_command_known((int64_t)in->command) && in->command != 65535u) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!((in->command <= 11u) || (in->command == 65535u))) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     if (!(in->waiting_time <= 60000u)) {
         return CK10_ERR_OUT_OF_RANGE;
     }
@@ -2153,9 +2150,6 @@ static inline ck10_codec_status ck10_point_check(const ck10_point *in)
     }
     if (!ck10_check_in_position_known((int64_t)in->check_in_position)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(in->check_in_position <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     if (!(in->push_torque_ratio >= 20u && in->push_torque_ratio <= 90u)) {
         return CK10_ERR_OUT_OF_RANGE;
@@ -4110,9 +4104,6 @@ static inline ck10_codec_status ck10_reg_soft_limit_stop_encode(uint32_t value, 
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4146,9 +4137,6 @@ static inline ck10_codec_status ck10_reg_hard_limit_stop_encode(uint32_t value, 
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4308,9 +4296,6 @@ static inline ck10_codec_status ck10_reg_homing_method_encode(uint32_t value, ui
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 7u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4344,9 +4329,6 @@ static inline ck10_codec_status ck10_reg_homing_direction_encode(uint32_t value,
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4565,9 +4547,6 @@ static inline ck10_codec_status ck10_reg_motor_direction_encode(uint32_t value, 
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4828,9 +4807,6 @@ static inline ck10_codec_status ck10_reg_emergency_stop_mode_encode(uint32_t val
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4864,9 +4840,6 @@ static inline ck10_codec_status ck10_reg_emergency_brake_mode_encode(uint32_t va
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -4903,9 +4876,6 @@ static inline ck10_codec_status ck10_reg_operation_mode_encode(uint32_t value, u
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 5u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4940,9 +4910,6 @@ static inline ck10_codec_status ck10_reg_switch_function_encode(uint32_t value, 
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -4976,9 +4943,6 @@ static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_
 {
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -5015,9 +4979,6 @@ static inline ck10_codec_status ck10_reg_save_position_encode(uint32_t value, ui
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -5051,9 +5012,6 @@ static inline ck10_codec_status ck10_reg_show_motor_number_encode(uint32_t value
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -6622,9 +6580,6 @@ static inline ck10_codec_status ck10_reg_flash_soft_limit_stop_encode(uint32_t v
     if (!ck10_soft_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -6657,9 +6612,6 @@ static inline ck10_codec_status ck10_reg_flash_hard_limit_stop_encode(uint32_t v
 {
     if (!ck10_hard_limit_stop_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -6812,9 +6764,6 @@ static inline ck10_codec_status ck10_reg_flash_homing_method_encode(uint32_t val
     if (!ck10_homing_method_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 7u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -6846,9 +6795,6 @@ static inline ck10_codec_status ck10_reg_flash_homing_direction_encode(uint32_t 
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7057,9 +7003,6 @@ static inline ck10_codec_status ck10_reg_flash_motor_direction_encode(uint32_t v
 {
     if (!ck10_rotation_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7308,9 +7251,6 @@ static inline ck10_codec_status ck10_reg_flash_emergency_stop_mode_encode(uint32
     if (!ck10_emergency_stop_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7343,9 +7283,6 @@ static inline ck10_codec_status ck10_reg_flash_emergency_brake_mode_encode(uint3
 {
     if (!ck10_emergency_brake_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7380,9 +7317,6 @@ static inline ck10_codec_status ck10_reg_flash_operation_mode_encode(uint32_t va
     if (!ck10_operation_mode_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 5u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7415,9 +7349,6 @@ static inline ck10_codec_status ck10_reg_flash_switch_function_encode(uint32_t v
 {
     if (!ck10_switch_function_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;
@@ -7452,9 +7383,6 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, 
     if (!ck10_baud_rate_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 4u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7488,9 +7416,6 @@ static inline ck10_codec_status ck10_reg_flash_save_position_encode(uint32_t val
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
-    }
     ck10_store_u32_be(out, value);
     return CK10_OK;
 }
@@ -7523,9 +7448,6 @@ static inline ck10_codec_status ck10_reg_flash_show_motor_number_encode(uint32_t
 {
     if (!ck10_enabled_known((int64_t)value)) {
         return CK10_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value <= 1u)) {
-        return CK10_ERR_OUT_OF_RANGE;
     }
     ck10_store_u32_be(out, value);
     return CK10_OK;

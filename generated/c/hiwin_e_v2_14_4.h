@@ -5828,9 +5828,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encod
     if (!hiwin_e_motor_type_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
 }
@@ -5946,9 +5943,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_applicati
 {
     if (!hiwin_e_gantry_application_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!((value == 1u) || (value == 2u) || (value == 11u))) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
@@ -6656,9 +6650,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     if (!hiwin_e_gantry_parameter_command_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 3u)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
 }
@@ -6691,9 +6682,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 {
     if (!hiwin_e_gantry_parameter_status_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= (-6) && value <= 2)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
@@ -6916,9 +6904,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder
 {
     if (!hiwin_e_absolute_encoder_initialization_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!((value >= 0 && value <= 2) || (value == 4) || (value == 16) || (value == 32))) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u32_be(out, (uint32_t)value);
     return HIWIN_E_OK;
@@ -7299,9 +7284,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
     if (!hiwin_e_drive_reset_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value >= (-1) && value <= 2)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
@@ -7332,9 +7314,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_e
 {
     if (!hiwin_e_parameter_save_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= 0 && value <= 1)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
@@ -7368,9 +7347,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encod
 {
     if (!hiwin_e_mastership_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= 0 && value <= 1)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;

@@ -168,6 +168,17 @@ def unknown_value_test(naming: Naming, device: Device, value: Value, number: Exp
     return all_of([known, *sentinels])
 
 
+def enum_implies_range(device: Device, value: Value) -> bool:
+    """Whether every number that the value's closed enum takes is in its range: then the range need not be tested."""
+    if not value.enum or device.enums[value.enum].open or value.ranges is None:
+        return False
+    sentinels = {sentinel.value for sentinel in value.sentinels}
+    return all(
+        member.value in value.ranges or member.value in sentinels
+        for member in available_members(device.enums[value.enum])
+    )
+
+
 def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     """A function from a code to its texts, for tables of alarms, faults, exceptions and errors."""
     struct = naming.own("code_text")

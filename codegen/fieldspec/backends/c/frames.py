@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.c.comments import comment, describe_fact
 from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
-from fieldspec.backends.c.enums import unknown_value_test
+from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,
@@ -307,7 +307,7 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: Pa
     value = Identifier(argument(part.name))
     unknown = unknown_value_test(naming, layout.device, wire.value, value)
     outside = _station_test(link, wire, value) if part.role == "station" else None
-    if outside is None:
+    if outside is None and not enum_implies_range(layout.device, wire.value):
         outside = out_of_range_test(wire.value, value)
     return (
         *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),

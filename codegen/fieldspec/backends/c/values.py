@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.enums import unknown_value_test
+from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.expressions import (
     ZERO,
     Call,
@@ -234,7 +234,7 @@ def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expres
     if wire.kind is not Kind.INTEGER:
         return ()
     unknown = unknown_value_test(naming, device, wire.value, source)
-    outside = out_of_range_test(wire.value, source)
+    outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
     return (
         *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
         *(refuse(naming, outside, "err_out_of_range") if outside is not None else ()),
