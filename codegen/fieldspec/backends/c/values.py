@@ -147,7 +147,7 @@ def refuse(naming: Naming, test: Expression, error: str) -> Body:
 
 
 def out_of_range_test(value: Value, number: Expression) -> Expression | None:
-    """`!(value >= 1u && value <= 12u)`: whether an integer is out of range; None where none of its type is.
+    """`if (!(value >= 1u && value <= 12u))`: whether an integer is out of range; None where none of its type is.
 
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
     beside the range is taken.
