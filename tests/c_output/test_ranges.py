@@ -43,7 +43,7 @@ def test_a_register_tests_nothing_that_another_test_implies(layout: DeviceLayout
         if value.type.kind is not Kind.INTEGER or value.const is not None:
             continue
         name = naming.function("register", register.name, "encode")
-        found = re.search(rf"{name}\(.*?\n}}\n", text, re.DOTALL)
-        assert found is not None
-        errors = tuple(naming.own_macro(error) in found[0] for error in ("err_unknown_value", "err_out_of_range"))
+        function = re.search(rf"{name}\(.*?\n}}\n", text, re.DOTALL)
+        assert function is not None
+        errors = tuple(naming.own_macro(error) in function[0] for error in ("err_unknown_value", "err_out_of_range"))
         assert errors == expected_errors(layout, value), register.name

@@ -203,7 +203,7 @@ def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         select=select,
         latest=naming.own_macro(_SELECT, _LATEST),
         newest=macros[device.version],
-        listed=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in headers],
+        versions=[f" * {macro}: {name}, identity {layout.identity}\n" for macro, name, layout in headers],
         defined=[f"#define {macro} {number}\n" for number, (macro, _, _) in enumerate(headers, 1)],
         included=[f'#elif {select} + 0 == {macro}\n#include "{name}"\n' for macro, name, _ in headers],
         choices=", ".join(macros.values()),

@@ -72,7 +72,7 @@ class ExpressionPrinter:
 
     def _call(self, node: Call) -> str:
         texts = self._expressions
-        return f"{node.function}({', '.join([texts[one.__class__](one) for one in node.arguments])})"
+        return f"{node.function}({', '.join([texts[argument.__class__](argument) for argument in node.arguments])})"
 
     def _member(self, node: Member) -> str:
         return f"{self._text(node.structure)}.{node.name}"

@@ -103,7 +103,7 @@ def _encode_frame(
         parameters.append(Variable(Type(naming.type("record", data.name), const=True, pointer=True), "in"))
     close = naming.function("link", link.name, direction, "close")
     body_length = _BODY_LENGTH if data.fields else ZERO
-    arguments = [*(Identifier(one.name) for one in header), *code, body_length, OUT, CAPACITY, LENGTH]
+    arguments = [*(Identifier(parameter.name) for parameter in header), *code, body_length, OUT, CAPACITY, LENGTH]
     body: Body = (
         *(_write_body(naming, frame, data) if data.fields else ()),
         Return(Call(close, tuple(arguments))),

@@ -150,9 +150,9 @@ class Printer(ExpressionPrinter):
     def _enumeration(self, node: Enumeration) -> None:
         self.lines.append(f"typedef enum {node.name} {{")
         last = len(node.enumerators) - 1
-        for number, one in enumerate(node.enumerators):
+        for number, member in enumerate(node.enumerators):
             comma = "," if number < last else ""
-            self.lines.append(f"{_STEP}{one.name} = {self._text(one.value)}{comma}{_beside(one.remark)}")
+            self.lines.append(f"{_STEP}{member.name} = {self._text(member.value)}{comma}{_beside(member.remark)}")
         self.lines.append(f"}} {node.name};")
 
     def _function(self, node: Function) -> None:
