@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from fieldspec.layout.frame import LinkLayout
+from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.register import RegisterLayout
@@ -64,8 +64,16 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         error = (link.error.flag, link.error.record) if link.error else ()
         yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
         for frame in (laid.request, laid.response):
-            for part in (*frame.head, *frame.tail):
+            for part in frame.parts:
                 yield part.name, part.role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
+                yield from _span(part)
+
+
+def _span(part: PartLayout) -> Iterator[Words]:
+    """What a part counts or covers, and whether it is reserved; nothing where it is as in most frames."""
+    usual = part.role != "check" or (part.start, part.stop) == (0, part.offset)
+    if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
+        yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
 
 
 def _record(record: RecordLayout) -> Iterator[Words]:

@@ -52,7 +52,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         part.algorithm
         for link in layout.links.values()
         for frame in (link.request, link.response)
-        for part in frame.tail
+        for part in frame.parts
         if part.algorithm
     }
     signals = [signal_lines(naming, signal) for signal in device.signals.values()]

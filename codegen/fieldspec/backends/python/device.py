@@ -55,6 +55,7 @@ _IMPORTS = {
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
+    "_part_frames": "CountFramer PartFrames",
     "_quantities": "Conversion",
     "_record": "Record",
     "_refusals": (

@@ -4279,14 +4279,8 @@ class ReportServerIdResponse(_Record):
             expected = _STATIONS_REPORT_SERVER_ID_RTU_RESPONSE[station]
         except _UNREAD:
             return None
-        if check != expected:
+        if check != expected or raw_byte_count != 2 or raw_server_id != 104 or raw_run_status != 255:
             return None
-        if raw_byte_count != 2:
-            raise _wrong_const("byte_count", raw_byte_count, 2, 2)
-        if raw_server_id != 104:
-            raise _wrong_const("server_id", raw_server_id, 104, 3)
-        if raw_run_status != 255:
-            raise _wrong_const("run_status", raw_run_status, 255, 4)
         frame = _new(_Response)
         frame.station = station
         frame.message = message
