@@ -119,11 +119,13 @@ def mended(laid: DeviceLayout, example: Example, frame: bytes) -> bytes:
         data = codec(laid).links[example.link].parts(frame)
     except CodecError:
         return frame
-    if check is None or len(data) + check.offset < 0:
+    shape = link.frame(example.direction)
+    if check is None or len(data) < shape.head_size + shape.tail_size:
         return frame
-    at = len(data) + check.offset
+    at = check.at(len(data))
     order: Literal["big", "little"] = "big" if check.order == "big" else "little"
-    data = data[:at] + ALGORITHMS[check.algorithm](data[:at]).to_bytes(check.size, order) + data[at + check.size :]
+    number = ALGORITHMS[check.algorithm](data[check.start : check.stop])
+    data = data[:at] + number.to_bytes(check.size, order) + data[at + check.size :]
     inner = data if link.link.encoding == "binary" else data.hex().upper().encode()
     return link.link.start + inner + link.link.end
 

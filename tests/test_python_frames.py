@@ -78,7 +78,7 @@ KEYWORDS = {"return"}
 
 def given_part(part: PartLayout) -> bool:
     """Whether a part of the head is neither of a special kind nor always the same."""
-    return part.role == "plain" and part.value is not None and part.value.const is None
+    return part.role == "plain" and part.asked
 
 
 def head_value(module: Any, part: Any, held: int) -> Any:
@@ -178,7 +178,7 @@ def meant_by(layout: DeviceLayout, link: str, direction: str, message: str, fram
     code = head.pop(coded.name) if coded else None
     for part in layout.links[link].frame(direction).head:
         if part.role == "plain" and not given_part(part):
-            del head[part.name]
+            head.pop(part.name, None)
     assert decoded.body is not None
     return decoded.error, code, head, only_stored(decoded.body, decoded.values)
 
@@ -194,13 +194,15 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     length, check = shape.role("length"), shape.check
     if len(data) < shape.head_size + shape.tail_size:
         return frame
-    if length is not None:
+    units = length.number(len(data)) if length is not None else None
+    if length is not None and units is not None:
         order = "big" if length.order == "big" else "little"
-        data[length.offset : length.offset + length.size] = (len(data) % 256**length.size).to_bytes(length.size, order)
+        data[length.offset : length.offset + length.size] = units.to_bytes(length.size, order)
     if check is not None:
-        at = len(data) - check.size
+        at = check.at(len(data))
         order = "big" if check.order == "big" else "little"
-        data[at:] = CHECKSUMS[check.algorithm](bytes(data[:at])).to_bytes(check.size, order)
+        number = CHECKSUMS[check.algorithm](bytes(data[check.start : check.stop]))
+        data[at : at + check.size] = number.to_bytes(check.size, order)
     marks = layout.links[link].link
     inner = bytes(data).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(data)
     return marks.start + inner + marks.end

@@ -154,7 +154,7 @@ def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object
 def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
     """What can be given: the parts of the head that no other part decides, and the fields of the body."""
     shape = layout.links[way.link].frame(way.direction)
-    head = [part.name for part in shape.head if part.role in ("station", "plain")]
+    head = [part.name for part in shape.head if part.role in ("station", "plain") and not part.reserved]
     body = body_of(layout, way.link, way.direction, way.message, False)
     return [*head, *(field.name for field in body.fields if field.field.measures is None)]
 

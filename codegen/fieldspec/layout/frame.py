@@ -17,7 +17,8 @@ class PartLayout:
 
     `start` and `stop` bound the bytes that a check covers, as a slice of the parts does: from the first part, or
     negative from the end, where None is the end itself. A length of n means that all parts have
-    `unit_size` * n + `base` bytes. `constant` is what is always sent; `reserved` says that something else may be received.
+    `unit_size` * n + `base` bytes. `constant` is what is always sent; `reserved` says that
+    something else may be received.
     """
 
     part: Part

@@ -41,9 +41,7 @@ class FrameCodec:
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
         self.heads = {
-            direction: construct.Struct(
-                *(part.name / _part_construct(part) for part in link.frame(direction).head)
-            )
+            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).head))
             for direction in ("request", "response")
         }
         self.tails = {

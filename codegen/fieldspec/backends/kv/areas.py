@@ -82,7 +82,8 @@ def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Ite
     for direction, sign in (("request", ">"), ("response", "<")):
         shape, data = link.frame(direction), laid.data(direction)
         whole = None if data.size is None else shape.head_size + data.size + shape.tail_size
-        fixed = {"code": laid.message.code, "length": whole}
+        length = shape.role("length")
+        fixed = {"code": laid.message.code, "length": None if length is None or whole is None else length.number(whole)}
         held = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.head]
         held += of_record(data, shape.head_size)
         if whole is not None:

@@ -110,9 +110,20 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> Held:
     """A part of a frame."""
     value = part.value
     name = value.type.name if value is not None else f"u{8 * part.size}"
-    if fixed is None and value is not None:
-        fixed = value.const
-    return Held(part.name, start, part.size, name, part.order, False, part.part, value, fixed=fixed)
+    if fixed is None and not part.reserved:
+        fixed = part.constant
+    return Held(
+        part.name,
+        start,
+        part.size,
+        name,
+        part.order,
+        False,
+        part.part,
+        value,
+        fixed=fixed,
+        reserved=part.reserved,
+    )
 
 
 def _of_field(field: FieldLayout, before: str, at: int, selector: str, listed: bool) -> Iterator[Held]:

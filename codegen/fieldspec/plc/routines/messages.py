@@ -21,7 +21,7 @@ from fieldspec.plc.routines.expressions import (
     number,
     plus,
 )
-from fieldspec.plc.routines.frames import LENGTH, code_type, framed, head_members, link_words, wire_of, wrapped
+from fieldspec.plc.routines.frames import code_type, head_members, wire_of
 from fieldspec.plc.routines.holders import Bytes
 from fieldspec.plc.routines.records import field_type, given, read_field, write_field
 from fieldspec.plc.routines.routine import Routine
@@ -29,6 +29,7 @@ from fieldspec.plc.routines.statements import Assignment, Statement, when
 from fieldspec.plc.routines.types import BOOL, INT, ArrayType, StructType, Type
 from fieldspec.plc.routines.values import Wire
 from fieldspec.plc.routines.world import PREFIXES, World
+from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
 
 
 @dataclass(frozen=True, slots=True)

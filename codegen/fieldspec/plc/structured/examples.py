@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.plc.routines.expressions import Expression, number
-from fieldspec.plc.routines.frames import framed, link_words
 from fieldspec.plc.routines.records import given
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.spelling import Spelling
 from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import framed, link_words
 from fieldspec.plc.routines.written import call_lines
 
 _STEP = "    "
