@@ -158,6 +158,18 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     assert actual == outcome(lambda: meant_by(layout, link, direction, asked, frame))
 
 
+@pytest.mark.parametrize("name", LAID_OUT)
+def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: str) -> None:
+    layout = LAID_OUT[name]
+    shapes = {(one.link, one.direction, one.message, len(one.frame)): one for one in layout.device.examples.values()}
+    for example in shapes.values():
+        for at, byte in enumerate(example.frame):
+            for other in (byte ^ 1, byte ^ 0x80, 7):
+                frame = example.frame[:at] + bytes([other]) + example.frame[at + 1 :]
+                asked = (layout, example.link, example.direction, example.message, frame)
+                assert outcome(lambda: made_of(*asked)) == outcome(lambda: meant_by(*asked)), frame.hex(" ")  # noqa: B023
+
+
 def made_of(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
     """What the generated codec finds in a frame: whether it is a refusal, the code, the head, the body."""
     decoded = decode(layout, link, direction, message, frame)

@@ -34,9 +34,11 @@ def check_changed(both: Comparison) -> Iterator[Change]:
 
 
 def _counted(part: Part) -> str:
-    """`words from command to body plus 2`"""
+    """`words from command to body plus 2`, or `from command to body`"""
     span = part.span
-    words = ["words" if part.unit_size == 2 else "bytes"]
-    words += [f"from {span.first}"] if span.first else []
+    words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
-    return " ".join([*words, f"{'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}"] if part.plus else words)
+    if part.role == "check":
+        return " ".join(words) or "all before it"
+    counted = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
+    return f"{counted} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else counted

@@ -86,16 +86,16 @@ def _of_data(
     low, high = (value.type.low, value.type.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
     least, most = (shape.counted(part, size) for size in both)
     there = label(part.place, "type", part.name)
-    noun = "bytes" if unit == 1 else "words"
-    counting = "" if part.span == PartSpan("", "") else " that are counted"
-    added = f", {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else ""
-    if -(-most // unit) + part.plus > high:
-        text = f"the longest {what} has {-(-most // unit)} {noun}{counting}{added}; {part.name} goes to {high}"
-        yield finding(_CODE, *at, text, _HELP, there)
-    if least // unit + part.plus < low:
-        text = f"the shortest {what} has {least // unit} {noun}{counting}{added}; {part.name} begins at {low}"
+    longest, shortest = -(-most // unit) + part.plus, least // unit + part.plus
+    if longest > high:
+        text = f"{part.name} would be {longest} in the longest {what}"
+        if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
+            text = f"the longest {what} has {longest} bytes"
+        yield finding(_CODE, *at, f"{text}; {part.name} goes to {high}", _HELP, there)
+    if shortest < low:
+        text = f"{part.name} would be {shortest} in the shortest {what}; it begins at {low}"
         yield finding(_CODE, *at, text, _HELP, there)
     if least == most and least % unit:
-        text = f"the {what} has {least} bytes{counting}, which are no whole words"
+        text = f"the {what} has {least} bytes that are counted, which are no whole words"
         help = "add what fills the last word, or leave out the link with the message's `links`"
         yield finding(_CODE, *at, text, help, there)

@@ -106,18 +106,17 @@ class Link(Fact):
     def span(self, direction: str, part: Part) -> tuple[int, int] | None:
         """The numbers of the first and the last part that a length counts or a check covers; None for unknown names.
 
-        Without names, a length counts the whole frame, and a check covers what stands before it.
+        Without names, a length counts the whole frame, and a check covers what stands before it. One that begins
+        behind itself goes on to the end.
         """
         parts = self.parts(direction)
         names = [one.name for one in parts]
-        last = names.index(part.name) - 1 if part.role == "check" else len(parts) - 1
-        numbers = [0, last]
-        for place, name in enumerate((part.span.first, part.span.last)):
-            if name and name not in names:
-                return None
-            if name:
-                numbers[place] = names.index(name)
-        return numbers[0], numbers[1]
+        if not {part.span.first, part.span.last} <= {"", *names}:
+            return None
+        own, end = names.index(part.name), len(parts) - 1
+        first = names.index(part.span.first) if part.span.first else 0
+        last = own - 1 if part.role == "check" and first <= own else end
+        return first, names.index(part.span.last) if part.span.last else last
 
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""
