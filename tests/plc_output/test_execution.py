@@ -22,8 +22,8 @@ from proving import Proof, without
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.frames import framed
 from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.wrapping import framed
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 

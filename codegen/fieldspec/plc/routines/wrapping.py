@@ -42,6 +42,7 @@ def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
 
 
 def wrap_routine(world: World, link: LinkLayout) -> Routine:
+    """What writes the bytes of a frame as they are sent."""
     start, end = link.link.start, link.link.end
     width = 2 if link.link.encoding == "hex_ascii" else 1
     draft = Draft(
@@ -110,6 +111,7 @@ def _marks(link: LinkLayout) -> str:
 
 
 def unwrap_routine(world: World, link: LinkLayout) -> Routine:
+    """What takes the bytes of a frame out of what is received."""
     start, end = link.link.start, link.link.end
     draft = Draft(
         world.routine("unwrap", *link_words(world, link)),
