@@ -163,10 +163,12 @@ def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: s
     layout = LAID_OUT[name]
     shapes = {(one.link, one.direction, one.message, len(one.frame)): one for one in layout.device.examples.values()}
     for example in shapes.values():
+        coded = layout.links[example.link].frame(example.direction).role("code") is not None
+        message = "" if coded and example.direction == "request" else example.message
         for at, byte in enumerate(example.frame):
             for other in (byte ^ 1, byte ^ 0x80, 7):
                 frame = example.frame[:at] + bytes([other]) + example.frame[at + 1 :]
-                asked = (layout, example.link, example.direction, example.message, frame)
+                asked = (layout, example.link, example.direction, message, frame)
                 assert outcome(lambda: made_of(*asked)) == outcome(lambda: meant_by(*asked)), frame.hex(" ")  # noqa: B023
 
 
