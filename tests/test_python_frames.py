@@ -78,7 +78,7 @@ KEYWORDS = {"return"}
 
 def given_part(part: PartLayout) -> bool:
     """Whether a part of the head is neither of a special kind nor always the same."""
-    return part.role == "plain" and part.asked
+    return part.role == "plain" and part.is_argument
 
 
 def head_value(module: Any, part: Any, held: int) -> Any:

@@ -169,7 +169,7 @@ def head_values(link: LinkLayout, direction: str, dice: random.Random) -> dict[s
     return {
         part.name: dice.choice([0, 1, 2, part.value.type.high, dice.randint(0, part.value.type.high)])
         for part in link.frame(direction).head
-        if part.asked and part.value is not None
+        if part.is_argument and part.value is not None
     }
 
 

@@ -212,14 +212,14 @@ class _Frame:
         text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {part.name}"
         return wrong_row(self.spot, at, held, "incomplete", text, part.name, part.part.place.path)
 
-    def _said(self, part: PartLayout, held: bytes) -> Worded:
+    def _said(self, part: PartLayout, raw: bytes) -> Worded:
         """What the bytes of a part say, with what its role adds."""
         if part.role == "check":
-            return self._checked(part, held)
+            return self._checked(part, raw)
         assert part.value is not None
         if part.reserved:
-            return worded(self.layout.device, part.value, held, part.order, False, reserved=True)
-        read = worded(self.layout.device, part.value, held, part.order, False)
+            return worded(self.layout.device, part.value, raw, part.order, False, reserved=True)
+        read = worded(self.layout.device, part.value, raw, part.order, False)
         assert isinstance(read.number, int)
         if part.role == "length":
             return self._counted(part, read)
@@ -240,13 +240,13 @@ class _Frame:
         right = should is not None and read.number == should
         return read.judged(right, should if should is not None else "for another number of bytes", "wrong_length")
 
-    def _checked(self, part: PartLayout, held: bytes) -> Worded:
+    def _checked(self, part: PartLayout, raw: bytes) -> Worded:
         """What a check says."""
-        read = Worded(whole(held, part.order))
+        read = Worded(whole(raw, part.order))
         if not self.wrapped.whole:
             return read
         should = _sum(part, self.data)
-        return read.judged(held == should, should.hex(" ").upper(), "wrong_check")
+        return read.judged(raw == should, should.hex(" ").upper(), "wrong_check")
 
     def _code(self, part: PartLayout, read: Worded) -> Worded:
         """The message that a code names. A response may mark it as a refusal."""

@@ -37,7 +37,7 @@ class PartLayout:
     reserved: bool = False
 
     @property
-    def asked(self) -> bool:
+    def is_argument(self) -> bool:
         """Whether users give its value."""
         return self.role in ("station", "plain") and self.constant is None
 

@@ -151,25 +151,25 @@ class FrameCodec:
         assert body is not None
         names = {part.name for part in shape.head}
         inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
-        held: Values = {}
+        numbers: Values = {}
         for part in shape.parts:
-            held[part.name] = self._head_value(part, values, laid, error, code)
+            numbers[part.name] = self._head_value(part, values, laid, error, code)
         length = shape.role("length")
         total = shape.head_size + len(inner) + shape.tail_size
         if length is not None:
             units = length.number(total)
             if units is None:
                 raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
-            held[length.name] = units
+            numbers[length.name] = units
         check = shape.check
         if check is not None:
-            data = self._joined(direction, held, inner)
-            held[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
-        return self._marked(self._joined(direction, held, inner))
+            data = self._joined(direction, numbers, inner)
+            numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
+        return self._marked(self._joined(direction, numbers, inner))
 
-    def _joined(self, direction: str, held: Values, body: bytes) -> bytes:
+    def _joined(self, direction: str, numbers: Values, body: bytes) -> bytes:
         """The parts of a frame as bytes."""
-        head, tail = self.heads[direction].build(held), self.tails[direction].build(held)
+        head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)
         return bytes(head + body + tail)
 
     def _head_value(

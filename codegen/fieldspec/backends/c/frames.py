@@ -18,7 +18,7 @@ DIRECTIONS = ("request", "response")
 
 def head_members(shape: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users give: neither the length nor the code, nor a constant."""
-    return [part for part in shape.head if part.asked]
+    return [part for part in shape.head if part.is_argument]
 
 
 def wrapped(link: LinkLayout) -> bool:
@@ -132,8 +132,8 @@ def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
         body += refused(naming, f"length < {least}u", "err_incomplete")
     length = shape.role("length")
     if length is not None:
-        said = load(naming, part_wire(length), f"in + {length.offset}")
-        body += refused(naming, _length_differs(shape, length, said, "length"), "err_wrong_length")
+        received = load(naming, part_wire(length), f"in + {length.offset}")
+        body += refused(naming, _length_differs(shape, length, received, "length"), "err_wrong_length")
     check = shape.check
     if check is not None:
         held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {_at('length', check.offset)})"
@@ -234,10 +234,10 @@ def _checksum(naming: Naming, check: PartLayout, source: str, total: str) -> str
     return f"{naming.own(check.algorithm)}({source} + {_sum(total, check.start)}, {(check.stop or 0) - check.start}u)"
 
 
-def _length_differs(shape: FrameLayout, part: PartLayout, said: str, total: str) -> str:
+def _length_differs(shape: FrameLayout, part: PartLayout, received: str, total: str) -> str:
     """The condition under which a length part does not say that a frame has `total` bytes."""
     counted, tests = _counted(shape, part, total)
-    return " || ".join([*tests, f"{said} != {counted}"])
+    return " || ".join([*tests, f"{received} != {counted}"])
 
 
 def _counted(shape: FrameLayout, part: PartLayout, total: str) -> tuple[str, list[str]]:

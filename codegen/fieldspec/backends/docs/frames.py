@@ -134,8 +134,8 @@ class FrameTable:
         more = part.part.plus
         added = f", {'plus' if more > 0 else 'minus'} {abs(more)}" if more else ""
         number = part.number(around + record.size) if record is not None and record.size is not None else None
-        held = "" if number is None else f": {number}"
-        return f"the number of {unit} {self._spanned(part)}{added}{held}"
+        fixed = "" if number is None else f": {number}"
+        return f"the number of {unit} {self._spanned(part)}{added}{fixed}"
 
     def _covered(self, part: PartLayout) -> str:
         """Over what a check is worked out."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.python.heads import usual
+from fieldspec.backends.python.heads import is_simple
 from fieldspec.backends.python.text import docstring
 from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -33,7 +33,7 @@ def framer(
         return "", [], []
     if length is not None:
         about.append("The length says where a frame ends; one that fits no message is taken for garbage.")
-        kind = "_LengthFramer" if usual(frame) else "_CountFramer"
+        kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
         return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
     if code is None or link.link.encoding != "binary":
         return "", [], []

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.python.heads import constant, greatest_part, letter, number, usual, variable
+from fieldspec.backends.python.heads import constant, greatest_part, is_simple, letter, number, variable
 from fieldspec.backends.python.lines import chained, filled, unpacked
 from fieldspec.backends.python.reading import local, targets
 from fieldspec.backends.python.records import RecordShape, condition, constant_tests, making_lines, writing_lines
@@ -63,7 +63,7 @@ def fuses(shaped: RecordShape, frame: FrameLayout) -> bool:
     lists = sum(field.listed and not field.skipped for field in shaped.fields)
     if shaped.tail is not None or shaped.selector is not None or lists > 1:
         return False
-    if not usual(frame):
+    if not is_simple(frame):
         return False
     orders = {part.order for part in frame.head if part.size > 1}
     if any(field.letters.strip("0123456789sx") not in ("", "B", "b") for field in shaped.fields):

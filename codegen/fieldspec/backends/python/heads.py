@@ -79,7 +79,7 @@ def constant(part: PartLayout) -> int | None:
     return part.constant
 
 
-def usual(frame: FrameLayout) -> bool:
+def is_simple(frame: FrameLayout) -> bool:
     """Whether a head of one byte order is followed by the body and, at most, a check of all before it.
 
     A length is then that of all parts. Any other frame takes the slower way, part by part.
@@ -110,7 +110,7 @@ def _signed(part: PartLayout) -> bool:
 
 def given(frame: FrameLayout) -> list[PartLayout]:
     """The parts of the head that the caller gives."""
-    return [part for part in frame.head if part.asked]
+    return [part for part in frame.head if part.is_argument]
 
 
 def plain_views(frame: FrameLayout, words: Words) -> list[PartView]:

@@ -13,10 +13,10 @@ from fieldspec.backends.python.heads import (
     head_refusals,
     head_tests,
     head_value,
+    is_simple,
     letter,
     part_rows,
     plain_views,
-    usual,
 )
 from fieldspec.backends.python.lines import chained, listed, union
 from fieldspec.backends.python.naming import Scope
@@ -241,7 +241,7 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
-        kind="_Frames" if usual(frame) else "_PartFrames",
+        kind="_Frames" if is_simple(frame) else "_PartFrames",
         arguments=_frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
@@ -274,7 +274,7 @@ def _known(message: MessageLayout) -> list[str]:
 
 
 def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    arguments = _usual_arguments(frame) if usual(frame) else _part_arguments(frame)
+    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
     for role in ("code", "length"):
         part = frame.role(role)
         if part is not None:
@@ -286,12 +286,12 @@ def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
     if link.link.encoding == "hex_ascii":
         arguments.append("hexadecimal=True")
-    if usual(frame) and constants(frame):
+    if is_simple(frame) and constants(frame):
         arguments.append(f"constants=({', '.join(constants(frame))},)")
     return arguments
 
 
-def _usual_arguments(frame: FrameLayout) -> list[str]:
+def _simple_arguments(frame: FrameLayout) -> list[str]:
     """The arguments of `_Frames` that say what the head and the check are."""
     order = next((part.order for part in frame.head if part.size > 1), "big")
     letters = "".join(map(letter, frame.head))

@@ -34,7 +34,7 @@ _CHECKS = {1: "byCheck", 2: "wCheck"}
 
 def head_members(shape: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users give: neither the length nor the code, nor a constant."""
-    return [part for part in shape.head if part.asked]
+    return [part for part in shape.head if part.is_argument]
 
 
 def wire_of(part: PartLayout) -> Wire:
