@@ -294,3 +294,21 @@ def test_the_parameters_of_a_manual_are_written_by_its_message() -> None:
     request = ESC11.parameters.write_request(ESC11.parameters[1], 100)
     assert request == ESC11.WriteParameterRequest(1, 100)
     assert len(ESC11.parameters) == 32
+
+
+def test_a_sentinel_of_a_record_is_no_quantity() -> None:
+    example = newest(MADE_UP, "widget").device.examples["everything-ascii"]
+    held = WIDGET.Everything.decode(bytes.fromhex(example.frame[5:-4].decode()))
+    assert (held.half, held.half_mm) == (0xFFFF, None)
+    held.half_mm = 1.5
+    assert (held.half, held.half_mm) == (150, 1.5)
+    with pytest.raises(CodecError, match="out_of_range"):
+        held.half_mm = 655.35
+
+
+def test_a_sentinel_of_a_register_is_no_quantity() -> None:
+    assert (WIDGET.LIMIT.in_unit(0x7FFF), WIDGET.LIMIT.in_unit(5)) == (None, 5.0)
+    speed = TC100.MOTION_SPEED
+    assert (speed.in_unit(0), speed.in_unit(50)) == (None, 50.0)
+    with pytest.raises(CodecError, match="whose count 0 stands for"):
+        speed.from_unit(0.0)

@@ -12,6 +12,8 @@ from fieldspec.commands.counted import nearest, parameter_number
 from fieldspec.commands.given import DIRECTIONS, given
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.explaining.row import Row
+from fieldspec.layout.explanation import explained
 from fieldspec.layout.meaning import MeaningError, body_of, raw_of
 from fieldspec.render.columns import one_line
 
@@ -39,8 +41,25 @@ def run(arguments: argparse.Namespace) -> int:
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
         raise UsageError(f"{error}; {_spoken(layout, way)} has the fields {', '.join(fields)}") from None
+    _judge(layout, way, frame)
     _print(layout, way, arguments.format, frame)
     return 0
+
+
+def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
+    """Refuses a frame with a value that no codec can judge alone: one beyond the range of the parameter or of the
+    register that it is written to.
+    """
+    found = explained(layout, way.link, way.direction, frame, way.message)
+    wrong = [row for row in (*found.rows, *found.registers) if row.verdict.startswith("wrong")]
+    if wrong and way.direction == "request":
+        said = "; ".join(f"{_row_name(row)} is {row.value or repr(row.number)}: {row.verdict}" for row in wrong)
+        raise UsageError(f"out_of_range: {said}")
+
+
+def _row_name(row: Row) -> str:
+    """The path of a value, with the parameter that it is."""
+    return row.path if not row.meanings or not row.meanings[0].name else f"{row.path} ({row.meanings[0].name})"
 
 
 @dataclass(frozen=True, slots=True)

@@ -160,6 +160,9 @@ def _text(device: Device, path: str, value: Value, held: str) -> int:
         raw = value.from_unit(Decimal(match[1]))
         if raw is None:
             raise MeaningError(path, f"`{held}` is no whole number of counts of {value.scale} {value.unit}")
+        absent = value.sentinel(raw)
+        if absent is not None:
+            raise MeaningError(path, f"`{held}` would be the count {raw}, which stands for {absent.name}")
         return raw
     if value.enum:
         names = ", ".join(member.name for member in device.enums[value.enum].members)

@@ -61,6 +61,10 @@ class Value:
         """Whether the value in the unit is another number than the raw one."""
         return self.scale != 1 or self.offset != 0
 
+    def sentinel(self, raw: int) -> Sentinel | None:
+        """The sentinel with a raw count."""
+        return next((sentinel for sentinel in self.sentinels if sentinel.value == raw), None)
+
     def in_unit(self, raw: int) -> Decimal:
         """A raw count in the unit, exactly."""
         return _EXACT.add(_EXACT.multiply(raw, self.scale), self.offset)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from struct import pack, unpack
 
-from ._conversions import counts
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import RecordValue, Value
@@ -84,14 +83,16 @@ class Register(Generic[T]):
         """The words of a value, as a request carries them. Raises CodecError."""
         return list(unpack(f"{self.order}{self.words}H", self.encode(value)))
 
-    def in_unit(self, count: int) -> float:
-        """A count in the unit."""
-        a, b, c = self.value.ratio
-        return (count * a + b) / c
+    def in_unit(self, count: int) -> float | None:
+        """A count in the unit; None for one that stands for an absent value."""
+        return self.value.in_unit(count)
 
     def from_unit(self, value: float) -> int:
-        """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
-        return counts(self.name, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+        """The count that is nearest to a value in the unit, of two the even one.
+
+        Raises CodecError out of range, and where that count stands for an absent value.
+        """
+        return self.value.from_unit(self.name, value)
 
 
 class RegisterArray(Generic[T]):

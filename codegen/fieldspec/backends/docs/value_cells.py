@@ -105,8 +105,12 @@ def default_cell(value: Value, inferred: Mapping[str, str], marks: Inferences) -
     default = value.default
     lines: list[Line] = []
     if isinstance(default, int):
-        lines = [(plain(in_unit(value, default) or str(default)),)]
-        if value.scaled:
+        sentinel = value.sentinel(default)
+        if sentinel is not None:
+            lines = [(code(str(default)), plain(" "), code(sentinel.name))]
+        else:
+            lines = [(plain(in_unit(value, default) or str(default)),)]
+        if value.scaled and sentinel is None:
             lines.append((styled(f"raw {default}", "quiet"),))
     elif default is not None:
         lines = [(code(default),)]

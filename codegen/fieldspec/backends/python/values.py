@@ -33,7 +33,7 @@ def value_expression(value: Value, size: int, order: str, swapped: bool, words: 
         more.append(f"ranges={pairs(ranges)}")
     if value.flags:
         return _call("_Word", letters, [words.flags[value.flags], *more])
-    if value.sentinels and (ranges is not None or value.enum):
+    if value.sentinels:
         more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
     if value.enum:
         enum = words.enums[value.enum]

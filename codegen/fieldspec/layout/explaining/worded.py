@@ -103,8 +103,11 @@ def _exponent(number: Decimal) -> int:
 
 
 def in_unit(value: Value, number: int) -> str:
-    """`20.00 mm`: the value with its unit, as `decimal_text` writes it; empty where it has neither unit nor scale."""
-    if not value.unit and not value.scaled:
+    """`20.00 mm`: the value with its unit, as `decimal_text` writes it.
+
+    Empty where it has neither unit nor scale, and for a sentinel, which is no quantity.
+    """
+    if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
         return ""
     return f"{decimal_text(value.in_unit(number))} {value.unit}".strip()
 
@@ -148,7 +151,7 @@ def _whole(device: Device, value: Value, number: int) -> Worded:
     if value.const is not None and number != value.const:
         return Worded(number).judged(False, value.const, "wrong_const")
     found = Worded(number, verdict="" if value.const is None else "right")
-    sentinel = next((sentinel for sentinel in value.sentinels if sentinel.value == number), None)
+    sentinel = value.sentinel(number)
     if sentinel is not None:
         return replace(found, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
