@@ -141,11 +141,16 @@ def _by_print(layout: DeviceLayout, way: _Way, written: dict[str, object]) -> No
 
 def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
     """Puts the address of a register in the place of its name."""
-    accesses = layout.messages[message].message.accesses
+    device = layout.device
+    accesses = device.register_access(layout.messages[message].message)
     named = written.get(accesses.start) if accesses else None
-    register = layout.device.register(named) if isinstance(named, str) else None
-    if accesses is not None and register is not None:
-        written[accesses.start] = register.address
+    register = device.register(named) if isinstance(named, str) else None
+    if accesses is None or register is None:
+        return
+    theirs, ours = device.space_name(register.space), device.space_name(accesses.space)
+    if theirs != ours:
+        raise UsageError(f"{register.name} lies in {theirs}, and {message} {accesses.operation}s {ours}")
+    written[accesses.start] = register.address
 
 
 def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:

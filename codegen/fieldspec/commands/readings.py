@@ -129,7 +129,7 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if row.verdict.startswith("wrong") and not row.reason:
             yield f"{row.path} does not repeat the request: {row.verdict.removeprefix('wrong: ')}"
     laid = layout.messages.get(response.message)
-    accesses = laid.message.accesses if laid and not response.error else None
+    accesses = layout.device.register_access(laid.message) if laid and not response.error else None
     if accesses is not None and accesses.operation == "read":
         want = request.values.get(accesses.count) if accesses.count else 1
         have = response.values.get(accesses.values)

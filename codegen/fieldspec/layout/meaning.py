@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
@@ -129,6 +130,9 @@ def _number(device: Device, path: str, value: Value | None, held: Any) -> Raw:
         except ValueError:
             raise MeaningError(path, "bytes are written as pairs of hexadecimal digits") from None
     if value.type.kind is Kind.FLOAT:
+        named = next((sentinel for sentinel in value.sentinels if sentinel.name == held), None)
+        if named is not None:
+            return struct.unpack(">f", named.value.to_bytes(4, "big"))[0] if named.is_nan else float(named.value)
         try:
             return float(held)
         except (TypeError, ValueError):

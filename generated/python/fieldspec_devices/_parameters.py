@@ -125,7 +125,7 @@ class Parameter(Generic[T]):
         """What one count is worth in the unit."""
         return self.value.ratio[0] / self.value.ratio[2]
 
-    def in_unit(self, count: int) -> float | None:
+    def in_unit(self, count: float) -> float | None:
         """A count in the unit; None for one that stands for an absent value."""
         return self.value.in_unit(count)
 

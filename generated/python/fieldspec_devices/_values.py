@@ -7,7 +7,7 @@ from struct import Struct
 from ._conversions import counts, text, turned
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
-from ._refusals import refused_bytes, refused_flags, refused_float, refused_number, refused_text
+from ._refusals import is_one_of, refused_bytes, refused_flags, refused_float, refused_number, refused_text
 from ._typing import TYPE_CHECKING, Generic, T
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Value(Generic[T]):
         ranges: tuple[tuple[int, int], ...] = (),
         unit: str = "",
         ratio: tuple[int, int, int] = (1, 0, 1),
-        others: tuple[int, ...] = (),
+        others: tuple[float, ...] = (),
         limits: str = "",
     ) -> None:
         self.struct, self.swapped = Struct(letters), swapped
@@ -92,7 +92,7 @@ class Value(Generic[T]):
         """What its Struct takes, of a value that it does not refuse."""
         return value
 
-    def in_unit(self, count: int) -> float | None:
+    def in_unit(self, count: float) -> float | None:
         """A count in the unit; None for one that stands for an absent value."""
         if count in self.others:
             return None
@@ -262,7 +262,11 @@ class Float(Value[float]):
         return raw
 
     def refused(self, name: str, value: Any) -> CodecError | None:
-        return refused_float(name, value)
+        return refused_float(name, value, self.ranges, self.others)
+
+    def in_unit(self, count: float) -> float | None:
+        """The number itself, which counts in the unit; None for one that stands for an absent value."""
+        return None if is_one_of(count, self.others) else float(count)
 
 
 class Text(Value[str]):

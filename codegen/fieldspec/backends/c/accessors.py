@@ -28,7 +28,9 @@ def constant_lines(naming: Naming, noun: Noun, names: tuple[str, ...], value: Va
     size, signed = value.size, value.type.signed
     if value.const is not None:
         found.append(("value", integer(value.const, size, signed)))
-    if value.ranges is not None:
+    if value.ranges is not None and value.type.kind is Kind.FLOAT:
+        found += [("min", f"{value.ranges.low}.0f"), ("max", f"{value.ranges.high}.0f")]
+    elif value.ranges is not None:
         found.append(("min", integer(value.ranges.low, size, signed)))
         found.append(("max", integer(value.ranges.high, size, signed)))
     if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:

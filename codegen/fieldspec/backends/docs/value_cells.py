@@ -156,7 +156,14 @@ def _meanings(context: Context, value: Value) -> Iterator[Item]:
         yield from (Item(_member(member)) for member in enum.members)
     for sentinel in value.sentinels:
         doc: Line = (plain(f": {sentinel.doc}"),) if sentinel.doc else ()
-        yield Item((code(str(sentinel.value)), plain(" "), code(sentinel.name), *doc))
+        yield Item(
+            (
+                code(sentinel.text),
+                plain(" "),
+                code(sentinel.name),
+                *doc,
+            )
+        )
 
 
 def _short(enum: Enum) -> bool:

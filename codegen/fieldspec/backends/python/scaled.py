@@ -8,6 +8,7 @@ from fieldspec.backends.python.text import docstring, sentence
 from fieldspec.backends.python.units import in_unit, ratio, unit_word
 from fieldspec.backends.python.writing import pairs, within
 from fieldspec.classes import dataclass
+from fieldspec.model.primitive import Kind
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 from fieldspec.names import Name
@@ -44,13 +45,31 @@ def sentinel_views(stored: list[Slots]) -> list[ConstantView]:
     return [
         ConstantView(
             scope.take((Name.of(field.title) + Name.of(sentinel.name)).upper()),
-            str(sentinel.value),
+            'float("nan")' if sentinel.is_nan else str(sentinel.value),
             docstring([sentence(f"`{field.title}`: {sentinel.doc or Name.of(sentinel.name).title()}")], 4),
         )
         for field in stored
         if field.field.value is not None
         for sentinel in field.value.sentinels
     ]
+
+
+def _of_float(field: Slots, scope: Scope) -> ScaledView:
+    """The property of a floating-point number, which counts in its unit, but may be absent."""
+    name = scope.take(f"{field.title}_{unit_word(field.value.unit) if field.value.unit else 'value'}")
+    raw = "item" if field.listed else f"self.{field.name}"
+    tests = [f"{raw} == {number}" for number in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
+    read = f"None if {' or '.join(tests)} else {raw}"
+    unit = f" in {field.value.unit}" if field.value.unit else ""
+    return ScaledView(
+        name,
+        "list[float | None]" if field.listed else "float | None",
+        "list[float]" if field.listed else "float",
+        f"[{read} for item in self.{field.name}]" if field.listed else read,
+        "value",
+        field.name,
+        docstring([f"`{field.name}`{unit}. It is None where the number stands for an absent value."], 8),
+    )
 
 
 def quantities(value: Value) -> list[tuple[int, int]]:
@@ -70,6 +89,8 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
     """The properties of those fields that count in parts of a unit."""
     found = []
     for field in stored:
+        if field.kind is Kind.FLOAT and field.value.sentinels:
+            found.append(_of_float(field, scope))
         if not field.whole or not field.value.scaled or field.value.enum or field.value.flags:
             continue
         held = ratio(field.value)

@@ -134,9 +134,22 @@ def worded(device: Device, value: Value, data: bytes, order: str, swapped: bool,
         if any(byte > 0x7F for byte in data):
             return Worded(data).judged(False, "ASCII", "unknown_value")
         return Worded(data.rstrip(b"\0").decode("ascii"))
+    if isinstance(number, float):
+        return _float(value, number)
     if not isinstance(number, int):
-        return Worded(number, f"{number!r} {value.unit}" if kind is Kind.FLOAT and value.unit else "")
+        return Worded(number)
     return _whole(device, value, number)
+
+
+def _float(value: Value, number: float) -> Worded:
+    """What a floating-point number says: it counts in the unit."""
+    sentinel = value.sentinel(number)
+    if sentinel is not None:
+        return Worded(number, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
+    found = Worded(number, f"{number!r} {value.unit}" if value.unit else "")
+    if value.ranges is None or number in value.ranges:
+        return found
+    return found.judged(False, f"{value.ranges.text()} {value.unit}".strip(), "out_of_range")
 
 
 def _boolean(device: Device, value: Value, number: Raw) -> Worded:
