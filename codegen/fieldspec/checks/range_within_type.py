@@ -23,6 +23,7 @@ from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 
 _HELP = "put the type or the bound right"
+_QUIET_NAN = 0x7FC00000
 _WHOLE = (Kind.INTEGER, Kind.BOOLEAN)
 
 
@@ -61,6 +62,10 @@ def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         if sentinel.is_nan and not nan:
             text = f"the bits {sentinel.value:#010x} ({sentinel.name}) of {fact.name} are those of a number"
             yield finding("range_within_type", fact.place, "sentinels", text, "give the number under `value`")
+        elif sentinel.is_nan and sentinel.value != _QUIET_NAN and getattr(fact, "access", "") != "ro":
+            text = f"{fact.name} can be written, and what is no number is written as {_QUIET_NAN:#010x}"
+            help = "say `access: ro` where it is only read, or state the value as a `u32` of bits"
+            yield finding("range_within_type", fact.place, "sentinels", text, help)
         elif not sentinel.is_nan and 0x7F800000 < sentinel.value <= 0xFFFFFFFF and nan:
             text = f"{sentinel.value:#010x} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
             yield finding("range_within_type", fact.place, "sentinels", text, "give them under `bits`")

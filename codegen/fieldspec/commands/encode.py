@@ -9,7 +9,8 @@ from collections.abc import Collection
 from fieldspec.classes import dataclass
 from fieldspec.commands import compiled
 from fieldspec.commands.counted import nearest, parameter_number
-from fieldspec.commands.given import DIRECTIONS, given
+from fieldspec.commands.given import DIRECTIONS, given, number_of
+from fieldspec.commands.register_words import register_words
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.explaining.row import Row
@@ -36,6 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
     parts = layout.links[way.link].frame(way.direction).head
     body = body_of(layout, way.link, way.direction, way.message, False)
     try:
+        _with_words(layout, way.message, written)
         counted = {name: _counted(layout, way, name, held) for name, held in written.items()}
         values = raw_of(layout.device, parts, body, counted)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
@@ -151,6 +153,24 @@ def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]
     if theirs != ours:
         raise UsageError(f"{register.name} lies in {theirs}, and {message} {accesses.operation}s {ours}")
     written[accesses.start] = register.address
+
+
+def _with_words(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
+    """Puts the words of registers in the place of quantities in their units, and of names."""
+    access = layout.device.register_access(layout.messages[message].message)
+    if access is None or access.operation != "write":
+        return
+    text, start = written.get(access.values), written.get(access.start)
+    address = number_of(start) if isinstance(start, str) else start
+    if not isinstance(text, str) or not isinstance(address, int):
+        return
+    words = register_words(layout, access, address, text)
+    field = layout.messages[message].request.named(access.values)
+    if words is None or field is None:
+        return
+    if not field.listed and len(words) != 1:
+        raise UsageError(f"{text} takes {len(words)} words, and {message} writes one")
+    written[access.values] = words if field.listed else words[0]
 
 
 def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:

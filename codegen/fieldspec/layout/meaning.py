@@ -115,6 +115,11 @@ def _one(device: Device, path: str, field: FieldLayout, held: object) -> Raw:
     return inner
 
 
+def raw_value(device: Device, path: str, value: Value, held: object) -> Raw:
+    """One written value as a raw one. Raises MeaningError; `path` is what it calls the value."""
+    return _number(device, path, value, held)
+
+
 def _number(device: Device, path: str, value: Value | None, held: Any) -> Raw:
     """One written value as a raw one."""
     assert value is not None

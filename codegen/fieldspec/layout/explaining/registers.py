@@ -89,6 +89,12 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]
         yield _unlisted(layout, span, at, span.end, spot)
 
 
+def holder_at(layout: DeviceLayout, space: str, address: int) -> Holder | None:
+    """The register, or the field of a table's element, that begins at an address of a space; None for none."""
+    held = _holders(layout, Span(space, address, 1, 0, b""))
+    return next((holder for holder in held if holder.address == address), None)
+
+
 def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
     device = layout.device
     own = device.space_name(span.space)

@@ -139,7 +139,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
 def _outside_real(value: Value, of: Expression) -> Expression:
     """Whether a floating-point number is neither in range nor a sentinel."""
     pairs = list(value.ranges.intervals) if value.ranges is not None else []
-    pairs += [(one.value, one.value) for one in value.sentinels]
+    pairs += [(one.value, one.value) for one in value.sentinels if not one.is_nan]
     inside = [
         every([compared(of, ">=", Fraction(f"{low}.0", REAL)), compared(of, "<=", Fraction(f"{high}.0", REAL))])
         for low, high in sorted(pairs)
