@@ -40,7 +40,7 @@ class Item:
     first: int = 0
     printed_name: str = ""
     label: str = ""
-    members: tuple[tuple[int, str], ...] = ()
+    members: tuple[tuple[str, str], ...] = ()
     source: Citation | None = None
     unverified: bool = False
 
@@ -146,9 +146,11 @@ def _first(sources: tuple[Citation, ...]) -> Citation | None:
     return sources[0] if sources else None
 
 
-def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[int, str], ...]:
+def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str, str], ...]:
+    """The values that have names: members of the enum, and sentinels."""
     enum = enums.get(value.enum) if value is not None and value.enum else None
-    return tuple((member.value, member.name) for member in enum.members) if enum is not None else ()
+    named = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
+    return (*named, *((one.text, one.name) for one in (value.sentinels if value is not None else ())))
 
 
 def plain(number: Decimal) -> int | Decimal:
