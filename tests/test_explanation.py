@@ -381,7 +381,7 @@ def test_registers_of_the_space_that_the_message_reads_are_explained() -> None:
 
 def test_a_float_is_judged_by_its_range_and_a_nan_is_named() -> None:
     probe = newest(MADE_UP, "probe")
-    absent = row(of("no-limit", probe), "limit")
+    absent = row(explained(probe, "packet", "request", bytes.fromhex("01 00 00 C0 7F 40")), "limit")
     assert (absent.value, absent.verdict, [one.name for one in absent.meanings]) == ("", "", ["no_limit"])
     beyond = row(explained(probe, "packet", "request", bytes.fromhex("01 00 80 96 43 5A")), "limit")
     assert (beyond.value, beyond.verdict) == ("301.0 mm", "wrong: should be 0..300 mm")

@@ -183,9 +183,9 @@ def float_test(value: Value, name: str) -> str:
     if value.ranges is None:
         return ""
     pairs = [*value.ranges.intervals, *((one.value, one.value) for one in value.sentinels if not one.is_nan)]
-    parts = [f"({name} >= {low}.0f && {name} <= {high}.0f)" for low, high in sorted(pairs)]
     if value.absent_nan:
-        parts.append(f"!({name} <= 0.0f || {name} >= 0.0f)")
+        return " && ".join(f"({name} < {low}.0f || {name} > {high}.0f)" for low, high in sorted(pairs))
+    parts = [f"({name} >= {low}.0f && {name} <= {high}.0f)" for low, high in sorted(pairs)]
     return f"!({' || '.join(parts)})" if len(parts) > 1 else f"!{parts[0]}"
 
 

@@ -36,7 +36,7 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
     """The areas of a device in the order of its spec: registers by address, tables, messages."""
     yield from _runs(layout)
     for table in layout.tables.values():
-        yield _table(layout, table)
+        yield _table(table)
     for link in layout.links.values():
         if link.link.encoding == "binary":
             for message in link.messages.values():
@@ -77,12 +77,11 @@ def _run(space: str, first: int, end: int, run: list[Held]) -> Area:
     return Area(f"{space or 'registers'} 0x{first:04X}..0x{end - 1:04X}", "", 2, 2 * (end - first), tuple(run), first)
 
 
-def _table(layout: DeviceLayout, laid: TableLayout) -> Area:
+def _table(laid: TableLayout) -> Area:
     table = laid.table
-    space = f" in {layout.device.space_name(table.space)}" if layout.device.several_spaces else ""
     stride = 2 * table.stride
     held = tuple(of_table(table.name, laid.record, table.access, table.count, stride, table.index_from))
-    return Area(f"table {table.name}{space}", "", 2, stride * (table.count - 1) + 2 * laid.words, held, table.base)
+    return Area(f"table {table.name}", "", 2, stride * (table.count - 1) + 2 * laid.words, held, table.base)
 
 
 def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Iterator[Area]:
