@@ -372,3 +372,18 @@ def test_two_frames_in_a_row_are_told_apart_by_length_and_check() -> None:
     assert found.message == "stop"
     assert found.reasons == ("wrong_length",)
     assert found.rows[-1].raw == frame
+
+
+def test_registers_of_the_space_that_the_message_reads_are_explained() -> None:
+    meter = newest(MADE_UP, "meter")
+    assert [held.path for held in of("voltage", meter).registers] == ["voltage"]
+    assert [held.path for held in of("station", meter).registers] == ["station"]
+    assert of("read-coils", meter).registers == ()
+
+
+def test_a_float_is_judged_by_its_range_and_a_nan_is_named() -> None:
+    probe = newest(MADE_UP, "probe")
+    absent = row(explained(probe, "packet", "request", bytes.fromhex("01 00 00 C0 7F 40")), "limit")
+    assert (absent.value, absent.verdict, [one.name for one in absent.meanings]) == ("", "", ["no_limit"])
+    beyond = row(explained(probe, "packet", "request", bytes.fromhex("01 00 80 96 43 5A")), "limit")
+    assert (beyond.value, beyond.verdict) == ("301.0 mm", "wrong: should be 0..300 mm")

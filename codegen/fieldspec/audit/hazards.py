@@ -140,7 +140,8 @@ def _found(layout: DeviceLayout) -> Iterator[Hazard]:
 
 
 def _of_register(device: Device, register: Register, alone: frozenset[str]) -> Iterator[Hazard]:
-    where = f"{register.address:04X}h"
+    place = f" of {device.space_name(register.space)}" if device.several_spaces else ""
+    where = f"{register.address:04X}h{place}"
     if register.trigger:
         yield _hazard("trigger", register, where, _started(register.value), key="trigger")
     if register.access == "wo":
@@ -150,7 +151,8 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
         yield _hazard("alias", register, where, f"the same as {register.same_as}", register.same_as, "same_as")
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
-        yield _hazard("atomic", register, f"{where}..{last:04X}h", f"{register.width} words", key="atomic")
+        span = f"{register.address:04X}h..{last:04X}h{place}"
+        yield _hazard("atomic", register, span, f"{register.width} words", key="atomic")
     if register.restart:
         yield _hazard("restart", register, where, "restart", key="restart")
     yield from _handled(register, register.handling, where, device)

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+
+Address: TypeAlias = tuple[str, int]
+"""The name of a space, and an address in it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +26,7 @@ class Unit:
     only be written, or starts something.
     """
 
+    space: str
     name: str
     fact: Fact
     address: int
@@ -30,15 +38,22 @@ class Unit:
     unread: bool
     reserved: bool
 
+    @property
+    def addresses(self) -> list[Address]:
+        """The addresses of its words."""
+        return [(self.space, address) for address in range(self.address, self.address + self.words)]
+
 
 def units(layout: DeviceLayout) -> Iterator[Unit]:
-    """The values in the register space."""
+    """The values in the spaces of registers."""
+    device = layout.device
     for laid in layout.registers:
         register = laid.register
         for number in range(laid.count):
             name = f"{laid.name}[{register.index_from + number}]" if laid.count > 1 else laid.name
             address = laid.address + number * laid.stride
             yield Unit(
+                device.space_name(register.space),
                 name,
                 register,
                 address,
@@ -54,12 +69,13 @@ def units(layout: DeviceLayout) -> Iterator[Unit]:
         placed = list(_flat(table.record))
         for index in table.table.indexes:
             for name, field, byte in placed:
-                yield _field(table, index, name, field, byte)
+                yield _field(device.space_name(table.table.space), table, index, name, field, byte)
 
 
-def _field(laid: TableLayout, index: int, name: str, field: FieldLayout, byte: int) -> Unit:
+def _field(space: str, laid: TableLayout, index: int, name: str, field: FieldLayout, byte: int) -> Unit:
     assert field.value is not None
     return Unit(
+        space,
         f"{laid.name}[{index}].{name}",
         field.field,
         laid.table.address(index) + byte // 2,

@@ -33,7 +33,7 @@ class Addresses:
 
     def __init__(self, device: Device) -> None:
         self._device = device
-        self._registers = {r.address: r for r in device.registers() if r.count == 1}
+        self._registers = {(device.space_name(r.space), r.address): r for r in device.registers() if r.count == 1}
         self._arrays = [r for r in device.registers() if r.count > 1]
         sizes = Sizes(device)
         self._fields: dict[str, dict[int, Field]] = {}
@@ -42,17 +42,20 @@ class Addresses:
             placed = sizes.offsets(record) if record is not None else []
             self._fields[table.name] = {at // 2: field for field, at in placed if at % 2 == 0}
 
-    def at(self, address: int) -> Addressed | None:
-        """What begins at an address."""
-        register = self._registers.get(address)
+    def at(self, space: str, address: int) -> Addressed | None:
+        """What begins at an address of a space; an empty name means the first space."""
+        own = self._device.space_name(space)
+        register = self._registers.get((own, address))
         for array in self._arrays if register is None else ():
+            if self._device.space_name(array.space) != own:
+                continue
             number, rest = divmod(address - array.address, array.stride)
             if 0 <= number < array.count and rest == 0:
                 register = array
         if register is not None:
             return Addressed(register, register.value, register.access)
         for table in self._device.tables.values():
-            found = self._in_table(table, address)
+            found = self._in_table(table, address) if self._device.space_name(table.space) == own else None
             if found is not None:
                 return found
         return None
@@ -65,11 +68,11 @@ class Addresses:
         single = field.value is not None and field.count is None and field.repeat is None
         return Addressed(field, field.value if single else None, field.access or table.access)
 
-    def counts(self, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
+    def counts(self, space: str, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
         """The address, the fact and the count of every whole number in neighbouring words."""
         index = 0
         while index < len(words):
-            found = self.at(start + index)
+            found = self.at(space, start + index)
             taken = words[index : index + found.words] if found is not None else []
             if found is not None and found.value is not None and len(taken) == found.words:
                 if found.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):

@@ -33,17 +33,18 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
     refused = {reply.reply_to for reply in device.examples.values() if reply.error}
     for example in device.examples.values():
         message = device.messages.get(example.message)
-        if message is None or message.accesses is None or example.error or example.refused:
+        access = device.register_access(message) if message is not None else None
+        if message is None or access is None or example.error or example.refused:
             continue
         if example.id in refused:
             continue
         asked = example if example.direction == "request" else device.examples.get(example.reply_to)
-        start = _number(message, message.accesses.start, asked) if asked is not None else None
+        start = _number(message, access.start, asked) if asked is not None else None
         if start is None:
             continue
         if example.direction == "request":
-            yield from _first(addresses.at(start), start, message, example)
-        for address, found, number in addresses.counts(start, _words(message, example)):
+            yield from _first(addresses.at(access.space, start), start, message, example)
+        for address, found, number in addresses.counts(access.space, start, _words(message, example)):
             yield from _valued(found, address, number, legal, example)
 
 

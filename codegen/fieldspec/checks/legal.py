@@ -19,6 +19,8 @@ class Legal:
 
     def objection(self, value: Value, number: int) -> str:
         """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything."""
+        if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
+            return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
         if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):
             return ""
         if not value.type.low <= number <= value.type.high:

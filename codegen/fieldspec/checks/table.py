@@ -39,6 +39,7 @@ from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.keys_fit_type import keys_fit_type
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
@@ -73,6 +74,7 @@ from fieldspec.checks.siblings_agree import siblings_agree
 from fieldspec.checks.signals_placed import signals_placed
 from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
+from fieldspec.checks.spaces_reachable import spaces_reachable
 from fieldspec.checks.spans_match_layout import spans_match_layout
 from fieldspec.checks.states_disjoint import states_disjoint
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
@@ -115,6 +117,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("gaps_declared", gaps_declared),
     ("identifiers_spelled_alike", identifiers_spelled_alike),
     ("inferred_keys_given", inferred_keys_given),
+    ("keys_fit_type", keys_fit_type),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
@@ -149,6 +152,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("signals_placed", signals_placed),
     ("sources_ascending", sources_ascending),
     ("sources_present", sources_present),
+    ("spaces_reachable", spaces_reachable),
     ("spans_match_layout", spans_match_layout),
     ("states_disjoint", states_disjoint),
     ("subindices_match_elements", subindices_match_elements),

@@ -299,13 +299,14 @@ class _Frame:
         body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, asked)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
-        if message is None or message.accesses is None or self.error:
+        access = self.layout.device.register_access(message) if message is not None and not self.error else None
+        if access is None:
             return rows, ()
-        values = record.named(message.accesses.values)
+        values = record.named(access.values)
         at = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
         held = self.data[at:last] if values else b""
-        span = accessed(message.accesses, body.values, asked, at, held[: len(held) // 2 * 2])
+        span = accessed(access, body.values, asked, at, held[: len(held) // 2 * 2])
         return rows, tuple(register_rows(self.layout, span, self.spot)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[Row]:

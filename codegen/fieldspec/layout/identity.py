@@ -11,6 +11,7 @@ from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.device import Device
+from fieldspec.model.message import RegisterAccess
 from fieldspec.model.value import Value
 
 Words = tuple[object, ...]
@@ -29,6 +30,7 @@ def identity(
         _links(links),
         *map(_record, records.values()),
         _messages(messages),
+        _spaces(device),
         _registers(registers),
         _tables(device),
         _parameters(device),
@@ -42,7 +44,7 @@ def identity(
 def _value(value: Value | None) -> Words:
     if value is None:
         return ()
-    sentinels = [(sentinel.value, sentinel.name) for sentinel in value.sentinels]
+    sentinels = [(one.value, one.name, "NaN") if one.is_nan else (one.value, one.name) for one in value.sentinels]
     scaled = (value.scale, value.offset, value.unit)
     return (
         value.type.name,
@@ -92,12 +94,36 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)
 
 
+def _access(access: RegisterAccess | None) -> str | None:
+    """What a message does with registers; in which space is said of the spaces."""
+    if access is None:
+        return None
+    parts = (access.operation, access.start, access.count, access.values)
+    return "RegisterAccess(operation={!r}, start={!r}, count={!r}, values={!r})".format(*parts)
+
+
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
     for laid in messages.values():
         message = laid.message
-        yield "message", message.name, message.code, message.number, message.broadcast, message.accesses
+        yield "message", message.name, message.code, message.number, message.broadcast, _access(message.accesses)
         for data in (laid.request, laid.response):
             yield from _record(data)
+
+
+def _spaces(device: Device) -> Iterator[Words]:
+    """The spaces, and what lies in each, as far as there are several."""
+    for space in device.spaces.values() if device.several_spaces else ():
+        yield "space", space.name, space.unit
+        yield "registers", [one.name for one in device.registers() if device.space_name(one.space) == space.name]
+        yield "tables", [one.name for one in device.tables.values() if device.space_name(one.space) == space.name]
+        yield (
+            "messages",
+            [
+                one.name
+                for one in device.messages.values()
+                if one.accesses is not None and device.space_name(one.accesses.space) == space.name
+            ],
+        )
 
 
 def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:

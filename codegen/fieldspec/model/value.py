@@ -15,12 +15,21 @@ _EXACT = Context(prec=120)
 
 @dataclass(frozen=True, slots=True)
 class Sentinel:
-    """A value that stands for something else than a quantity."""
+    """A value that stands for something else than a quantity: a count, of a float a number.
+
+    Of a float that is no number, `value` is its bits, and `is_nan` says so; every NaN stands for it.
+    """
 
     value: int
     name: str
     doc: str
     sources: tuple[Citation, ...]
+    is_nan: bool = False
+
+    @property
+    def text(self) -> str:
+        """What it is on the wire: `65535`, or `NaN 0x7FC00000`."""
+        return f"NaN 0x{self.value:08X}" if self.is_nan else str(self.value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +69,17 @@ class Value:
     def scaled(self) -> bool:
         """Whether the value in the unit is another number than the raw one."""
         return self.scale != 1 or self.offset != 0
+
+    def sentinel(self, raw: float) -> Sentinel | None:
+        """The sentinel with a raw count, or with a floating-point number."""
+        if raw != raw:
+            return next((sentinel for sentinel in self.sentinels if sentinel.is_nan), None)
+        return next((sentinel for sentinel in self.sentinels if sentinel.value == raw and not sentinel.is_nan), None)
+
+    @property
+    def absent_nan(self) -> bool:
+        """Whether a NaN stands for an absent value."""
+        return any(sentinel.is_nan for sentinel in self.sentinels)
 
     def in_unit(self, raw: int) -> Decimal:
         """A raw count in the unit, exactly."""

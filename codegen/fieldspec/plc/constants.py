@@ -60,16 +60,24 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for laid in layout.registers:
         if laid.register.reserved:
             continue
-        beside = f"{_printed(laid.register)} {laid.register.access}".strip()
+        space = _space(layout, laid.register.space)
+        beside = f"{_printed(laid.register)} {laid.register.access} {space}".strip()
         yield Draft(laid.name, UINT, laid.address, _told(beside, laid.register), laid.register, hexadecimal=True)
         if laid.count > 1:
             for word, number in (("count", laid.count), ("stride", laid.stride)):
                 yield Draft(f"{laid.name}_{word}", UINT, number, _OF_SEVERAL[word], laid.register, derived=True)
     for table in layout.tables.values():
         held = table.table
-        yield Draft(f"{held.name}_base", UINT, held.base, _told(held.title, held), held, hexadecimal=True)
+        beside = f"{held.title} {_space(layout, held.space)}".strip()
+        yield Draft(f"{held.name}_base", UINT, held.base, _told(beside, held), held, hexadecimal=True)
         for word, number in (("stride", held.stride), ("count", held.count), ("first_index", held.index_from)):
             yield Draft(f"{held.name}_{word}", UINT, number, _OF_SEVERAL[word], held, derived=True)
+
+
+def _space(layout: DeviceLayout, name: str) -> str:
+    """`in input_registers`; empty where the device has only one space."""
+    device = layout.device
+    return f"in {device.space_name(name)}" if device.several_spaces else ""
 
 
 _OF_SEVERAL = {

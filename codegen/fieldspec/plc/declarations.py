@@ -12,6 +12,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.flags import Flags
 from fieldspec.model.value import Value
 from fieldspec.names import Name
+from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, available
@@ -72,7 +73,7 @@ class Declarations:
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     laid, found = narrowed(layout, dialect)
-    declaring = _Declaring(laid, dialect, [*found])
+    declaring = _Declaring(laid, dialect, [*found, *absent_reals(layout, dialect)])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())

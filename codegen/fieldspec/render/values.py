@@ -18,7 +18,7 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
     yield "range", range_text(value)
     yield "default", "" if value.default is None else str(value.default)
     yield "always", "" if value.const is None else str(value.const)
-    yield "values", ", ".join(f"{sentinel.value} = {sentinel.name}" for sentinel in value.sentinels)
+    yield "values", ", ".join(f"{sentinel.text} = {sentinel.name}" for sentinel in value.sentinels)
 
 
 def unit_text(value: Value) -> str:
@@ -72,7 +72,7 @@ def _value(value: Value | None) -> tuple[str, ...]:
     if value is None:
         return "", "", "", ""
     default = value.default if value.const is None else f"always {value.const}"
-    names = value.enum or value.flags or ", ".join(f"{held.value} = {held.name}" for held in value.sentinels)
+    names = value.enum or value.flags or ", ".join(f"{held.text} = {held.name}" for held in value.sentinels)
     return unit_text(value), range_text(value), "" if default is None else str(default), names
 
 

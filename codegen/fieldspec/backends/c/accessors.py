@@ -22,13 +22,20 @@ ACCESS = {
 _LARGEST = 2**63 - 1
 
 
+def _real(number: int) -> str:
+    """A whole number as a literal of a float."""
+    return f"(-{-number}.0f)" if number < 0 else f"{number}.0f"
+
+
 def constant_lines(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[str]:
     """The constant, the range, the default and the scale, each in counts or as a fraction."""
     found: list[tuple[str, str]] = []
     size, signed = value.size, value.type.signed
     if value.const is not None:
         found.append(("value", integer(value.const, size, signed)))
-    if value.ranges is not None:
+    if value.ranges is not None and value.type.kind is Kind.FLOAT:
+        found += [("min", _real(value.ranges.low)), ("max", _real(value.ranges.high))]
+    elif value.ranges is not None:
         found.append(("min", integer(value.ranges.low, size, signed)))
         found.append(("max", integer(value.ranges.high, size, signed)))
     if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:

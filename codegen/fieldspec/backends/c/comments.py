@@ -33,5 +33,5 @@ def of_value(value: Value | None) -> str:
         facts.append(f"Range: {value.ranges.text()}.")
     if value.enum or value.flags:
         facts.append(f"See {value.enum or value.flags}.")
-    facts += [f"{sentinel.value} is {sentinel.name}." for sentinel in value.sentinels]
+    facts += [f"{sentinel.text} is {sentinel.name}." for sentinel in value.sentinels]
     return " ".join(facts)

@@ -20,7 +20,7 @@ def low_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.BYTES:
         return bytes(value.size)
     if value.type.kind is Kind.FLOAT:
-        return 0.0
+        return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
     choices = legal(device, value)
     return 0 if 0 in choices else choices[0]
 
@@ -32,7 +32,7 @@ def high_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.BYTES:
         return bytes((0xA1 + at) & 0xFF for at in range(value.size))
     if value.type.kind is Kind.FLOAT:
-        return -1.5
+        return -1.5 if value.ranges is None else float(value.ranges.high)
     return legal(device, value)[-1]
 
 

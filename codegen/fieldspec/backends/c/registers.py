@@ -16,6 +16,7 @@ def register_lines(naming: Naming, device: Device, laid: RegisterLayout) -> list
     """The constants of a register, and the functions for its value."""
     register, value = laid.register, laid.register.value
     facts = (
+        f"In the address space {device.space_name(register.space)}." if device.several_spaces else "",
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
@@ -62,10 +63,12 @@ def _address(naming: Naming, noun: Noun, name: str, what: str) -> list[str]:
     ]
 
 
-def table_lines(naming: Naming, laid: TableLayout) -> list[str]:
+def table_lines(naming: Naming, device: Device, laid: TableLayout) -> list[str]:
     """The constants of a table, and the function that gives an element's address."""
     table = laid.table
     access = ACCESS[table.access] if table.access else ""
+    if device.several_spaces:
+        access = f"In the address space {device.space_name(table.space)}. {access}".strip()
     lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access)
     constants = [
         ("address", hexadecimal(table.base, 2)),

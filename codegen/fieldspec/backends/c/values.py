@@ -178,6 +178,17 @@ def range_test(value: Value, name: str) -> str:
     return "!(" + " || ".join(parts if len(parts) == 1 else [f"({part})" for part in parts]) + ")"
 
 
+def float_test(value: Value, name: str) -> str:
+    """A condition under which a floating-point number is out of range; no comparison holds of a NaN."""
+    if value.ranges is None:
+        return ""
+    pairs = [*value.ranges.intervals, *((one.value, one.value) for one in value.sentinels if not one.is_nan)]
+    if value.absent_nan:
+        return " && ".join(f"({name} < {low}.0f || {name} > {high}.0f)" for low, high in sorted(pairs))
+    parts = [f"({name} >= {low}.0f && {name} <= {high}.0f)" for low, high in sorted(pairs)]
+    return f"!({' || '.join(parts)})" if len(parts) > 1 else f"!{parts[0]}"
+
+
 def load_lines(naming: Naming, wire: Wire, source: str, target: str) -> list[str]:
     """Statements that move the value at `source` to `target` without a look at it."""
     if wire.kind is Kind.TEXT:
@@ -228,6 +239,9 @@ def given_tests(naming: Naming, wire: Wire, source: str, closed: str) -> list[st
     """Statements that return where the value `source`, which is to be written, is refused."""
     if wire.kind is Kind.TEXT:
         return refused(naming, f"!{naming.own('is_text')}({source}, {wire.size}u)", "err_unknown_value")
+    if wire.kind is Kind.FLOAT:
+        test = float_test(wire.value, source)
+        return refused(naming, test, "err_out_of_range") if test else []
     if wire.kind is not Kind.INTEGER:
         return []
     lines = refused(naming, closed, "err_unknown_value") if closed else []

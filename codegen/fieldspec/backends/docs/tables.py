@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.backends.docs.context import Context, address
 from fieldspec.backends.docs.document import (
     Cell,
@@ -26,6 +28,7 @@ from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.table import PrintedElement
+from fieldspec.model.table import Table as TableOfRecords
 
 # So many of the first elements have their addresses written out, and the last one.
 FIRST = 3
@@ -61,7 +64,7 @@ def _table(context: Context, laid: TableLayout, done: set[str]) -> Section:
     held = laid.table
     path = held.place.path
     blocks = context.opening(held)
-    blocks.append(Facts(tuple(_facts(laid))))
+    blocks.append(Facts(tuple(_facts(context, laid))))
     blocks += context.opening(laid.record.record)
     blocks.append(_fields(context, laid, laid.record.name not in done))
     done.add(laid.record.name)
@@ -72,7 +75,7 @@ def _table(context: Context, laid: TableLayout, done: set[str]) -> Section:
     return Section(path, context.section_title(held.title or held.name, held), tuple(blocks))
 
 
-def _facts(laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
+def _facts(context: Context, laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
     held = laid.table
     first, last = held.indexes[0], held.indexes[-1]
     formula = f"address(n) = {address(held.base)} + {held.stride} * (n - {held.index_from})"
@@ -80,12 +83,20 @@ def _facts(laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
     printed = joined(((label(text),) for text in (record.printed_name, record.label) if text), " ")
     return [
         ("Name", ((code(held.name),),)),
+        *_space(context, held),
         ("Elements", ((plain(f"{held.count}, numbered {first} to {last}"),),)),
         ("Address of element n", ((code(formula),),)),
         ("Words of an element", ((plain(f"{laid.words}; one element begins {held.stride} words after the other"),),)),
         ("Addresses", ((code(f"{address(held.base)}..{address(held.address(last) + laid.words - 1)}"),),)),
         ("Record", ((code(record.name, f"#{record.place.path}"), plain(" "), *printed),)),
     ]
+
+
+def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """The address space, where the device declares some."""
+    if context.device.spaces:
+        space = context.device.space(table.space)
+        yield "Address space", ((plain(space.title or space.name, f"#{space.place.path}"),),)
 
 
 def _fields(context: Context, laid: TableLayout, anchored: bool) -> Table:

@@ -105,8 +105,12 @@ def default_cell(value: Value, inferred: Mapping[str, str], marks: Inferences) -
     default = value.default
     lines: list[Line] = []
     if isinstance(default, int):
-        lines = [(plain(in_unit(value, default) or str(default)),)]
-        if value.scaled:
+        sentinel = value.sentinel(default)
+        if sentinel is not None:
+            lines = [(code(str(default)), plain(" "), code(sentinel.name))]
+        else:
+            lines = [(plain(in_unit(value, default) or str(default)),)]
+        if value.scaled and sentinel is None:
             lines.append((styled(f"raw {default}", "quiet"),))
     elif default is not None:
         lines = [(code(default),)]
@@ -152,7 +156,14 @@ def _meanings(context: Context, value: Value) -> Iterator[Item]:
         yield from (Item(_member(member)) for member in enum.members)
     for sentinel in value.sentinels:
         doc: Line = (plain(f": {sentinel.doc}"),) if sentinel.doc else ()
-        yield Item((code(str(sentinel.value)), plain(" "), code(sentinel.name), *doc))
+        yield Item(
+            (
+                code(sentinel.text),
+                plain(" "),
+                code(sentinel.name),
+                *doc,
+            )
+        )
 
 
 def _short(enum: Enum) -> bool:

@@ -15,6 +15,7 @@ from fieldspec.model.enum import Enum
 from fieldspec.model.fact import Fact
 from fieldspec.model.flags import Bit, Flags
 from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
 
 COLUMNS = (
     "area",
@@ -97,7 +98,7 @@ def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDiale
             "unit": value.unit or None,
             **_ranges(value.ranges),
             "default": value.default,
-            "values": _members(enum) if enum is not None else None,
+            "values": "; ".join(_named(value, enum)) or None,
         }
     yield row | {
         "fixed": held.fixed,
@@ -159,6 +160,13 @@ def _ranges(ranges: Ranges | None) -> Cells:
 
 def _members(enum: Enum) -> str:
     return "; ".join(f"{member.value} {member.name}" for member in enum.members)
+
+
+def _named(value: Value, enum: Enum | None) -> Iterator[str]:
+    """The values that have names: members of the enum, and sentinels."""
+    if enum is not None:
+        yield _members(enum)
+    yield from (f"{sentinel.text} {sentinel.name}" for sentinel in value.sentinels)
 
 
 def _senses(bit: Bit) -> str | None:

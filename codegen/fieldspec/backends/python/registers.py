@@ -34,8 +34,11 @@ class TableView:
     doc: list[str]
 
 
-def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) -> ConstantView:
-    """The view of a register, or of an array of registers. `order` is the byte order of the device."""
+def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> ConstantView:
+    """The view of a register, or of an array of registers.
+
+    `order` is the byte order of the device, `space` the address space where the device has several.
+    """
     register = laid.register
     name = scope.take(Name.of(laid.name).upper())
     value = value_expression(register.value, 2 * laid.words, laid.order, laid.swapped, words)
@@ -47,7 +50,13 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
     if order == "little":
         arguments.append('order="<"')
-    facts = [f"0x{laid.address:04X}", f"{laid.words} word{'s' if laid.words > 1 else ''}"]
+    if space:
+        arguments.append(f"space={literal(space)}")
+    facts = [
+        f"0x{laid.address:04X}",
+        *([f"in {space}"] if space else []),
+        f"{laid.words} word{'s' if laid.words > 1 else ''}",
+    ]
     if register.access:
         facts.append(ACCESS[register.access])
     facts.append(register.value.type.name)
@@ -71,7 +80,7 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     return ConstantView(name, f"{'_RegisterArray' if laid.count > 1 else '_Register'}({', '.join(arguments)})", doc)
 
 
-def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> TableView:
+def table_view(laid: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:
     """The view of a table of records."""
     table = laid.table
     record = words.records[table.record]
@@ -88,11 +97,15 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
         arguments.append(f"access={literal(table.access)}")
     if order == "little":
         arguments.append('order="<"')
+    if space:
+        arguments.append(f"space={literal(space)}")
     last = table.index_from + table.count - 1
     facts = [
         f"{table.count} records of {laid.words} words, {table.index_from} to {last}",
         f"the first at 0x{table.base:04X}, each {table.stride} words behind the one before",
     ]
+    if space:
+        facts.append(f"in {space}")
     if table.access:
         facts.append(ACCESS[table.access])
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)

@@ -125,8 +125,8 @@ class Slots:
 
     @property
     def sentinels(self) -> tuple[int, ...]:
-        """Values beside the ranges."""
-        return tuple(sentinel.value for sentinel in self.value.sentinels)
+        """Values beside the ranges, but for a NaN."""
+        return tuple(sentinel.value for sentinel in self.value.sentinels if not sentinel.is_nan)
 
     @property
     def plain(self) -> bool:
@@ -169,7 +169,11 @@ class Slots:
     @property
     def ranges(self) -> Ranges | None:
         """The ranges, where they are narrower than the type."""
-        if self.field.value is None or self.value.ranges is None or not self.whole:
+        if self.field.value is None or self.value.ranges is None:
+            return None
+        if self.kind is Kind.FLOAT:
+            return self.value.ranges
+        if not self.whole:
             return None
         full = self.value.ranges.intervals == ((self.value.type.low, self.value.type.high),)
         return None if full else self.value.ranges

@@ -25,6 +25,11 @@ def value_expression(value: Value, size: int, order: str, swapped: bool, words: 
     if value.type.kind is Kind.BOOLEAN:
         return _call("_Boolean", letters, more)
     if value.type.kind is Kind.FLOAT:
+        more += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+        others = [repr(float("nan")) if one.is_nan else str(one.value) for one in value.sentinels]
+        others = ['float("nan")' if one == "nan" else one for one in others]
+        more += [f"others={tuple_of(others)}"] if others else []
+        more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
         return _call("_Float", letters, more)
     if value.const is not None:
         return _call("_Constant", letters, [str(value.const), *more])
@@ -33,7 +38,7 @@ def value_expression(value: Value, size: int, order: str, swapped: bool, words: 
         more.append(f"ranges={pairs(ranges)}")
     if value.flags:
         return _call("_Word", letters, [words.flags[value.flags], *more])
-    if value.sentinels and (ranges is not None or value.enum):
+    if value.sentinels:
         more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
     if value.enum:
         enum = words.enums[value.enum]
@@ -66,7 +71,7 @@ def value_facts(value: Value) -> list[str]:
     facts = [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
-    facts += [f"{sentinel.value} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
+    facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
     if value.default is not None:
         facts.append(f"initially {value.default}")
     return facts

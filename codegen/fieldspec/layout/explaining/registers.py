@@ -23,8 +23,9 @@ _PART = {
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """`words` from `address` on, and their bytes: `data` at `at` in the parts of the frame, or none."""
+    """`words` from `address` on in a space, and their bytes: `data` at `at` in the parts of the frame, or none."""
 
+    space: str
     address: int
     words: int
     at: int
@@ -72,7 +73,7 @@ def accessed(
     if not isinstance(start, int):
         return None
     words = count if isinstance(count, int) else len(data) // 2
-    return Span(start, words, at, data)
+    return Span(access.space, start, words, at, data)
 
 
 def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]:
@@ -88,13 +89,24 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]
         yield _unlisted(layout, span, at, span.end, spot)
 
 
+def holder_at(layout: DeviceLayout, space: str, address: int) -> Holder | None:
+    """The register, or the field of a table's element, that begins at an address of a space; None for none."""
+    held = _holders(layout, Span(space, address, 1, 0, b""))
+    return next((holder for holder in held if holder.address == address), None)
+
+
 def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
+    device = layout.device
+    own = device.space_name(span.space)
     for register in layout.registers:
+        if device.space_name(register.register.space) != own:
+            continue
         end = register.address + (register.count - 1) * register.stride + register.words
         if register.address < span.end and span.address < end:
             yield from _elements(register, span)
     for table in layout.tables.values():
-        yield from _fields(table, span)
+        if device.space_name(table.table.space) == own:
+            yield from _fields(table, span)
 
 
 def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
@@ -177,6 +189,7 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
     reasons = (
         gap.reason
         for group in layout.device.groups
+        if layout.device.space_name(group.space) == layout.device.space_name(span.space)
         for gap in group.gaps
         if any(low < end and first <= high for low, high in gap.addresses.intervals)
     )

@@ -28,7 +28,7 @@ def of_value(value: Value | None) -> str:
         facts.append(f"See {Name.of(value.enum).pascal()}.")
     if value.flags:
         facts.append(f"Bits: {Name.of(value.flags).upper()}_...")
-    facts += [f"{sentinel.value} is {sentinel.name}." for sentinel in value.sentinels]
+    facts += [f"{sentinel.text} is {sentinel.name}." for sentinel in value.sentinels]
     return " ".join(facts)
 
 

@@ -13,18 +13,21 @@ from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
     Element,
     Expression,
+    Fraction,
     Negation,
     Truth,
     Variable,
     Whole,
     compared,
     converted,
+    either,
+    every,
     number,
     outside,
 )
 from fieldspec.plc.routines.holders import Holder
 from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Statement, when
-from fieldspec.plc.routines.types import BITS, BYTE, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
+from fieldspec.plc.routines.types import BITS, BYTE, REAL, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
 from fieldspec.plc.routines.world import PREFIXES, World
 
 
@@ -107,7 +110,8 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
     if wire.kind is Kind.FLOAT:
         call = world.bits_from_real(source, raw)
-        return [draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+        limits = [] if value.ranges is None else [draft.refusal(_outside_real(value, source), "out_of_range")]
+        return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
     if wire.kind is Kind.BOOLEAN:
         one = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
         zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
@@ -130,6 +134,17 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     return [*statements, *_put(wire, holder, offset, raw, source)]
+
+
+def _outside_real(value: Value, of: Expression) -> Expression:
+    """Whether a floating-point number is neither in range nor a sentinel."""
+    pairs = list(value.ranges.intervals) if value.ranges is not None else []
+    pairs += [(one.value, one.value) for one in value.sentinels if not one.is_nan]
+    inside = [
+        every([compared(of, ">=", Fraction(f"{low}.0", REAL)), compared(of, "<=", Fraction(f"{high}.0", REAL))])
+        for low, high in sorted(pairs)
+    ]
+    return Negation(either(inside))
 
 
 def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:

@@ -203,7 +203,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
-        access = message.message.accesses
+        access = layout.device.register_access(message.message)
         for data in (message.request, message.response):
             found = data.named(access.values) if access is not None else None
             if found is not None and found.field.repeat is not None:
