@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import MADE_UP, SPECS, CommandLine
 from fieldspec.model.example import Example
 from laid_out import newest
 
@@ -17,6 +17,11 @@ PACKET = ["--link", "packet", "address=7", "sequence=1"]
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
     return CommandLine(capsys, monkeypatch, MADE_UP)
+
+
+@pytest.fixture
+def run_on_devices(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, SPECS)
 
 
 def written(value: object, name: str = "") -> list[str]:
@@ -126,3 +131,25 @@ def test_a_message_of_a_later_version_is_unknown_to_an_earlier_one(run: CommandL
     assert run("encode", "widget@2.0", "write_one", *values).code == 0
     found = run("encode", "widget@before-2.0", "write_one", *values)
     assert (found.code, found.err) == (2, "fieldspec: there is no message write_one; did you mean write_all?\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["write_register", "address=0x4E26", "value=1"], "flash_points[0].acceleration_time at 0x4E26 can only be"),
+        (["write_registers", "address=0x4E26", "values=1,2"], "flash_points[0].acceleration_time at 0x4E26 can only"),
+        (["write_registers", "address=0x4E1F", "values=1,2"], "flash_points[0].position at 0x4E20 can only be read"),
+        (["write_register", "address=model_id", "value=1"], "model_id at 0x0834 can only be read"),
+    ],
+)
+def test_what_can_only_be_read_is_not_written(run_on_devices: CommandLine, arguments: list[str], said: str) -> None:
+    found = run_on_devices("encode", "ck10", *arguments, "station=1")
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+def test_what_can_only_be_read_is_read_and_echoed(run_on_devices: CommandLine) -> None:
+    run = run_on_devices
+    assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
+    echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]
+    assert run("encode", "ck10", *echo).code == 0

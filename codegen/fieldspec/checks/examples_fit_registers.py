@@ -24,6 +24,7 @@ from fieldspec.model.message import Message
 from fieldspec.model.record import Field
 
 _CODE = "examples_fit_registers"
+_MOST_WORDS = 0x10000
 _REFUSED = {"read": "wo", "write": "ro"}
 
 
@@ -42,20 +43,25 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
         if start is None:
             continue
         if example.direction == "request":
-            yield from _first(addresses.at(start), start, message, example)
+            yield from _accessed(addresses, start, message, example)
         for address, found, number in addresses.counts(start, _words(message, example)):
             yield from _valued(found, address, number, legal, example)
 
 
-def _first(found: Addressed | None, start: int, message: Message, example: Example) -> Iterator[Diagnostic]:
-    if found is None:
+def _accessed(addresses: Addresses, start: int, message: Message, example: Example) -> Iterator[Diagnostic]:
+    """What is wrong with the words that a request addresses: nothing begins there, or its access forbids it."""
+    accesses = message.accesses
+    assert accesses is not None
+    if addresses.at(start) is None:
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "put the frame, or a table of registers, right")
-    elif message.accesses is not None and found.access == _REFUSED[message.accesses.operation]:
-        deed = "reads" if message.accesses.operation == "read" else "writes"
-        text = f"{example.id} {deed} {found.fact.name}, whose access is {found.access}"
-        there = label(found.fact.place, "access", "the access")
-        yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
+    count = len(_words(message, example)) or _number(message, accesses.count, example) or 1
+    for found in addresses.within(start, min(count, _MOST_WORDS)):
+        if found.access == _REFUSED[accesses.operation]:
+            deed = "reads" if accesses.operation == "read" else "writes"
+            text = f"{example.id} {deed} {found.fact.name}, whose access is {found.access}"
+            there = label(found.holder.place, "access", "the access")
+            yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
 
 
 def _valued(found: Addressed, address: int, number: int, legal: Legal, example: Example) -> Iterator[Diagnostic]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
+from fieldspec.checks.accesses_agree import accesses_agree
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
@@ -86,6 +87,7 @@ from fieldspec.model.device import Device
 from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
+    ("accesses_agree", accesses_agree),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),
     ("addresses_within_space", addresses_within_space),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.commands import compiled
@@ -12,7 +12,8 @@ from fieldspec.commands.counted import nearest, parameter_number
 from fieldspec.commands.given import DIRECTIONS, given
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.meaning import MeaningError, body_of, raw_of
+from fieldspec.layout.explaining.registers import accessed, forbidden
+from fieldspec.layout.meaning import MeaningError, Raw, body_of, raw_of
 from fieldspec.render.columns import one_line
 
 _MOST = 20
@@ -36,6 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
     try:
         counted = {name: _counted(layout, way, name, held) for name, held in written.items()}
         values = raw_of(layout.device, parts, body, counted)
+        _refuse_access(layout, way, values)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
         raise UsageError(f"{error}; {_spoken(layout, way)} has the fields {', '.join(fields)}") from None
@@ -127,6 +129,19 @@ def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]
     register = layout.device.register(named) if isinstance(named, str) else None
     if accesses is not None and register is not None:
         written[accesses.start] = register.address
+
+
+def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
+    """Refuses a request to write what can only be read, or to read what can only be written."""
+    accesses = layout.messages[way.message].message.accesses
+    if accesses is None or way.direction != "request":
+        return
+    held = values.get(accesses.values)
+    carried = bytes(2 * (len(held) if isinstance(held, list) else 0 if held is None else 1))
+    span = accessed(accesses, values, {}, 0, carried)
+    why = forbidden(layout, span, accesses.operation) if span is not None else ""
+    if why:
+        raise UsageError(f"{why}: no frame is made of it")
 
 
 def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:

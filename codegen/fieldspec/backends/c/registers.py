@@ -62,11 +62,16 @@ def _address(naming: Naming, noun: Noun, name: str, what: str) -> list[str]:
     ]
 
 
+def _read_only(laid: TableLayout) -> str:
+    """Which fields can only be read, where the table does not say it of all."""
+    return f"Read only: {', '.join(laid.read_only)}." if laid.read_only else ""
+
+
 def table_lines(naming: Naming, laid: TableLayout) -> list[str]:
     """The constants of a table, and the function that gives an element's address."""
     table = laid.table
     access = ACCESS[table.access] if table.access else ""
-    lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access)
+    lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access, _read_only(laid))
     constants = [
         ("address", hexadecimal(table.base, 2)),
         ("words", f"{laid.words}u"),

@@ -85,7 +85,7 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
         f"first={table.index_from}",
     ]
     if table.access:
-        arguments.append(f"access={literal(table.access)}")
+        arguments.append(f"access={literal(table.access if laid.writable else 'ro')}")
     if order == "little":
         arguments.append('order="<"')
     last = table.index_from + table.count - 1
@@ -95,6 +95,8 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
     ]
     if table.access:
         facts.append(ACCESS[table.access])
+    if laid.read_only:
+        facts.append(f"none as a whole, as these fields are read only: {', '.join(laid.read_only)}")
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
     name = scope.take(laid.name)
     return TableView(name, scope.take(f"{Name.of(laid.name).pascal()}Table"), record, ", ".join(arguments), doc)

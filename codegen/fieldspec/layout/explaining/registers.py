@@ -21,6 +21,10 @@ _PART = {
 }
 
 
+FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be written"}
+"""What an access forbids."""
+
+
 @dataclass(frozen=True, slots=True)
 class Span:
     """`words` from `address` on, and their bytes: `data` at `at` in the parts of the frame, or none."""
@@ -75,17 +79,31 @@ def accessed(
     return Span(start, words, at, data)
 
 
-def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]:
-    """A row for every register that shares words with a span, by address; and for words that none has."""
+def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[Row]:
+    """A row for every register that shares words with a span, by address; and for words that none has.
+
+    `operation` is `read` or `write`: a note says which registers do not allow it.
+    """
     held = sorted(_holders(layout, span), key=lambda holder: holder.address)
     at = span.address
     for holder in held:
         if holder.address > at:
             yield _unlisted(layout, span, at, holder.address, spot)
         at = max(at, holder.address + holder.words)
-        yield _row(layout, span, holder, spot)
+        row = _row(layout, span, holder, spot)
+        why = FORBIDS.get((operation, holder.access), "")
+        yield replace(row, notes=(*row.notes, f"It {why}.")) if why else row
     if at < span.end:
         yield _unlisted(layout, span, at, span.end, spot)
+
+
+def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
+    """Why the words of a span cannot be read, or written, at once; empty where nothing says that they cannot."""
+    for holder in sorted(_holders(layout, span), key=lambda holder: holder.address):
+        why = FORBIDS.get((operation, holder.access))
+        if why:
+            return f"{holder.path} at 0x{holder.address:04X} {why}"
+    return ""
 
 
 def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
@@ -146,7 +164,7 @@ def _field(laid: TableLayout, field: FieldLayout, base: int, item: int, path: st
         field.value,
         field.order,
         field.swapped,
-        field.field.access or laid.table.access,
+        laid.access(field.field),
         field.field.reserved,
     )
 
