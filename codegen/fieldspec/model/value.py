@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Context, Decimal
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.model.fact import Citation
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges
@@ -60,6 +60,14 @@ class Value:
     def scaled(self) -> bool:
         """Whether the value in the unit is another number than the raw one."""
         return self.scale != 1 or self.offset != 0
+
+    def as_answer(self, trigger: bool) -> Value:
+        """The value as a device answers it: a constant binds only what is written.
+
+        What reading a `trigger` gives is not what was written, so a closed enum does not bind the answer either.
+        """
+        enum = "" if trigger else self.enum
+        return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)
 
     def in_unit(self, raw: int) -> Decimal:
         """A raw count in the unit, exactly."""

@@ -32,7 +32,8 @@ def register_lines(naming: Naming, device: Device, laid: RegisterLayout) -> list
     lines += _defined(naming, "register", laid.name, constants)
     lines += constant_lines(naming, "register", (laid.name,), value)
     wire = Wire(value, laid.order, laid.swapped)
-    lines += ["", *access_lines(naming, device, "register", (laid.name,), wire, value.size + value.size % 2)]
+    size = value.size + value.size % 2
+    lines += ["", *access_lines(naming, device, "register", (laid.name,), wire, size, register.trigger)]
     if laid.count > 1:
         lines += ["", *_address(naming, "register", laid.name, f"{laid.name} by its number")]
     return lines

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
-from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.backends.python.values import register_value, value_facts
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.register import RegisterLayout
@@ -38,7 +38,7 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     """The view of a register, or of an array of registers. `order` is the byte order of the device."""
     register = laid.register
     name = scope.take(Name.of(laid.name).upper())
-    value = value_expression(register.value, 2 * laid.words, laid.order, laid.swapped, words)
+    value = register_value(register.value, 2 * laid.words, laid.order, laid.swapped, words, register.trigger)
     arguments = [literal(laid.name), f"0x{laid.address:04X}", str(laid.words), value, literal(register.access)]
     if laid.count > 1:
         arguments += [f"count={laid.count}", f"first={register.index_from}", f"stride={laid.stride}"]

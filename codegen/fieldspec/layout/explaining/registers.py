@@ -62,6 +62,7 @@ class Holder:
     access: str
     reserved: bool
     atomic: bool = False
+    trigger: bool = False
 
 
 def accessed(
@@ -90,7 +91,7 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) 
         if holder.address > at:
             yield _unlisted(layout, span, at, holder.address, spot)
         at = max(at, holder.address + holder.words)
-        row = _row(layout, span, holder, spot)
+        row = _row(layout, span, holder, spot, operation)
         why = FORBIDS.get((operation, holder.access), "")
         yield replace(row, notes=(*row.notes, f"It {why}.")) if why else row
     if at < span.end:
@@ -135,6 +136,7 @@ def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
             access=register.access,
             reserved=False,
             atomic=register.atomic,
+            trigger=register.trigger,
         )
 
 
@@ -176,11 +178,13 @@ def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
     return range(first, max(first, last))
 
 
-def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot) -> Row:
+def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot, operation: str) -> Row:
     found = span.bytes_of(holder.address, holder.value.size)
     at, raw = found if found else (0, b"")
     if found:
         read = worded(layout.device, holder.value, raw, holder.order, holder.swapped, holder.reserved)
+        if holder.trigger and operation == "read":
+            read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
         inside = span.address <= holder.address and holder.address + holder.words <= span.end
         read = Worded(None, notes=() if inside else (_PART[holder.atomic],))

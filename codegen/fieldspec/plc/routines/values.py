@@ -44,8 +44,13 @@ class Wire:
 
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
-        """The value of a register."""
+        """The value of a register, as it is written."""
         return Wire(register.register.value, register.order, register.swapped)
+
+    @staticmethod
+    def of_answer(register: RegisterLayout) -> Wire:
+        """The value of a register, as the device answers it."""
+        return Wire(register.register.answer, register.order, register.swapped)
 
     @property
     def kind(self) -> Kind:
@@ -73,10 +78,7 @@ def read(
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
         wanted = Whole(value.const & wire.bits.high, wire.bits)
-        refusal = draft.refusal(compared(bits, "<>", wanted), "wrong_constant")
-        if target is None or not isinstance(target.type, Elementary):
-            return [refusal]
-        return [refusal, Assignment(target, converted(bits, target.type))]
+        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
