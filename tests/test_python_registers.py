@@ -84,7 +84,6 @@ def test_a_register_refuses_what_it_cannot_hold(register: Any, value: Any, reaso
     [
         (WIDGET.LAMP, "0009", "unknown_value"),
         (WIDGET.MOVING, "0002", "unknown_value"),
-        (WIDGET.START, "0000", "wrong_const"),
         (WIDGET.POSITION, "0000", "incomplete"),
         (WIDGET.POSITION, "0000000000", "wrong_length"),
         (WIDGET.SERIAL_NUMBER, "FF" * 12, "unknown_value"),
@@ -94,6 +93,14 @@ def test_a_register_refuses_bytes_that_mean_nothing(register: Any, data: str, re
     with pytest.raises(CodecError) as caught:
         register.decode(bytes.fromhex(data))
     assert caught.value.reason == reason
+
+
+@pytest.mark.parametrize(
+    ("register", "data", "value"),
+    [(WIDGET.START, "0000", 0), (WIDGET.START, "0001", 1), (WIDGET.START, "FFFF", 0xFFFF)],
+)
+def test_what_starts_an_action_reads_as_the_device_answers(register: Any, data: str, value: int) -> None:
+    assert register.decode(bytes.fromhex(data)) == value
 
 
 def test_a_register_knows_its_facts() -> None:

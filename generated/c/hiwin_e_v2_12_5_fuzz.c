@@ -1,6 +1,6 @@
 /*
  * Fuzzes hiwin_e_v2_12_5.h: E1/E2 PROFINET, version 2.12.5
- * Identity: 0f5db24411d30f10
+ * Identity: b35f43c8ff45f060
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

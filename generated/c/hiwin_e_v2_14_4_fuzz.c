@@ -1,6 +1,6 @@
 /*
  * Fuzzes hiwin_e_v2_14_4.h: E1/E2 PROFINET, version 2.14.4
- * Identity: 777c777c5fb7dd16
+ * Identity: be1caeb3d1067d6f
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

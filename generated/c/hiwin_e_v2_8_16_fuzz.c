@@ -1,6 +1,6 @@
 /*
  * Fuzzes hiwin_e_v2_8_16.h: E1/E2 PROFINET, version 2.8.16
- * Identity: 4d1f169d42c20f7a
+ * Identity: ac11a21ebaed8850
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

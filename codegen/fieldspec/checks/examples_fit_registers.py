@@ -45,7 +45,7 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
         if example.direction == "request":
             yield from _accessed(addresses, start, message, example)
         for address, found, number in addresses.counts(start, _words(message, example)):
-            yield from _valued(found, address, number, legal, example)
+            yield from _valued(found, address, number, legal, message, example)
 
 
 def _accessed(addresses: Addresses, start: int, message: Message, example: Example) -> Iterator[Diagnostic]:
@@ -64,11 +64,15 @@ def _accessed(addresses: Addresses, start: int, message: Message, example: Examp
             yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
 
 
-def _valued(found: Addressed, address: int, number: int, legal: Legal, example: Example) -> Iterator[Diagnostic]:
-    why = legal.objection(found.value, number) if found.value is not None else ""
+def _valued(
+    found: Addressed, address: int, number: int, legal: Legal, message: Message, example: Example
+) -> Iterator[Diagnostic]:
+    writes = message.accesses is not None and message.accesses.operation == "write"
+    why = legal.objection(found.value, number, writes) if found.value is not None else ""
     if why:
         text = f"{found.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
-        there = label(found.fact.place, range_key(found.fact.place), "what it may be")
+        key = "write_range" if writes and "write_range" in found.fact.place else range_key(found.fact.place)
+        there = label(found.fact.place, key, "what it may be")
         yield finding(_CODE, example.place, "values", text, "put the frame or the range right", there)
 
 

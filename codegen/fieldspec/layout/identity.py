@@ -55,6 +55,7 @@ def _value(value: Value | None) -> Words:
         value.flags,
         sentinels,
         value.parameter,
+        *((value.write_ranges,) if value.write_ranges is not None else ()),
     )
 
 

@@ -32,6 +32,9 @@ def constant_lines(naming: Naming, noun: Noun, names: tuple[str, ...], value: Va
     if value.ranges is not None:
         found.append(("min", integer(value.ranges.low, size, signed)))
         found.append(("max", integer(value.ranges.high, size, signed)))
+    if value.write_ranges is not None:
+        found.append(("write_min", integer(value.write_ranges.low, size, signed)))
+        found.append(("write_max", integer(value.write_ranges.high, size, signed)))
     if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
         found.append(("default", integer(value.default, size, signed)))
     for name, exact, implied in (("scale", value.scale, 1), ("offset", value.offset, 0)):

@@ -168,11 +168,9 @@ class Slots:
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges, where they are narrower than the type."""
-        if self.field.value is None or self.value.ranges is None or not self.whole:
-            return None
-        full = self.value.ranges.intervals == ((self.value.type.low, self.value.type.high),)
-        return None if full else self.value.ranges
+        """The ranges of what may be written, where they are narrower than the type."""
+        ranges = self.field.value.written_ranges if self.field.value is not None and self.whole else None
+        return None if ranges is None or ranges.intervals == ((self.value.type.low, self.value.type.high),) else ranges
 
 
 def value_type(value: Value, words: Words) -> str:

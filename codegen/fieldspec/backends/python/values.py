@@ -73,9 +73,8 @@ def _call(name: str, letters: str, more: list[str]) -> str:
 
 
 def _ranges(value: Value) -> Ranges | None:
-    if value.ranges is None or value.ranges.intervals == ((value.type.low, value.type.high),):
-        return None
-    return value.ranges
+    ranges = value.written_ranges
+    return None if ranges is None or ranges.intervals == ((value.type.low, value.type.high),) else ranges
 
 
 def value_facts(value: Value) -> list[str]:
@@ -83,6 +82,8 @@ def value_facts(value: Value) -> list[str]:
     facts = [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
+    if value.write_ranges is not None:
+        facts.append(f"{value.write_ranges.text()} when it is written")
     facts += [f"{sentinel.value} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
     if value.default is not None:
         facts.append(f"initially {value.default}")

@@ -126,9 +126,10 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     if value.const is not None:
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
-    if value.ranges is not None:
-        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
-        wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)
+    ranges = value.written_ranges
+    if ranges is not None:
+        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in ranges]
+        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     return [*statements, *_put(wire, holder, offset, raw, source)]

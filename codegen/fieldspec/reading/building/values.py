@@ -51,6 +51,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
             Sentinel(inner.integer("value") or 0, inner.text("name"), inner.text("doc"), inner.sources)
             for inner in entry.entries("sentinels")
         ),
+        write_ranges=entry.whole_ranges("write_range"),
     )
 
 
