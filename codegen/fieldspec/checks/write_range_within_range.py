@@ -1,4 +1,4 @@
-"""What may be written is a part of what may be read, and so are the constant and the sentinels of what may be written.
+"""What may be written is a part of what may be read, and sentinels are a part of what may be written.
 
 Why: a device reads back what was written to it. A value that may be written and never read is a misprint. A sentinel
 that cannot be written contradicts the range of writing: a value that is only ever read is a member of an enum.
