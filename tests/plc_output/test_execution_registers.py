@@ -58,6 +58,10 @@ def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(p
                 judged(status, error, record.name)
                 continue
             assert (status, prover.struct_out(record, held)) == ("ok", expected)
+        if not any(table.writable for table in layout.tables.values() if table.record.name == record.name):
+            unit = prover.machine.unit.functions
+            assert not any(name.startswith(prover.world.routine("pack", record.name).lower()) for name in unit)
+            continue
         for _ in range(2 * TRIES):
             values = drawn_values(layout, record, dice)
             array = prover.fresh(prover.world.words)
