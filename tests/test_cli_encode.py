@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import MADE_UP, SPECS, CommandLine
 from fieldspec.model.example import Example
 from laid_out import newest
 
@@ -17,6 +17,11 @@ PACKET = ["--link", "packet", "address=7", "sequence=1"]
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
     return CommandLine(capsys, monkeypatch, MADE_UP)
+
+
+@pytest.fixture
+def run_on_devices(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, SPECS)
 
 
 def written(value: object, name: str = "") -> list[str]:
@@ -142,6 +147,21 @@ def test_a_value_beyond_its_parameter_or_register_is_refused(run: CommandLine, a
     assert said in found.err
 
 
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["write_register", "address=0x4E26", "value=1"], "flash_points[0].acceleration_time at 0x4E26 can only be"),
+        (["write_registers", "address=0x4E26", "values=1,2"], "flash_points[0].acceleration_time at 0x4E26 can only"),
+        (["write_registers", "address=0x4E1F", "values=1,2"], "flash_points[0].position at 0x4E20 can only be read"),
+        (["write_register", "address=model_id", "value=1"], "model_id at 0x0834 can only be read"),
+    ],
+)
+def test_what_can_only_be_read_is_not_written(run_on_devices: CommandLine, arguments: list[str], said: str) -> None:
+    found = run_on_devices("encode", "ck10", *arguments, "station=1")
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
 def test_a_sentinel_may_be_written_to_a_register(run: CommandLine) -> None:
     found = run("encode", "widget", "write_register", "station=1", "address=limit", "value=0x7FFF")
     assert found.lines == ["01 06 20 03 7F FF 12 7A"]
@@ -188,3 +208,10 @@ def test_a_register_of_another_space_is_refused(run: CommandLine) -> None:
     assert "voltage lies in input_registers, and read_holding_registers reads holding_registers" in found.err
     found = run("encode", "meter", "read_input_registers", "station=1", "address=voltage", "word_count=1")
     assert found.lines == ["01 04 00 00 00 01 31 CA"]
+
+
+def test_what_can_only_be_read_is_read_and_echoed(run_on_devices: CommandLine) -> None:
+    run = run_on_devices
+    assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
+    echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]
+    assert run("encode", "ck10", *echo).code == 0

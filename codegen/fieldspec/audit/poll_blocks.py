@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from fieldspec.audit.holders import Holder, element_runs
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.model.handling import Handling
@@ -19,8 +20,6 @@ from fieldspec.model.message import Message
 from fieldspec.model.record import Field
 from fieldspec.model.register import Register
 from fieldspec.source import Span
-
-READABLE = ("ro", "rw")
 
 WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
     "can only be written",
@@ -199,7 +198,7 @@ def _of_table(device: Device, laid: TableLayout) -> Iterator[Unit]:
 def _of_field(laid: TableLayout, field: Field, holder: Holder) -> str:
     if holder.reserved and not field.access:
         return ""
-    return _refused(field.access or laid.table.access, field.handling)
+    return _refused(laid.access(field), field.handling)
 
 
 def _refused(access: str, handling: Handling) -> str:
@@ -208,7 +207,7 @@ def _refused(access: str, handling: Handling) -> str:
         return WRITE_ONLY
     if handling.clears_on_read:
         return CLEARED
-    return "" if access in READABLE else UNSAID
+    return "" if readable(access) else UNSAID
 
 
 def _together(usable: Sequence[Unit], stops: Sequence[Unit]) -> Iterator[list[Unit]]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.checks.sizes import Sizes
 from fieldspec.classes import dataclass
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.primitive import Kind
@@ -16,11 +17,15 @@ from fieldspec.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class Addressed:
-    """A value that begins at an address, and the fact that it belongs to; `access` is empty where not printed."""
+    """A value that begins at an address, and the fact that it belongs to.
+
+    `access` is empty where not printed; `holder` is the fact that states it: the register, the field or its table.
+    """
 
     fact: Fact
     value: Value | None
     access: str
+    holder: Fact
 
     @property
     def words(self) -> int:
@@ -53,7 +58,7 @@ class Addresses:
             if 0 <= number < array.count and rest == 0:
                 register = array
         if register is not None:
-            return Addressed(register, register.value, register.access)
+            return Addressed(register, register.value, register.access, register)
         for table in self._device.tables.values():
             found = self._in_table(table, address) if self._device.space_name(table.space) == own else None
             if found is not None:
@@ -66,7 +71,17 @@ class Addresses:
         if field is None:
             return None
         single = field.value is not None and field.count is None and field.repeat is None
-        return Addressed(field, field.value if single else None, field.access or table.access)
+        access = narrowed(table.access, field.access)
+        return Addressed(field, field.value if single else None, access, field if access == field.access else table)
+
+    def within(self, space: str, start: int, words: int) -> Iterator[Addressed]:
+        """What begins in neighbouring words of a space."""
+        at = start
+        while at < start + words:
+            found = self.at(space, at)
+            if found is not None:
+                yield found
+            at += found.words if found is not None else 1
 
     def counts(self, space: str, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
         """The address, the fact and the count of every whole number in neighbouring words."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
+from fieldspec.checks.accesses_agree import accesses_agree
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
@@ -78,16 +79,20 @@ from fieldspec.checks.spaces_reachable import spaces_reachable
 from fieldspec.checks.spans_match_layout import spans_match_layout
 from fieldspec.checks.states_disjoint import states_disjoint
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
+from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.value_within_range import value_within_range
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
+from fieldspec.checks.write_range_applies import write_range_applies
+from fieldspec.checks.write_range_within_range import write_range_within_range
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
 from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
+    ("accesses_agree", accesses_agree),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),
     ("addresses_within_space", addresses_within_space),
@@ -156,11 +161,14 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("spans_match_layout", spans_match_layout),
     ("states_disjoint", states_disjoint),
     ("subindices_match_elements", subindices_match_elements),
+    ("table_fields_readable", table_fields_readable),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("value_within_range", value_within_range),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),
+    ("write_range_applies", write_range_applies),
+    ("write_range_within_range", write_range_within_range),
 )
 
 MOST_FINDINGS = 200

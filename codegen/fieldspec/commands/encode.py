@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.commands import compiled
@@ -13,9 +13,10 @@ from fieldspec.commands.given import DIRECTIONS, given, number_of
 from fieldspec.commands.register_words import register_words
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.explaining.registers import accessed, forbidden
 from fieldspec.layout.explaining.row import Row
 from fieldspec.layout.explanation import explained
-from fieldspec.layout.meaning import MeaningError, body_of, raw_of
+from fieldspec.layout.meaning import MeaningError, Raw, body_of, raw_of
 from fieldspec.render.columns import one_line
 
 _MOST = 20
@@ -40,6 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
         _with_words(layout, way.message, written)
         counted = {name: _counted(layout, way, name, held) for name, held in written.items()}
         values = raw_of(layout.device, parts, body, counted)
+        _refuse_access(layout, way, values)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
         raise UsageError(f"{error}; {_spoken(layout, way)} has the fields {', '.join(fields)}") from None
@@ -171,6 +173,19 @@ def _with_words(layout: DeviceLayout, message: str, written: dict[str, object]) 
     if not field.listed and len(words) != 1:
         raise UsageError(f"{text} takes {len(words)} words, and {message} writes one")
     written[access.values] = words if field.listed else words[0]
+
+
+def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
+    """Refuses a request to write what can only be read, or to read what can only be written."""
+    accesses = layout.device.register_access(layout.messages[way.message].message)
+    if accesses is None or way.direction != "request":
+        return
+    held = values.get(accesses.values)
+    carried = bytes(2 * (len(held) if isinstance(held, list) else 0 if held is None else 1))
+    span = accessed(accesses, values, {}, 0, carried)
+    why = forbidden(layout, span, accesses.operation) if span is not None else ""
+    if why:
+        raise UsageError(f"{why}: no frame is made of it")
 
 
 def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:

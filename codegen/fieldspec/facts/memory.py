@@ -81,7 +81,7 @@ def _tables(layout: DeviceLayout) -> Iterator[Row]:
         if laid.record.name not in done:
             done.add(laid.record.name)
             yield from of_fact("record", laid.record.record, words=laid.words, bytes=laid.record.size)
-            yield from fields("table_field", laid.record, base=table.base)
+            yield from fields("table_field", laid.record, base=table.base, access=table.access)
 
 
 def _elements(laid: TableLayout) -> Iterator[Row]:

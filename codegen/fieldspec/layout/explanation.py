@@ -307,7 +307,7 @@ class _Frame:
         last = min(end, start + values.end) if values and values.end is not None else end
         held = self.data[at:last] if values else b""
         span = accessed(access, body.values, asked, at, held[: len(held) // 2 * 2])
-        return rows, tuple(register_rows(self.layout, span, self.spot)) if span else ()
+        return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[Row]:
         """The row of a body of which nothing is known."""

@@ -10,6 +10,7 @@ from fieldspec.layout.frame import LinkLayout, PartLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.message import RegisterAccess
 from fieldspec.model.value import Value
@@ -56,6 +57,7 @@ def _value(value: Value | None) -> Words:
         value.flags,
         sentinels,
         value.parameter,
+        *((value.write_ranges,) if value.write_ranges is not None else ()),
     )
 
 
@@ -136,6 +138,10 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
 def _tables(device: Device) -> Iterator[Words]:
     for table in device.tables.values():
         yield "table", table.name, table.base, table.stride, table.count, table.index_from, table.record, table.access
+        for field in device.records[table.record].fields:
+            access = narrowed(table.access, field.access)
+            if access in ("ro", "wo") and access != table.access:
+                yield "field of table", field.name, access
 
 
 def _parameters(device: Device) -> Iterator[Words]:

@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum
 from fieldspec.model.fact import Citation
@@ -85,14 +86,14 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
 
 def _table(device: Device, laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
     table = laid.table
-    for name, field, byte in _flat(laid.record):
+    for name, field, byte, access in _flat(laid.record, table.access):
         yield Item(
             space=_space(device, table.space),
             address=table.base + byte // 2,
             name=f"{table.name}.{name}",
             words=(byte % 2 + field.size + 1) // 2,
             type=field.value.type.name if field.value else "bytes",
-            access=field.field.access or table.access,
+            access=access,
             value=field.value,
             count=table.count,
             stride=table.stride,
@@ -110,17 +111,23 @@ def _space(device: Device, name: str) -> str:
     return REGISTERS if own == device.space_name("") else own
 
 
-def _flat(record: RecordLayout, before: str = "", at: int = 0) -> Iterator[tuple[str, FieldLayout, int]]:
-    """The values in a record with their names and their bytes; those of records in it too, and each of several."""
+def _flat(
+    record: RecordLayout, access: str, before: str = "", at: int = 0
+) -> Iterator[tuple[str, FieldLayout, int, str]]:
+    """The values in a record with their names, their bytes and their access, also those of records in it.
+
+    Each of several is there. `access` is that of what the record lies in.
+    """
     for field in record.fields:
+        allowed = narrowed(access, field.field.access)
         count = field.count or 1
         for number in range(count):
             name = f"{before}{field.name}" + (f"_{number}" if count > 1 else "")
             byte = at + field.offset + number * field.size
             if field.record is None:
-                yield name, field, byte
+                yield name, field, byte, allowed
             else:
-                yield from _flat(field.record, f"{name}.", byte)
+                yield from _flat(field.record, allowed, f"{name}.", byte)
 
 
 def _parameter(held: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:

@@ -42,6 +42,11 @@ class Register(Fact):
     element_sources: tuple[Citation, ...]
 
     @property
+    def answer(self) -> Value:
+        """The value as the device answers it when it is read."""
+        return self.value.as_answer(self.trigger)
+
+    @property
     def width(self) -> int:
         """The words of one element."""
         return (self.value.size + 1) // 2

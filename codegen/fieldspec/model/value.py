@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Context, Decimal
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.model.fact import Citation
 from fieldspec.model.primitive import Primitive
 from fieldspec.model.ranges import Ranges
@@ -45,8 +45,9 @@ class ParameterPart:
 class Value:
     """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
 
-    `scale_text` is the scale as the spec writes it. `ranges`, `default` and `const` are raw counts. `enum` and `flags`
-    are names, empty where there is none.
+    `scale_text` is the scale as the spec writes it. `ranges`, `write_ranges`, `default` and `const` are raw counts.
+    `write_ranges` are given where others may be written than reading gives. `enum` and `flags` are names, empty where
+    there is none.
     """
 
     type: Primitive
@@ -64,6 +65,12 @@ class Value:
     flags: str
     parameter: ParameterPart | None
     sentinels: tuple[Sentinel, ...]
+    write_ranges: Ranges | None = None
+
+    @property
+    def written_ranges(self) -> Ranges | None:
+        """The counts that may be written, None where nothing bounds them but the type. Sentinels may be, too."""
+        return self.ranges if self.write_ranges is None else self.write_ranges
 
     @property
     def scaled(self) -> bool:
@@ -80,6 +87,18 @@ class Value:
     def absent_nan(self) -> bool:
         """Whether a NaN stands for an absent value."""
         return any(sentinel.is_nan for sentinel in self.sentinels)
+
+    def as_answer(self, trigger: bool) -> Value:
+        """The value as a device answers it: a constant binds only what is written.
+
+        What reading a `trigger` gives is not what was written, so a closed enum does not bind the answer either.
+        """
+        enum = "" if trigger else self.enum
+        return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)
+
+    def as_written(self) -> Value:
+        """The value as it may be written: its range is that of writing."""
+        return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: int) -> Decimal:
         """A raw count in the unit, exactly."""

@@ -142,12 +142,12 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for name, fact, value in _ranged(layout):
-        ranges = value.ranges
-        assert ranges is not None
         kind = (SIGNED if value.type.signed else UNSIGNED)[value.size]
         unit = f"1 count = {count_of(value)}." if value.scaled or value.unit else ""
-        for word, number in (("min", ranges.low), ("max", ranges.high)):
-            yield Draft(f"{name}_{word}", kind, number, _told(unit, fact), fact)
+        for word, ranges in (("", value.ranges), ("write_", value.write_ranges)):
+            if ranges is not None and (ranges.low, ranges.high) != (value.type.low, value.type.high):
+                yield Draft(f"{name}_{word}min", kind, ranges.low, _told(unit, fact), fact)
+                yield Draft(f"{name}_{word}max", kind, ranges.high, _told(unit, fact), fact)
 
 
 def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
@@ -162,9 +162,7 @@ def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
 
 
 def _narrow(name: str, fact: Fact, value: Value | None) -> Iterator[tuple[str, Fact, Value]]:
-    if value is None or value.ranges is None or value.type.kind is not Kind.INTEGER or value.const is not None:
-        return
-    if (value.ranges.low, value.ranges.high) != (value.type.low, value.type.high):
+    if value is not None and value.type.kind is Kind.INTEGER and value.const is None:
         yield name, fact, value
 
 

@@ -63,7 +63,7 @@ class Register(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that it may hold, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
         return self.value.ranges
 
     @property

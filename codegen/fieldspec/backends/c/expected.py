@@ -40,10 +40,11 @@ def legal(device: Device, value: Value) -> list[int]:
     """Values that are taken, the least and the greatest of each interval among them."""
     if value.enum and not device.enums[value.enum].open:
         members = sorted(member.value for member in available(device.enums[value.enum]))
-        inside = [number for number in members if value.ranges is None or number in value.ranges]
+        ranges = value.written_ranges
+        inside = [number for number in members if ranges is None or number in ranges]
         return inside or members
-    if value.ranges is not None:
-        return [bound for pair in value.ranges.intervals for bound in pair]
+    if value.written_ranges is not None:
+        return [bound for pair in value.written_ranges.intervals for bound in pair]
     return [0, value.type.low, value.type.high]
 
 

@@ -95,7 +95,7 @@ def _parameter(naming: Naming, device: Device, held: ParameterSet, parameter: Pa
         lines.append(f"#define {naming.macro('parameter', *names, 'elements')} {parameter.elements}u")
     if parameter.reserved:
         return lines
-    return [*lines, *_held(naming, device, names, parameter.value)]
+    return [*lines, *_held(naming, device, names, parameter.value, parameter.trigger)]
 
 
 def _subindex(naming: Naming, device: Device, held: ParameterSet, parameter: Parameter, inner: Subindex) -> list[str]:
@@ -104,13 +104,13 @@ def _subindex(naming: Naming, device: Device, held: ParameterSet, parameter: Par
     ends = [("subindex", low)] if low == high else [("first_subindex", low), ("last_subindex", high)]
     lines = told(inner, f"Of {parameter.name}.", of_value(inner.value))
     lines += [f"#define {naming.macro('parameter', *names, end)} {number}u" for end, number in ends]
-    return [*lines, *_held(naming, device, names, inner.value)]
+    return [*lines, *_held(naming, device, names, inner.value, parameter.trigger)]
 
 
-def _held(naming: Naming, device: Device, names: tuple[str, ...], value: Value) -> list[str]:
+def _held(naming: Naming, device: Device, names: tuple[str, ...], value: Value, trigger: bool) -> list[str]:
     order, swapped = Orders(device.byte_order, device.word_order).of(value)
     return [
         *constant_lines(naming, "parameter", names, value),
         "",
-        *access_lines(naming, device, "parameter", names, Wire(value, order, swapped), value.size),
+        *access_lines(naming, device, "parameter", names, Wire(value, order, swapped), value.size, trigger),
     ]

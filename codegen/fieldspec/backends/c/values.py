@@ -149,15 +149,16 @@ def signed_functions(naming: Naming) -> list[str]:
 
 
 def range_test(value: Value, name: str) -> str:
-    """A condition under which an integer is out of range; empty where every value of its type is in it.
+    """A condition under which an integer may not be written; empty where every value of its type is in it.
 
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true.
     """
-    if value.ranges is None:
+    ranges = value.written_ranges
+    if ranges is None:
         return ""
     kind = value.type
     parts = []
-    for low, high in sorted(value.ranges.intervals):
+    for low, high in sorted(ranges.intervals):
         low_text, high_text = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
         if low == high:
             parts.append(f"{name} == {low_text}")
@@ -173,7 +174,7 @@ def range_test(value: Value, name: str) -> str:
     parts += [
         f"{name} == {integer(sentinel.value, value.size, kind.signed)}"
         for sentinel in value.sentinels
-        if sentinel.value not in value.ranges
+        if sentinel.value not in ranges
     ]
     return "!(" + " || ".join(parts if len(parts) == 1 else [f"({part})" for part in parts]) + ")"
 

@@ -102,8 +102,7 @@ def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple
 def _fields(context: Context, laid: TableLayout, anchored: bool) -> Table:
     record = laid.record.record
     marks = Inferences(f"{laid.table.place.path}/fields")
-    access = laid.table.access
-    rows = [_table_row(context, field, access, marks) for field in laid.record.fields]
+    rows = [_table_row(context, field, laid.access(field.field), marks) for field in laid.record.fields]
     caption = f"Fields of an element, the record {record.name}"
     if not anchored:
         rows = [row._replace(anchor="") for row in rows]
@@ -122,7 +121,7 @@ def _table_row(context: Context, field: FieldLayout, access: str, marks: Inferen
             cell(str((field.size * (field.count or 1) + 1) // 2)),
             name,
             kind,
-            access_cell(field.field.access or access, inferred, marks) if not field.field.reserved else Cell(),
+            access_cell(access, inferred, marks) if not field.field.reserved else Cell(),
             unit,
             bounds,
             default_cell(value, inferred, marks) if value else Cell(),

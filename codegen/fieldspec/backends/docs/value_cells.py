@@ -86,12 +86,13 @@ def unit_lines(value: Value) -> list[Line]:
 
 
 def range_lines(value: Value) -> list[Line]:
-    """The range in the unit, then in counts where these are other numbers."""
-    if value.ranges is None:
-        return []
-    lines: list[Line] = [(plain(spoken(range_in_unit(value, value.ranges))),)]
-    if value.scaled:
-        lines.append((styled(f"raw {spoken(value.ranges.text())}", "quiet"),))
+    """The range in the unit, then in counts where these are other numbers; then that of writing, where it differs."""
+    lines: list[Line] = []
+    for before, ranges in (("", value.ranges), ("written: ", value.write_ranges)):
+        if ranges is not None:
+            lines.append((plain(before + spoken(range_in_unit(value, ranges))),))
+            if value.scaled:
+                lines.append((styled(f"raw {spoken(ranges.text())}", "quiet"),))
     return lines
 
 

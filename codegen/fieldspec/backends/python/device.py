@@ -63,7 +63,7 @@ _IMPORTS = {
         "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table found only replies spans unreachable writable",
-    "_values": "Boolean Bytes Closed Constant Float Number Open Text Word",
+    "_values": "Boolean Bytes Closed Constant Float Number Open Setting Text Trigger Word",
 }
 
 

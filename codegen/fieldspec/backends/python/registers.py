@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
-from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.backends.python.values import register_value, value_facts
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.register import RegisterLayout
@@ -41,7 +41,7 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope, 
     """
     register = laid.register
     name = scope.take(Name.of(laid.name).upper())
-    value = value_expression(register.value, 2 * laid.words, laid.order, laid.swapped, words)
+    value = register_value(register.value, 2 * laid.words, laid.order, laid.swapped, words, register.trigger)
     arguments = [literal(laid.name), f"0x{laid.address:04X}", str(laid.words), value, literal(register.access)]
     if laid.count > 1:
         arguments += [f"count={laid.count}", f"first={register.index_from}", f"stride={laid.stride}"]
@@ -94,7 +94,7 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope, space:
         f"first={table.index_from}",
     ]
     if table.access:
-        arguments.append(f"access={literal(table.access)}")
+        arguments.append(f"access={literal(table.access if laid.writable else 'ro')}")
     if order == "little":
         arguments.append('order="<"')
     if space:
@@ -108,6 +108,8 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope, space:
         facts.append(f"in {space}")
     if table.access:
         facts.append(ACCESS[table.access])
+    if laid.read_only:
+        facts.append(f"none as a whole, as these fields are read only: {', '.join(laid.read_only)}")
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
     name = scope.take(laid.name)
     return TableView(name, scope.take(f"{Name.of(laid.name).pascal()}Table"), record, ", ".join(arguments), doc)

@@ -168,15 +168,12 @@ class Slots:
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges, where they are narrower than the type."""
-        if self.field.value is None or self.value.ranges is None:
-            return None
-        if self.kind is Kind.FLOAT:
-            return self.value.ranges
-        if not self.whole:
-            return None
-        full = self.value.ranges.intervals == ((self.value.type.low, self.value.type.high),)
-        return None if full else self.value.ranges
+        """The ranges of what may be written, where they are narrower than the type."""
+        ranges = self.field.value.written_ranges if self.field.value is not None else None
+        if ranges is None or self.kind is Kind.FLOAT:
+            return ranges
+        full = ranges.intervals == ((self.value.type.low, self.value.type.high),)
+        return None if full or not self.whole else ranges
 
 
 def value_type(value: Value, words: Words) -> str:

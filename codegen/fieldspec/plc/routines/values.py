@@ -47,8 +47,13 @@ class Wire:
 
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
-        """The value of a register."""
+        """The value of a register, as it is written."""
         return Wire(register.register.value, register.order, register.swapped)
+
+    @staticmethod
+    def of_answer(register: RegisterLayout) -> Wire:
+        """The value of a register, as the device answers it."""
+        return Wire(register.register.answer, register.order, register.swapped)
 
     @property
     def kind(self) -> Kind:
@@ -76,10 +81,7 @@ def read(
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
         wanted = Whole(value.const & wire.bits.high, wire.bits)
-        refusal = draft.refusal(compared(bits, "<>", wanted), "wrong_constant")
-        if target is None or not isinstance(target.type, Elementary):
-            return [refusal]
-        return [refusal, Assignment(target, converted(bits, target.type))]
+        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
@@ -128,9 +130,10 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     if value.const is not None:
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
-    if value.ranges is not None:
-        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
-        wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)
+    ranges = value.written_ranges
+    if ranges is not None:
+        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in ranges]
+        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     return [*statements, *_put(wire, holder, offset, raw, source)]

@@ -53,10 +53,11 @@ from .._registers import spans as _spans
 from .._registers import writable as _writable
 from .._values import Boolean as _Boolean
 from .._values import Closed as _Closed
-from .._values import Constant as _Constant
 from .._values import Number as _Number
 from .._values import Open as _Open
+from .._values import Setting as _Setting
 from .._values import Text as _Text
+from .._values import Trigger as _Trigger
 from .._values import Word as _Word
 from .._typing import TYPE_CHECKING
 from .._typing import M as _M
@@ -3594,7 +3595,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1623.
 """
-MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Closed(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
+MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Trigger(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
 """Motion command (MovType, 移動類型).
 
 Writing a value starts the action that it names.
@@ -3637,7 +3638,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1626-1632, 1636-1642.
 """
-PARAMETER_STORAGE: _Final = _Register("parameter_storage", 0x9999, 1, _Closed(">H", "parameter_storage", _PARAMETER_STORAGE_MEMBERS, ranges=((0, 1),)), "", trigger=True)
+PARAMETER_STORAGE: _Final = _Register("parameter_storage", 0x9999, 1, _Trigger(">H", "parameter_storage", _PARAMETER_STORAGE_MEMBERS, ranges=((0, 1),)), "", trigger=True)
 """Parameter storage (參數儲存).
 
 Stores the parameters.
@@ -3655,7 +3656,7 @@ Inferred (type): The manual prints the number of words alone.
 
 Source: 8.2 L1667.
 """
-WRITE_ENABLE_KEY: _Final = _Register("write_enable_key", 0x999B, 4, _Constant(">Q", 5509644182563149415), "wo", trigger=True)
+WRITE_ENABLE_KEY: _Final = _Register("write_enable_key", 0x999B, 4, _Setting(">Q", 5509644182563149415), "wo", trigger=True)
 """Write enable key (開放寫入指令).
 
 Writing the four words 4C76 3031 5479 5667 opens writing. As characters they read Lv01TyVg.

@@ -112,7 +112,7 @@ class Parameter(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that it may hold, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
         return self.value.ranges
 
     @property

@@ -148,6 +148,21 @@ class Constant(Number):
         return None
 
 
+class Setting(Number):
+    """A count of which one may be written; what the device answers may be any."""
+
+    __slots__ = ("const",)
+
+    def __init__(self, letters: str, const: int, *, swapped: bool = False, limits: str = "") -> None:
+        super().__init__(letters, swapped=swapped, limits=limits)
+        self.const = const
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        if value != self.const:
+            return CodecError("wrong_const", f"{name} is {value}, not {self.const}")
+        return None
+
+
 class Closed(Value[E]):
     """A member of a closed enum."""
 
@@ -205,6 +220,27 @@ class Open(Value["E | int"], Generic[E]):
     def refused(self, name: str, value: Any) -> CodecError | None:
         members = self.members if self.closed else None
         return refused_number(name, value, self.low, self.high, self.ranges, self.others, members, self.enum)
+
+
+class Trigger(Open[E]):
+    """A member of a closed enum that starts something when it is written; what the device answers may be any count."""
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        letters: str,
+        enum: str,
+        members: dict[int, E],
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+        others: tuple[int, ...] = (),
+    ) -> None:
+        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, others=others, closed=True)
+
+    def of_raw(self, name: str, raw: int) -> E | int:
+        return self.members.get(raw, raw)
 
 
 class Word(Value[F]):
