@@ -67,6 +67,7 @@ IGNORED = {
     "Device.version": "it is what is compared",
     "Device.accepts": "it judges changes, and is none",
     **{f"Acceptance.{name}": "it judges changes, and is none" for name in ("rule", "path", "reason", "date", "since")},
+    "RegisterGroup.space": "it is that of its registers",
     "RegisterGroup.ascending": "it says how the table is checked, nothing about the device",
     "*.allowed": "it is for checks, no output shows it",
     "*.place": "a place in the spec says nothing about the device",

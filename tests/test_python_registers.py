@@ -64,6 +64,8 @@ def test_a_register_holds_its_value_in_its_bytes(register: Any, data: str, value
         (WIDGET.LIMIT, 0, "out_of_range"),
         (WIDGET.LAMP, 9, "unknown_value"),
         (WIDGET.START, 2, "wrong_const"),
+        (WIDGET.PAINT, 2, "unknown_value"),
+        (WIDGET.INITIALIZATION, 4, "out_of_range"),
         (WIDGET.MOVING, 2, "out_of_range"),
         (WIDGET.SERIAL_NUMBER, "thirteen chars", "wrong_length"),
         (WIDGET.SERIAL_NUMBER, "é", "unknown_value"),
@@ -84,7 +86,6 @@ def test_a_register_refuses_what_it_cannot_hold(register: Any, value: Any, reaso
     [
         (WIDGET.LAMP, "0009", "unknown_value"),
         (WIDGET.MOVING, "0002", "unknown_value"),
-        (WIDGET.START, "0000", "wrong_const"),
         (WIDGET.POSITION, "0000", "incomplete"),
         (WIDGET.POSITION, "0000000000", "wrong_length"),
         (WIDGET.SERIAL_NUMBER, "FF" * 12, "unknown_value"),
@@ -94,6 +95,36 @@ def test_a_register_refuses_bytes_that_mean_nothing(register: Any, data: str, re
     with pytest.raises(CodecError) as caught:
         register.decode(bytes.fromhex(data))
     assert caught.value.reason == reason
+
+
+@pytest.mark.parametrize(
+    ("register", "data", "value"),
+    [
+        (WIDGET.START, "0000", 0),
+        (WIDGET.START, "0001", 1),
+        (WIDGET.START, "FFFF", 0xFFFF),
+        (WIDGET.PAINT, "0001", 1),
+        (WIDGET.PAINT, "0002", 2),
+        (WIDGET.INITIALIZATION, "0010", 16),
+    ],
+)
+def test_what_starts_an_action_reads_as_the_device_answers(register: Any, data: str, value: int) -> None:
+    assert register.decode(bytes.fromhex(data)) == value
+
+
+def test_a_table_with_a_field_that_can_only_be_read_is_not_written_as_a_whole() -> None:
+    slot = WIDGET.slots[1].decode(bytes.fromhex("0003 0001"))
+    assert (slot.level, slot.reached) == (3, 1)
+    with pytest.raises(CodecError) as caught:
+        WIDGET.slots.write_requests(1, WIDGET.Slot(level=5, reached=0))
+    assert caught.value.reason == "read_only"
+
+
+def test_the_range_of_writing_of_a_field_binds_what_is_encoded() -> None:
+    assert WIDGET.Slot(level=5, reached=0).encode() == bytes.fromhex("0005 0000")
+    with pytest.raises(CodecError) as caught:
+        WIDGET.Slot(level=3, reached=0).encode()
+    assert (caught.value.reason, "0, 5..9" in caught.value.detail) == ("out_of_range", True)
 
 
 def test_a_register_knows_its_facts() -> None:
@@ -294,3 +325,85 @@ def test_the_parameters_of_a_manual_are_written_by_its_message() -> None:
     request = ESC11.parameters.write_request(ESC11.parameters[1], 100)
     assert request == ESC11.WriteParameterRequest(1, 100)
     assert len(ESC11.parameters) == 32
+
+
+def test_a_sentinel_of_a_record_is_no_quantity() -> None:
+    example = newest(MADE_UP, "widget").device.examples["everything-ascii"]
+    held = WIDGET.Everything.decode(bytes.fromhex(example.frame[5:-4].decode()))
+    assert (held.half, held.half_mm) == (0xFFFF, None)
+    held.half_mm = 1.5
+    assert (held.half, held.half_mm) == (150, 1.5)
+    with pytest.raises(CodecError, match="out_of_range"):
+        held.half_mm = 655.35
+
+
+def test_a_sentinel_of_a_register_is_no_quantity() -> None:
+    assert (WIDGET.LIMIT.in_unit(0x7FFF), WIDGET.LIMIT.in_unit(5)) == (None, 5.0)
+    speed = TC100.MOTION_SPEED
+    assert (speed.in_unit(0), speed.in_unit(50)) == (None, 50.0)
+    with pytest.raises(CodecError, match="whose count 0 stands for"):
+        speed.from_unit(0.0)
+
+
+METER, PROBE = made(newest(MADE_UP, "meter")), made(newest(MADE_UP, "probe"))
+
+
+def test_a_register_is_read_by_the_message_of_its_space() -> None:
+    voltage, station = METER.read_request(METER.VOLTAGE), METER.read_request(METER.STATION)
+    assert type(voltage) is METER.ReadInputRegistersRequest
+    assert type(station) is METER.ReadHoldingRegistersRequest
+    assert voltage.address == station.address == 0
+    assert METER.rtu.encode_request(1, voltage) == newest(MADE_UP, "meter").device.examples["read-voltage"].frame
+
+
+def test_a_response_of_another_space_is_no_value_of_a_register() -> None:
+    assert METER.read_value(METER.VOLTAGE, METER.ReadInputRegistersResponse(words=[0x8000])) == -0x8000
+    with pytest.raises(CodecError, match="wrong_type"):
+        METER.read_value(METER.VOLTAGE, METER.ReadHoldingRegistersResponse(values=[5]))
+
+
+def test_a_space_that_no_message_writes_has_no_request() -> None:
+    (request,) = METER.write_requests(METER.STATION, 7)
+    assert type(request) is METER.WriteHoldingRegisterRequest
+    table = METER.history
+    with pytest.raises(CodecError, match="read_only"):
+        METER.write_requests(table[0], METER.Sample(voltage=1, voltages=[1, 2]))
+
+
+def test_an_address_means_a_register_of_a_space() -> None:
+    assert METER.register_at(0) is METER.STATION
+    assert METER.register_at(0, "input_registers") is METER.VOLTAGE
+    assert METER.register_at(0x100) is None
+    assert METER.register_at(0x100, "input_registers").name == "history[0]"
+
+
+def test_a_sentinel_of_a_signed_register_is_no_quantity() -> None:
+    assert METER.VOLTAGE.in_unit(-0x8000) is None
+    assert METER.VOLTAGE.in_unit(2301) == 230.1
+    with pytest.raises(CodecError, match="out_of_range"):
+        METER.VOLTAGE.from_unit(-3276.8)
+
+
+@pytest.mark.parametrize("value", [-10.5, 250.5, float("nan"), float("inf"), 9998.0])
+def test_a_float_beyond_its_range_is_refused(value: float) -> None:
+    with pytest.raises(CodecError, match="out_of_range"):
+        METER.POWER.encode(value)
+
+
+@pytest.mark.parametrize(("value", "quantity"), [(-10.0, -10.0), (250.0, 250.0), (9999.0, None)])
+def test_a_float_within_its_range_and_a_sentinel_are_encoded(value: float, quantity: float | None) -> None:
+    assert METER.POWER.decode(METER.POWER.encode(value)) == value
+    assert METER.POWER.in_unit(value) == quantity
+
+
+def test_what_is_no_number_stands_for_an_absent_value() -> None:
+    nan = PROBE.DISTANCE.decode(bytes.fromhex("00007FC0"))
+    assert PROBE.DISTANCE.in_unit(nan) is None
+    assert PROBE.DISTANCE.encode(nan) == bytes.fromhex("00007FC0")
+    sample = PROBE.Sample.decode(bytes.fromhex("00007FC00000FFFF00003F80"))
+    assert (sample.distance_mm, sample.widths_value) == (None, [None, 1.0])
+    sample.distance = 301.0
+    with pytest.raises(CodecError, match="out_of_range"):
+        sample.encode()
+    sample.distance = PROBE.Sample.DISTANCE_NOT_MEASURED
+    assert sample.encode()[:4] == bytes.fromhex("00007FC0")

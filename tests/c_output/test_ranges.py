@@ -25,13 +25,14 @@ def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
     sentinels = {sentinel.value for sentinel in value.sentinels}
     enum = layout.device.enums[value.enum] if value.enum else None
     closed = enum is not None and not enum.open
+    ranges = value.written_ranges
     if enum is not None and closed:
         numbers = {member.value for member in enum.members if not member.unavailable}
     else:
-        intervals = value.ranges.intervals if value.ranges is not None else ()
+        intervals = ranges.intervals if ranges is not None else ()
         numbers = {number for low, high in intervals for number in (low - 1, high + 1)}
     written = {number for number in numbers if value.type.low <= number <= value.type.high} - sentinels
-    return closed, value.ranges is not None and any(number not in value.ranges for number in written)
+    return closed, ranges is not None and any(number not in ranges for number in written)
 
 
 @pytest.mark.parametrize("layout", NEWEST, ids=[layout.device.id for layout in NEWEST])

@@ -44,8 +44,8 @@ PROGRAMS = {
         ["status.h", "functions"],
         "RECORD(uint8_t, decode, encode, 1, 1); PACKED(uint8_t, unpack, pack, 1); FIXED(decode_nothing, encode_nothing,"
         " 1, 1); VALUE(uint8_t, read_value, write_value, 1, 1); ARRAY(uint8_t value[1], unpack_status, write_array, 1,"
-        " 1); CONSTANT(read_nothing, write_nothing, 1, 1); ADDRESS(uint16_t, at); CONVERSION(uint8_t, from_raw,"
-        " to_raw, 1);",
+        " 1); CONSTANT(uint8_t, read_value, write_constant, 1); TRIGGER(uint8_t, read_value, write_value, 1, 1);"
+        " ADDRESS(uint16_t, at); CONVERSION(uint8_t, from_raw, to_raw, 1);",
     ),
 }
 FUNCTIONS = """
@@ -66,9 +66,7 @@ static device_codec_status unpack_status(const uint8_t *in, uint8_t *out) { *out
 static device_codec_status write_array(const uint8_t *in, uint8_t *out) { *out = in[0]; return DEVICE_OK; }
 static device_codec_status read_value(const uint8_t *in, uint8_t *out) { *out = in[0]; return DEVICE_OK; }
 static device_codec_status write_value(uint8_t value, uint8_t *out) { out[0] = value; return DEVICE_OK; }
-static device_codec_status read_nothing(const uint8_t *in)
-{ return in[0] == 7 ? DEVICE_OK : DEVICE_ERR_WRONG_CONST; }
-static device_codec_status write_nothing(uint8_t *out) { out[0] = 7; return DEVICE_OK; }
+static device_codec_status write_constant(uint8_t *out) { out[0] = 7; return DEVICE_OK; }
 static device_codec_status at(uint32_t number, uint16_t *address)
 { *address = (uint16_t)number; return number < 9 ? DEVICE_OK : DEVICE_ERR_OUT_OF_RANGE; }
 static double from_raw(uint8_t raw, double reference) { return reference * raw; }

@@ -15,11 +15,12 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.primitive import Kind
 from fieldspec.model.value import Value
-from fieldspec.plc.routines.frames import head_members, link_words
+from fieldspec.plc.routines.frames import head_members
 from fieldspec.plc.routines.records import given
 from fieldspec.plc.routines.status import STATUSES
 from fieldspec.plc.routines.types import BITS, EnumType, Type
 from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import link_words
 
 STATUS = {number: name for number, (name, _) in enumerate(STATUSES)}
 REASONS = {"wrong_const": "wrong_constant", "not_hex": "not_hexadecimal"}

@@ -22,8 +22,8 @@ from proving import Proof, without
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.frames import framed
 from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.wrapping import framed
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 
@@ -169,7 +169,7 @@ def head_values(link: LinkLayout, direction: str, dice: random.Random) -> dict[s
     return {
         part.name: dice.choice([0, 1, 2, part.value.type.high, dice.randint(0, part.value.type.high)])
         for part in link.frame(direction).head
-        if part.role in ("station", "plain") and part.value is not None and part.value.const is None
+        if part.is_argument and part.value is not None
     }
 
 

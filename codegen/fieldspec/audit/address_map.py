@@ -12,7 +12,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.link import Link
 from fieldspec.model.parameter import ParameterSet
 from fieldspec.model.place import Place
-from fieldspec.model.register import RegisterGroup
+from fieldspec.model.register import Register, RegisterGroup
 
 USED, RESERVED, UNDESCRIBED, OVERLAP, DECLARED, UNDECLARED, UNLISTED = (
     "used",
@@ -124,30 +124,41 @@ class Space:
 
 
 def spaces(layout: DeviceLayout) -> tuple[Space, ...]:
-    """The register space, the spaces of parameters, and the codes and numbers of messages, as far as there are such."""
+    """The spaces of registers and of parameters, and the codes and numbers of messages, as far as there are such."""
     device = layout.device
-    found = [_registers(layout)] if device.groups or device.tables else []
+    own = list(device.spaces) if device.several_spaces else [""]
+    found = [_registers(layout, name) for name in own] if device.groups or device.tables else []
     names = dict.fromkeys(held.space for held in device.parameters.values())
     found += [_parameters(name, [one for one in device.parameters.values() if one.space == name]) for name in names]
     found += _messages(device)
     return tuple(space for space in found if space.blocks)
 
 
-def _registers(layout: DeviceLayout) -> Space:
+def _registers(layout: DeviceLayout, name: str) -> Space:
+    """A space of registers; an empty name means the only one."""
     device = layout.device
+
+    def own(space: str) -> bool:
+        return not name or device.space_name(space) == name
+
+    groups = [group for group in device.groups if own(group.space)]
+    tables = [laid for laid in layout.tables.values() if own(laid.table.space)]
     held = [
         (first, last, holder, group.place.path)
-        for group in device.groups
+        for group in groups
         for register in group.registers
         for first, last, holder in of_register(register)
     ]
-    for laid in layout.tables.values():
+    for laid in tables:
         last = laid.table.address(laid.table.indexes[-1]) + max(laid.words, 1) - 1
         held.append((laid.table.base, last, Holder.of(laid.table, "table"), laid.table.place.path))
-    blocks = [_group(group, held) for group in device.groups if group.registers]
-    blocks += [_table(laid, held) for laid in layout.tables.values()]
+    blocks = [_group(group, held) for group in groups if group.registers]
+    blocks += [_table(laid, held) for laid in tables]
     ordered = tuple(sorted(blocks, key=lambda block: block.first))
-    return Space("registers", "Registers", "words", 4, ordered, tuple(_aliases(device)))
+    aliases = tuple(alias for register, alias in _aliases(device) if own(register.space))
+    if not name:
+        return Space("registers", "Registers", "words", 4, ordered, aliases)
+    return Space(name, device.space(name).title or name, "words", 4, ordered, aliases)
 
 
 Held = tuple[int, int, Holder, str]
@@ -209,7 +220,7 @@ def _piece(first: int, last: int, held: Iterable[Held], gaps: Iterable[tuple[int
     return Run(first, last, RESERVED if holders[0].reserved else USED, holders, "", mine)
 
 
-def _aliases(device: Device) -> Iterator[Alias]:
+def _aliases(device: Device) -> Iterator[tuple[Register, Alias]]:
     """The registers that hold the same value as another one, and those of blocks that stand twice."""
     named = {register.name: register for register in device.registers()}
     for register in device.registers():
@@ -217,7 +228,7 @@ def _aliases(device: Device) -> Iterator[Alias]:
             other = named.get(name)
             if other is not None:
                 one, two = Holder.of(register, ""), Holder.of(other, "")
-                yield Alias(one, register.address, two, other.address, copied)
+                yield register, Alias(one, register.address, two, other.address, copied)
 
 
 def _parameters(name: str, sets: Sequence[ParameterSet]) -> Space:

@@ -34,9 +34,10 @@ def addresses(subject: Subject) -> Section:
         if overlaps:
             unsaid = sum(1 for run in overlaps if not run.reason)
             figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
-        if space.name == "registers":
+        if space.what == "words":
             gaps = space.count(UNDECLARED)
-            figures.append(Figure("words in gaps that nothing declares", gaps, good=gaps == 0))
+            where = f" ({space.title})" if subject.device.several_spaces else ""
+            figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
     tables = (_blocks(found), _gaps(found), _overlaps(found), _aliases(found), _runs(found))
     return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, drawn=found)
 
@@ -148,23 +149,26 @@ def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
     return rows
 
 
-def _shape(block: PollBlock) -> tuple[int, int, int, str]:
+def _shape(block: PollBlock) -> tuple[str, int, int, int, str]:
     """What equal requests of a table have in common."""
-    return block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
+    return block.space, block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
 
 
 def polls(subject: Subject) -> Section:
     """The poll blocks."""
     made = polling(subject.layout)
-    limit = made.limit
     says = [_POLL_SAYS, *(_limit_text(one) for one in made.limits)] if made.limits else []
     says += _asked(subject.layout)
     if not says:
         says = ["No message of the device reads registers or parameters."]
     figures = []
-    if limit is not None:
-        values = sum(len(block.names) for block in made.blocks)
-        figures.append(Figure(f"requests of up to {limit.words} words read all {values} values", len(made.blocks)))
+    for space in made.spaces:
+        limit, blocks = made.limit(space), [block for block in made.blocks if block.space == space]
+        if limit is not None:
+            values = sum(len(block.names) for block in blocks)
+            where = f" of {space}" if space else ""
+            text = f"requests of up to {limit.words} words read all {values} values{where}"
+            figures.append(Figure(text, len(blocks)))
     tables = (_limits(made), _poll_table(made), _left_out(made)) if made.limits else ()
     return Section("poll_blocks", "Poll blocks", tuple(says), tuple(figures), tables)
 
@@ -201,8 +205,10 @@ def _limits(made: Polling) -> SectionTable:
 
 
 def _poll_table(made: Polling) -> SectionTable:
+    several = len(made.spaces) > 1
     rows: list[tuple[Cell, ...]] = [
         (
+            *([row.first.space] if several else []),
             f"{row.first.start:04X}h",
             row.first.start,
             row.first.words,
@@ -214,7 +220,17 @@ def _poll_table(made: Polling) -> SectionTable:
         )
         for row in poll_rows(made.blocks)
     ]
-    columns = ("start", "decimal", "words", "times", "apart", "values", "reserved_words", "registers")
+    columns = (
+        *(["space"] if several else []),
+        "start",
+        "decimal",
+        "words",
+        "times",
+        "apart",
+        "values",
+        "reserved_words",
+        "registers",
+    )
     return SectionTable("poll_list", "One request each", columns, tuple(rows))
 
 

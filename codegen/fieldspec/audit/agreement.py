@@ -13,6 +13,7 @@ from fieldspec.audit.reduced import reduced
 from fieldspec.audit.spelling import byte_pairs, in_order, numbers, readings, words
 from fieldspec.facts import Row
 from fieldspec.model.erratum import Erratum
+from fieldspec.model.ranges import intervals
 from fieldspec.reading.building.context import citations
 
 _ALSO = {"code": ("code", "number"), "number": ("number", "code")}
@@ -64,7 +65,12 @@ def _numbers(text: str) -> frozenset[Decimal]:
 
 
 def _ranges(row: Row, held: Held) -> bool:
-    """Whether the printed bounds are those of a fact, in counts or in its unit."""
+    """Whether the printed bounds are those of a fact, or of what may be written to it, in counts or in its unit."""
+    if isinstance(written := row["write_ranges"], str):
+        pairs = intervals(written)
+        low, high = min(pair[0] for pair in pairs), max(pair[1] for pair in pairs)
+        if _ranges({**row, "write_ranges": None, "min": low, "max": high}, held):
+            return True
     bounds = [readings(one, "decimal" if one.isdecimal() else "number") for one in _BOUNDS.findall(held.text)]
     known = (row["min"], row["max"]) if len(bounds) > 1 else (row["min"],)
     low_high = [cell for cell in known if isinstance(cell, int | Decimal)]

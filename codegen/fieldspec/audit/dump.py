@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.units import Unit, units
+from fieldspec.audit.units import Address, Unit, units
 from fieldspec.checks.finding import range_key
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
@@ -106,44 +106,51 @@ def _doubtful(told: Told) -> int:
 
 def _told(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> Told:
     held = list(units(layout))
-    starts: dict[int, Unit] = {}
-    known: dict[int, Unit] = {}
+    starts: dict[Address, Unit] = {}
+    known: dict[Address, Unit] = {}
     for unit in held:
-        starts.setdefault(unit.address, unit)
-        for address in range(unit.address, unit.address + unit.words):
+        starts.setdefault((unit.space, unit.address), unit)
+        for address in unit.addresses:
             known.setdefault(address, unit)
-    words: dict[int, tuple[int, int]] = {}
+    words: dict[Address, tuple[int, int]] = {}
     unknown: list[Entry] = []
     too_great: list[tuple[Entry, Unit]] = []
     twice: list[tuple[Entry, int]] = []
     parameters: list[Read] = []
     for entry in entries:
-        address = entry.address - offset
-        read = list(_parameters(layout.device, entry, address)) if not held or _names_a_space(layout, entry) else []
+        first = entry.address - offset
+        read = list(_parameters(layout.device, entry, first)) if not held or _names_a_space(layout, entry) else []
         if read:
             parameters += read
             continue
-        there = starts.get(address)
+        space = _space(layout.device, entry)
+        there = starts.get((space, first))
         split = _split(layout.device, entry, there)
-        if split is None and address in known:
-            too_great.append((entry, there or known[address]))
+        if split is None and (space, first) in known:
+            too_great.append((entry, there or known[space, first]))
             continue
-        if split is None or not any(address + at in known for at in range(len(split))):
+        if split is None or not any((space, first + at) in known for at in range(len(split))):
             unknown.append(entry)
             continue
         for at, word in enumerate(split):
-            before = words.setdefault(address + at, (word, entry.row))
+            before = words.setdefault((space, first + at), (word, entry.row))
             if before[0] != word:
                 twice.append((entry, before[1]))
     values, holes = [], []
     for unit in held:
-        have = [address for address in range(unit.address, unit.address + unit.words) if address in words]
+        have = [address for address in unit.addresses if address in words]
         if len(have) == unit.words:
             values.append(_read(layout.device, unit, words))
         elif have:
-            lacking = tuple(a for a in range(unit.address, unit.address + unit.words) if a not in words)
-            holes.append(Hole(unit.name, unit.fact, tuple(words[a][1] for a in have), lacking))
+            lacking = tuple(address[1] for address in unit.addresses if address not in words)
+            holes.append(Hole(unit.name, unit.fact, tuple(words[address][1] for address in have), lacking))
     return Told(base, (*values, *parameters), tuple(holes), tuple(unknown), tuple(too_great), tuple(twice))
+
+
+def _space(device: Device, entry: Entry) -> str:
+    """The address space that a row names; the first one where it names none."""
+    named = {folded(name): name for name in device.spaces}
+    return named.get(folded(entry.space), device.space_name("")) if entry.space else device.space_name("")
 
 
 def _names_a_space(layout: DeviceLayout, entry: Entry) -> bool:
@@ -169,8 +176,8 @@ def _split(device: Device, entry: Entry, unit: Unit | None) -> list[int] | None:
     return [number & _ALL for number in entry.values]
 
 
-def _read(device: Device, unit: Unit, words: Mapping[int, tuple[int, int]]) -> Read:
-    addresses = range(unit.address, unit.address + unit.words)
+def _read(device: Device, unit: Unit, words: Mapping[Address, tuple[int, int]]) -> Read:
+    addresses = unit.addresses
     order = "big" if device.byte_order == "big" else "little"
     data = b"".join(words[address][0].to_bytes(2, order) for address in addresses)  # type: ignore[arg-type]
     data = data[unit.skip : unit.skip + unit.value.size]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.checks.walking import layers
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.access import narrowed, writable
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Fact
 from fieldspec.model.flags import Bit, Flags
@@ -140,7 +141,8 @@ def _found(layout: DeviceLayout) -> Iterator[Hazard]:
 
 
 def _of_register(device: Device, register: Register, alone: frozenset[str]) -> Iterator[Hazard]:
-    where = f"{register.address:04X}h"
+    place = f" of {device.space_name(register.space)}" if device.several_spaces else ""
+    where = f"{register.address:04X}h{place}"
     if register.trigger:
         yield _hazard("trigger", register, where, _started(register.value), key="trigger")
     if register.access == "wo":
@@ -150,7 +152,8 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
         yield _hazard("alias", register, where, f"the same as {register.same_as}", register.same_as, "same_as")
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
-        yield _hazard("atomic", register, f"{where}..{last:04X}h", f"{register.width} words", key="atomic")
+        span = f"{register.address:04X}h..{last:04X}h{place}"
+        yield _hazard("atomic", register, span, f"{register.width} words", key="atomic")
     if register.restart:
         yield _hazard("restart", register, where, "restart", key="restart")
     yield from _handled(register, register.handling, where, device)
@@ -158,14 +161,15 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
 
 def _of_field(device: Device, field: Field, tables: list[Table], in_record: bool) -> Iterator[Hazard]:
     where = ", ".join(table.name for table in tables) or field.place.path.rpartition("/")[0]
-    if field.access == "wo":
+    found = [narrowed(table.access, field.access) for table in tables]
+    if "wo" in (field.access, *found):
         yield _hazard("write_only", field, where, "access wo", key="access")
     if field.restart:
         yield _hazard("restart", field, where, "restart", key="restart")
     if field.atomic and field.value is not None and field.value.size > 2:
         yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
     if field.value is not None and tables and in_record:
-        access = field.access or next((table.access for table in tables if table.access == "rw"), "")
+        access = next(filter(writable, found), "")
         yield from _shared(device, field, field.value, access, where)
     yield from _handled(field, field.handling, where, device)
 
@@ -225,7 +229,7 @@ def _shared(
 ) -> Iterator[Hazard]:
     """A word of several named bits that is written as a whole, and the `registers` that show one of them alone."""
     word = device.flags.get(value.flags)
-    if word is None or access not in ("rw", "wo"):
+    if word is None or not writable(access):
         return
     named = [bit for bit in word.bits if not bit.reserved]
     used = sum(bit.mask for bit in named)

@@ -92,7 +92,7 @@ def _joined(laid: TableLayout, names: tuple[str, ...]) -> Holder:
     fields = [one for one in laid.record.fields if one.name in names]
     first = fields[0]
     held = first.value.type.name if first.value is not None else first.record.name if first.record else ""
-    about = _about(held, first.field.access or laid.table.access)
+    about = _about(held, laid.access(first.field))
     name = ", ".join(f"{one.name}[{one.count}]" if one.listed else one.name for one in fields)
     return replace(Holder.of(first.field, about, name), reserved=all(one.field.reserved for one in fields))
 

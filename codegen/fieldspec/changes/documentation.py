@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import Any, TypeAlias
 
+from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.device import Device, Version, VersionLine
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
@@ -122,6 +123,7 @@ TEXTS: dict[type, Texts] = {
         **_named("title", "kind", "columns"),
         "rows": lambda lookup: tuple((row.cells, row.notes, row.sources, row.only) for row in lookup.rows),
     },
+    AddressSpace: {**_FACT, **_named("title")},
     Limit: _FACT,
     Note: _named("title", "text", "about", "sources"),
     Example: _named("title", "sources", "notes"),

@@ -7,6 +7,7 @@ from typing import Any
 
 from fieldspec.changes.spelling import hexadecimal, spelled
 from fieldspec.classes import dataclass
+from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
@@ -112,12 +113,15 @@ EVIDENCE: dict[type, Evidence] = {
         lambda bit, _: f"the same {bits(bit)}",
     ),
     State: Evidence(lambda state, _: (state.set, state.clear), lambda *_: "the same bits"),
+    AddressSpace: Evidence(
+        lambda one, _: (one.unit, one.bounds, one.first_number, one.title), lambda *_: "the same addresses and title"
+    ),
     RegisterGroup: Evidence(
         lambda group, _: tuple(register.address for register in group.registers) or None,
         lambda *_: "the same registers",
     ),
     Register: Evidence(
-        lambda one, _: (one.address, _type(one.value), one.count, one.stride),
+        lambda one, _: (one.space, one.address, _type(one.value), one.count, one.stride),
         lambda one, _: f"the same address {hexadecimal(one.address)} and type {_type(one.value)}",
     ),
     Table: Evidence(

@@ -13,6 +13,7 @@ from typing import Any
 from fieldspec import classes
 from fieldspec.changes.change import Effect
 from fieldspec.classes import dataclass
+from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.device import Device, Version, VersionLine
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
@@ -86,6 +87,7 @@ _OF_DEVICE: tuple[tuple[type, str], ...] = (
     (Record, "records"),
     (Enum, "enums"),
     (Flags, "flags"),
+    (AddressSpace, "spaces"),
     (RegisterGroup, "groups"),
     (Table, "tables"),
     (ParameterSet, "parameters"),
@@ -145,6 +147,7 @@ NOUNS: dict[type, Noun] = {
     ),
     Bit: Noun("bit", _B, _W, ALL),
     State: Noun("state", _B, _S, ALL),
+    AddressSpace: Noun("address space", _B, _S, (PYTHON,)),
     RegisterGroup: Noun("group of registers", _D, _D, within=("registers",)),
     Register: Noun("register", _B, _W, ALL),
     Table: Noun("table", _B, _W, ALL),

@@ -27,17 +27,18 @@ def sentinel_changed(both: Comparison) -> Iterator[Change]:
 
 def _compared(held: Values) -> Iterator[Change]:
     name = named(held.of.new)
-    old, new = ({one.value: one.name for one in value.sentinels} for value in (held.old, held.new))
-    for value in sorted(old.keys() | new.keys()):
-        if value not in new:
-            text = f"{name}: {value} no longer stands for {old[value]}"
-            yield _change(held, Effect.WIRE, text, f"{value} {old[value]}", "")
-        elif value not in old:
-            effect = Effect.WIRE if _possible(held.old, value) else Effect.BEHAVIOUR
-            yield _change(held, effect, f"{name}: {value} stands for {new[value]}", "", f"{value} {new[value]}")
-        elif old[value] != new[value]:
-            text = f"{name}: {value} is called {new[value]}, and was called {old[value]}"
-            yield _change(held, Effect.SOURCE, text, f"{value} {old[value]}", f"{value} {new[value]}", (PYTHON,))
+    old, new = ({(one.value, one.text): one.name for one in value.sentinels} for value in (held.old, held.new))
+    for key in sorted(old.keys() | new.keys()):
+        count, value = key
+        if key not in new:
+            text = f"{name}: {value} no longer stands for {old[key]}"
+            yield _change(held, Effect.WIRE, text, f"{value} {old[key]}", "")
+        elif key not in old:
+            effect = Effect.WIRE if _possible(held.old, count) else Effect.BEHAVIOUR
+            yield _change(held, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}")
+        elif old[key] != new[key]:
+            text = f"{name}: {value} is called {new[key]}, and was called {old[key]}"
+            yield _change(held, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,))
 
 
 def _possible(value: Value, count: int) -> bool:

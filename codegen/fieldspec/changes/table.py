@@ -50,6 +50,7 @@ from fieldspec.changes.scale_changed import scale_changed
 from fieldspec.changes.sending_changed import sending_changed
 from fieldspec.changes.sentinel_changed import sentinel_changed
 from fieldspec.changes.serial_changed import serial_changed
+from fieldspec.changes.space_changed import space_changed
 from fieldspec.changes.state_changed import state_changed
 from fieldspec.changes.stride_changed import stride_changed
 from fieldspec.changes.table_moved import table_moved
@@ -106,6 +107,7 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("sending_changed", sending_changed, (_W, _B)),
     ("sentinel_changed", sentinel_changed, (_W, _S, _B)),
     ("serial_changed", serial_changed, (_B,)),
+    ("space_changed", space_changed, (_W, _B, _D)),
     ("state_changed", state_changed, (_W,)),
     ("stride_changed", stride_changed, (_W,)),
     ("table_moved", table_moved, (_W,)),

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.checks.sizes import Sizes
 from fieldspec.classes import dataclass
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.primitive import Kind
@@ -16,11 +17,15 @@ from fieldspec.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class Addressed:
-    """A value that begins at an address, and the fact that it belongs to; `access` is empty where not printed."""
+    """A value that begins at an address, and the fact that it belongs to.
+
+    `access` is empty where not printed; `holder` is the fact that states it: the register, the field or its table.
+    """
 
     fact: Fact
     value: Value | None
     access: str
+    holder: Fact
 
     @property
     def words(self) -> int:
@@ -33,7 +38,7 @@ class Addresses:
 
     def __init__(self, device: Device) -> None:
         self._device = device
-        self._registers = {r.address: r for r in device.registers() if r.count == 1}
+        self._registers = {(device.space_name(r.space), r.address): r for r in device.registers() if r.count == 1}
         self._arrays = [r for r in device.registers() if r.count > 1]
         sizes = Sizes(device)
         self._fields: dict[str, dict[int, Field]] = {}
@@ -42,17 +47,20 @@ class Addresses:
             placed = sizes.offsets(record) if record is not None else []
             self._fields[table.name] = {at // 2: field for field, at in placed if at % 2 == 0}
 
-    def at(self, address: int) -> Addressed | None:
-        """What begins at an address."""
-        register = self._registers.get(address)
+    def at(self, space: str, address: int) -> Addressed | None:
+        """What begins at an address of a space; an empty name means the first space."""
+        own = self._device.space_name(space)
+        register = self._registers.get((own, address))
         for array in self._arrays if register is None else ():
+            if self._device.space_name(array.space) != own:
+                continue
             number, rest = divmod(address - array.address, array.stride)
             if 0 <= number < array.count and rest == 0:
                 register = array
         if register is not None:
-            return Addressed(register, register.value, register.access)
+            return Addressed(register, register.value, register.access, register)
         for table in self._device.tables.values():
-            found = self._in_table(table, address)
+            found = self._in_table(table, address) if self._device.space_name(table.space) == own else None
             if found is not None:
                 return found
         return None
@@ -63,13 +71,23 @@ class Addresses:
         if field is None:
             return None
         single = field.value is not None and field.count is None and field.repeat is None
-        return Addressed(field, field.value if single else None, field.access or table.access)
+        access = narrowed(table.access, field.access)
+        return Addressed(field, field.value if single else None, access, field if access == field.access else table)
 
-    def counts(self, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
+    def within(self, space: str, start: int, words: int) -> Iterator[Addressed]:
+        """What begins in neighbouring words of a space."""
+        at = start
+        while at < start + words:
+            found = self.at(space, at)
+            if found is not None:
+                yield found
+            at += found.words if found is not None else 1
+
+    def counts(self, space: str, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
         """The address, the fact and the count of every whole number in neighbouring words."""
         index = 0
         while index < len(words):
-            found = self.at(start + index)
+            found = self.at(space, start + index)
             taken = words[index : index + found.words] if found is not None else []
             if found is not None and found.value is not None and len(taken) == found.words:
                 if found.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):

@@ -24,8 +24,11 @@ _CODE = "codes_fit_link"
 
 def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
-        part = next((part for part in link.request if part.role == "code"), None)
-        if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
+        codes = [part for part in (*link.request, *link.response) if part.role == "code" and part.value is not None]
+        numbers = [part for part in codes if part.value is not None and part.value.type.kind is Kind.INTEGER]
+        # Both directions mostly have the same one; of two, the narrower one decides.
+        part = min(numbers, key=lambda part: part.value.type.high if part.value else 0, default=None)
+        if part is None or part.value is None:
             continue
         high = part.value.type.high
         if link.error is not None and not 0 < link.error.flag <= high:

@@ -13,6 +13,7 @@ class Shape:
     """The bytes around the data, before they are written as characters and marked."""
 
     link: Link
+    direction: str
     around: int
     has_length: bool
 
@@ -21,6 +22,13 @@ class Shape:
         parts = self.around + data
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
         return len(self.link.start) + coded + len(self.link.end)
+
+    def counted(self, part: Part, data: int) -> int:
+        """The bytes that a length part counts where there is so much data."""
+        parts = self.link.parts(self.direction)
+        first, last = self.link.span(self.direction, part) or (0, len(parts) - 1)
+        inside = any(one.role == "body" for one in parts[first : last + 1])
+        return sum(_size(one) for one in parts[first : last + 1]) + inside * data
 
 
 def coded(link: Link) -> bool:
@@ -44,7 +52,7 @@ def shapes(device: Device, direction: str) -> list[Shape]:
     for link in device.links.values():
         parts = link.parts(direction)
         has_length = any(part.role == "length" for part in parts)
-        found.append(Shape(link, sum(_size(part) for part in parts), has_length))
+        found.append(Shape(link, direction, sum(_size(part) for part in parts), has_length))
     return [shape for shape in found if shape.has_length] or found
 
 

@@ -21,8 +21,10 @@ from fieldspec.model.register import Register, RegisterGroup
 
 
 def gaps_declared(device: Device) -> Iterator[Diagnostic]:
-    taken = merged(extents(device))
+    extent = list(extents(device))
     for group in device.groups:
+        own = device.space_name(group.space)
+        taken = merged((first, last) for space, first, last in extent if space == own)
         if group.ascending and group.registers:
             yield from _undeclared(group, taken)
         yield from _wrong(group, taken)

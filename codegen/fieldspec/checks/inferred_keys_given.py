@@ -45,6 +45,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "offset": bool(value.offset),
         "unit": bool(value.unit),
         "range": value.ranges is not None,
+        "write_range": value.write_ranges is not None,
         "unit_range": value.ranges is not None,
         "default": value.default is not None,
         "unit_default": value.default is not None,

@@ -17,8 +17,15 @@ class Legal:
             if not enum.open
         }
 
-    def objection(self, value: Value, number: int) -> str:
-        """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything."""
+    def objection(self, value: Value, number: int, written: bool = False) -> str:
+        """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything.
+
+        `written` says that the number is written, for which a value may have a range of its own.
+        """
+        if written:
+            value = value.as_written()
+        if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
+            return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
         if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):
             return ""
         if not value.type.low <= number <= value.type.high:

@@ -14,13 +14,14 @@ from fieldspec.model.register import Register
 from fieldspec.model.table import Table
 
 SPACE = 0x10000
-"""How many addresses there are: a frame carries them in 16 bits."""
+"""How many addresses a space has at most: a frame carries them in 16 bits."""
 
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """Neighbouring addresses, `first` to `last`, that a fact holds; `key` is where its address stands."""
+    """Neighbouring addresses, `first` to `last`, that a fact holds in a space; `key` is where its address stands."""
 
+    space: str
     first: int
     last: int
     fact: Fact
@@ -38,31 +39,37 @@ def blocks(device: Device) -> Iterator[Block]:
     """The addresses of every element of every register and table."""
     sizes = Sizes(device)
     for register in device.registers():
-        yield from _elements(register, "at", register.address, max(1, register.width), register.stride, register.count)
+        space, width = device.space_name(register.space), max(1, register.width)
+        yield from _elements(register, space, "at", register.address, width, register.stride, register.count)
     for table in device.tables.values():
-        yield from _elements(table, "base", table.base, table_words(table, sizes), table.stride, table.count)
+        space, width = device.space_name(table.space), table_words(table, sizes)
+        yield from _elements(table, space, "base", table.base, width, table.stride, table.count)
 
 
-def extents(device: Device) -> Iterator[tuple[int, int]]:
-    """First and last address of every register and table; what lies between elements counts as theirs."""
+def extents(device: Device) -> Iterator[tuple[str, int, int]]:
+    """The space, and the first and last address, of every register and table; what lies between elements is theirs."""
     sizes = Sizes(device)
     for register in device.registers():
-        yield register.address, _last(register)
+        yield device.space_name(register.space), register.address, _last(register)
     for table in device.tables.values():
-        yield table.base, table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
+        yield (
+            device.space_name(table.space),
+            table.base,
+            table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1,
+        )
 
 
 def _last(register: Register) -> int:
     return max(register.address, register.end - 1)
 
 
-def _elements(fact: Fact, key: str, first: int, words: int, stride: int, count: int) -> Iterator[Block]:
+def _elements(fact: Fact, space: str, key: str, first: int, words: int, stride: int, count: int) -> Iterator[Block]:
     if count == 1 or stride <= words:
-        yield Block(first, first + (count - 1) * stride + words - 1, fact, key, fact.name)
+        yield Block(space, first, first + (count - 1) * stride + words - 1, fact, key, fact.name)
         return
     for number in range(min(count, SPACE // stride + 1)):
         at = first + number * stride
-        yield Block(at, at + words - 1, fact, key, fact.name)
+        yield Block(space, at, at + words - 1, fact, key, fact.name)
 
 
 def merged(intervals: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:

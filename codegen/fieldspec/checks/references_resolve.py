@@ -45,7 +45,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _within(device, record, record, None)
     for message in device.messages.values():
         yield from _of_message(device, message)
+    for group in device.groups:
+        yield from _named(group.place, "space", "address space", group.space, device.spaces)
     for table in device.tables.values():
+        yield from _named(table.place, "space", "address space", table.space, device.spaces)
         yield from _named(table.place, "record", "record", table.record, device.records)
     for link in device.links.values():
         if link.error is not None:
@@ -124,6 +127,7 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
         given = {field.name for field in message.response.fields}
         holder = given if message.accesses.operation == "read" else asked
         place = message.place
+        yield from _named(place, "accesses", "address space", message.accesses.space, device.spaces)
         yield from _named(place, "accesses", "field of the request", message.accesses.start, asked)
         yield from _named(place, "accesses", "field of the request", message.accesses.count, asked)
         yield from _named(place, "accesses", "field", message.accesses.values, holder)

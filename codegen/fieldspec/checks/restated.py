@@ -69,7 +69,7 @@ def _said(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
         return {
             **_value(device, fact.value),
             "at": fact.address,
-            "decimal": fact.address,
+            "decimal": fact.address + device.space(fact.space).first_number,
             "number": fact.number,
             "words": fact.width,
             "access": fact.access or None,

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
+from fieldspec.checks.accesses_agree import accesses_agree
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
@@ -39,6 +40,7 @@ from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.keys_fit_type import keys_fit_type
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
@@ -73,19 +75,24 @@ from fieldspec.checks.siblings_agree import siblings_agree
 from fieldspec.checks.signals_placed import signals_placed
 from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
+from fieldspec.checks.spaces_reachable import spaces_reachable
 from fieldspec.checks.spans_match_layout import spans_match_layout
 from fieldspec.checks.states_disjoint import states_disjoint
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
+from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.value_within_range import value_within_range
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
+from fieldspec.checks.write_range_applies import write_range_applies
+from fieldspec.checks.write_range_within_range import write_range_within_range
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
 from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
+    ("accesses_agree", accesses_agree),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),
     ("addresses_within_space", addresses_within_space),
@@ -115,6 +122,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("gaps_declared", gaps_declared),
     ("identifiers_spelled_alike", identifiers_spelled_alike),
     ("inferred_keys_given", inferred_keys_given),
+    ("keys_fit_type", keys_fit_type),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
@@ -149,14 +157,18 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("signals_placed", signals_placed),
     ("sources_ascending", sources_ascending),
     ("sources_present", sources_present),
+    ("spaces_reachable", spaces_reachable),
     ("spans_match_layout", spans_match_layout),
     ("states_disjoint", states_disjoint),
     ("subindices_match_elements", subindices_match_elements),
+    ("table_fields_readable", table_fields_readable),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("value_within_range", value_within_range),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),
+    ("write_range_applies", write_range_applies),
+    ("write_range_within_range", write_range_within_range),
 )
 
 MOST_FINDINGS = 200

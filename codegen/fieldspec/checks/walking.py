@@ -97,6 +97,7 @@ def facts(device: Device) -> Iterator[Fact]:
         yield flags
         yield from flags.bits
         yield from flags.states
+    yield from device.spaces.values()
     for group in device.groups:
         yield group
         yield from group.registers

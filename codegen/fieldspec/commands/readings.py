@@ -54,10 +54,20 @@ def read(layout: DeviceLayout, frame: bytes, given: Given, mark: str = "", asked
     fitting = [reading for reading in recognised(layout, frame) if given.allows(reading)]
     if not fitting:
         return _closest(layout, frame, given, mark)
-    fitting.sort(key=lambda reading: _doubts(layout, reading, mark))
+    examples = _examples(layout, frame)
+    fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
     chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
     return Read(_explained(layout, frame, fitting[0]), tuple(fitting), chosen)
+
+
+def _examples(layout: DeviceLayout, frame: bytes) -> frozenset[Reading]:
+    """The readings of the examples of the spec that have exactly these bytes."""
+    return frozenset(
+        (example.link, example.direction, example.message, example.error)
+        for example in layout.device.examples.values()
+        if example.frame == frame
+    )
 
 
 def _reading(held: Explanation) -> Reading:
@@ -69,12 +79,16 @@ def _explained(layout: DeviceLayout, frame: bytes, reading: Reading) -> Explanat
     return explained(layout, link, direction, frame, "" if error else message)
 
 
-def _doubts(layout: DeviceLayout, reading: Reading, mark: str) -> tuple[bool, bool, bool]:
-    """What speaks against a reading, the worst first: the mark, a message that is guessed, and that any length fits."""
+def _doubts(
+    layout: DeviceLayout, reading: Reading, mark: str, examples: frozenset[Reading]
+) -> tuple[bool, bool, bool, bool]:
+    """What speaks against a reading, the worst first: the mark, that no example of the spec has it, a message that is
+    guessed, and that any length fits.
+    """
     link, direction, message, _ = reading
     guessed = layout.links[link].frame(direction).role("code") is None
     loose = guessed and bool(message) and layout.messages[message].data(direction).size is None
-    return bool(mark) and direction != mark, guessed, loose
+    return bool(mark) and direction != mark, reading not in examples, guessed, loose
 
 
 def _closest(layout: DeviceLayout, frame: bytes, given: Given, mark: str) -> Read:
@@ -84,10 +98,12 @@ def _closest(layout: DeviceLayout, frame: bytes, given: Given, mark: str) -> Rea
         places = ((link, direction) for link in layout.links for direction in DIRECTIONS)
         near = [(*place, given.message, False) for place in places if given.goes(*place)]
 
+    examples = _examples(layout, frame)
+
     def faults(reading: Reading) -> tuple[object, ...]:
         held = _explained(layout, frame, reading)
         marks = sum(reason in ("wrong_mark", "not_hex") for reason in held.reasons)
-        return marks, _doubts(layout, reading, mark), len(held.reasons)
+        return marks, _doubts(layout, reading, mark, examples), len(held.reasons)
 
     return Read(_explained(layout, frame, min(near, key=faults)), (), "closest")
 
@@ -113,7 +129,7 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if row.verdict.startswith("wrong") and not row.reason:
             yield f"{row.path} does not repeat the request: {row.verdict.removeprefix('wrong: ')}"
     laid = layout.messages.get(response.message)
-    accesses = laid.message.accesses if laid and not response.error else None
+    accesses = layout.device.register_access(laid.message) if laid and not response.error else None
     if accesses is not None and accesses.operation == "read":
         want = request.values.get(accesses.count) if accesses.count else 1
         have = response.values.get(accesses.values)

@@ -14,7 +14,9 @@ from fieldspec.model.register import Register, RegisterGroup
 
 
 def memory(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
-    """The rows of groups of registers, of tables and of sets of parameters."""
+    """The rows of address spaces, groups of registers, of tables and of sets of parameters."""
+    for space in layout.device.spaces.values():
+        yield from of_fact("address_space", space, None, number=space.first_number, **of_ranges(space.bounds))
     for group in layout.device.groups:
         yield from _group(group, kept)
     yield from _tables(layout)
@@ -40,6 +42,7 @@ def _register(register: Register) -> Iterator[Row]:
 def _cells(register: Register) -> Row:
     return {
         "address": register.address,
+        "position": register.space,
         "words": register.width,
         "access": register.access,
         "number": register.number,
@@ -50,6 +53,7 @@ def _cells(register: Register) -> Row:
 def _series(register: Register) -> Iterator[Row]:
     """A row for several equal registers, and one for each, with its own line where the spec has it."""
     whole: Row = {"address": register.address, "words": register.end - register.address, "count": register.count}
+    whole |= {"position": register.space}
     yield from of_fact("register_series", register, register.value, **whole)
     for number in range(register.count):
         index = register.index_from + number
@@ -71,12 +75,13 @@ def _tables(layout: DeviceLayout) -> Iterator[Row]:
     for laid in layout.tables.values():
         table = laid.table
         cells: Row = {"address": table.base, "words": laid.words, "access": table.access, "count": table.count}
+        cells |= {"position": table.space}
         yield from of_fact("table", table, None, **cells)
         yield from _elements(laid)
         if laid.record.name not in done:
             done.add(laid.record.name)
             yield from of_fact("record", laid.record.record, words=laid.words, bytes=laid.record.size)
-            yield from fields("table_field", laid.record, base=table.base)
+            yield from fields("table_field", laid.record, base=table.base, access=table.access)
 
 
 def _elements(laid: TableLayout) -> Iterator[Row]:

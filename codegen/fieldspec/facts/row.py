@@ -42,6 +42,7 @@ COLUMNS = (
     "restart",
     "unverified",
     "sources",
+    "write_ranges",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -127,6 +128,7 @@ def of_value(value: Value | None) -> Row:
         "scale": value.scale if value.scaled else None,
         "default": value.default if value.const is None else value.const,
         **of_ranges(value.ranges),
+        "write_ranges": value.write_ranges.text() if value.write_ranges is not None else None,
     }
 
 

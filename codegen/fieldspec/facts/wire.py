@@ -8,6 +8,7 @@ from fieldspec.facts.row import Cell, Row, of_fact, of_flag, of_ranges, row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.link import Link
 from fieldspec.model.message import Message
 from fieldspec.model.signal import Conversion
@@ -33,11 +34,20 @@ def wire(layout: DeviceLayout) -> Iterator[Row]:
 
 
 def fields(
-    kind: str, record: RecordLayout, code: int | None = None, base: int | None = None, direction: str = ""
+    kind: str,
+    record: RecordLayout,
+    code: int | None = None,
+    base: int | None = None,
+    direction: str = "",
+    access: str = "",
 ) -> Iterator[Row]:
-    """The rows of a record's fields; `base` is the address of the first element of a table of such records."""
+    """The rows of a record's fields.
+
+    `base` is the address of the first element of a table of such records, and `access` that of the table.
+    """
     for field in record.fields:
-        cells: Row = {"code": code, "access": field.field.access, "direction": direction, **_placed(field, base)}
+        allowed = narrowed(access, field.field.access)
+        cells: Row = {"code": code, "access": allowed, "direction": direction, **_placed(field, base)}
         cells.update(count=field.field.count, restart=of_flag(field.field.restart), position=_position(field))
         if field.record is not None:
             cells.update(type=field.record.name, bytes=field.record.size)

@@ -8,10 +8,11 @@ from fieldspec import classes
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.frame import LinkLayout, link_layout
 from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import Orders, RecordLayout, record_layout
+from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, record_layout
 from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
-from fieldspec.model.record import Record
+from fieldspec.model.record import Field, Record
 from fieldspec.model.register import Register
 from fieldspec.model.table import Table
 
@@ -27,6 +28,26 @@ class TableLayout:
     name: str
     record: RecordLayout
     words: int
+
+    def access(self, field: Field) -> str:
+        """What may be done with a field of an element: what the field and the table both allow."""
+        return narrowed(self.table.access, field.access)
+
+    @property
+    def read_only(self) -> tuple[str, ...]:
+        """The fields that cannot be written, in a table that does not say so of all of them."""
+        if self.table.access == "ro":
+            return ()
+        return tuple(field.name for field in self.record.fields if self._read_only(field))
+
+    @property
+    def writable(self) -> bool:
+        """Whether an element may be written as a whole: nothing in it can only be read."""
+        return self.table.access != "ro" and not self.read_only
+
+    def _read_only(self, field: FieldLayout) -> bool:
+        inner = field.record.fields if field.record is not None else ()
+        return field.field.access == "ro" or any(map(self._read_only, inner))
 
 
 @dataclass(frozen=True, slots=True)

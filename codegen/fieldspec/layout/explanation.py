@@ -188,7 +188,8 @@ class _Frame:
         length, check = self.shape.role("length"), self.shape.check
         if length is None or check is None or not self.wrapped.whole:
             return data, b""
-        said = whole(data[length.offset : length.offset + length.size], length.order)
+        number = whole(data[length.offset : length.offset + length.size], length.order)
+        said = number * length.unit_size + length.base
         early = self.shape.head_size + self.shape.tail_size <= said < len(data)
         if early and _sum(check, data) != _held(check, data) and _sum(check, data[:said]) == _held(check, data[:said]):
             return data[:said], data[said:]
@@ -201,9 +202,7 @@ class _Frame:
                 if self.wrapped.whole:
                     yield self._short(part, part.offset, held)
                 return
-            assert part.value is not None
-            read = self._said(part, worded(self.layout.device, part.value, held, part.order, False))
-            yield self._part(part, part.offset, held, read)
+            yield self._part(part, part.offset, held, self._said(part, held))
 
     def _part(self, part: PartLayout, at: int, held: bytes, read: Worded) -> Row:
         return fact_row(self.layout.device, "part", part.name, part.part, self.spot, at, held, read, self.link)
@@ -213,19 +212,41 @@ class _Frame:
         text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {part.name}"
         return wrong_row(self.spot, at, held, "incomplete", text, part.name, part.part.place.path)
 
-    def _said(self, part: PartLayout, read: Worded) -> Worded:
-        """What a part before the body says, with what its role adds."""
+    def _said(self, part: PartLayout, raw: bytes) -> Worded:
+        """What the bytes of a part say, with what its role adds."""
+        if part.role == "check":
+            return self._checked(part, raw)
+        assert part.value is not None
+        if part.reserved:
+            return worded(self.layout.device, part.value, raw, part.order, False, reserved=True)
+        read = worded(self.layout.device, part.value, raw, part.order, False)
         assert isinstance(read.number, int)
         if part.role == "length":
-            if not self.wrapped.whole:
-                return read
-            return read.judged(read.number == len(self.data), len(self.data), "wrong_length")
+            return self._counted(part, read)
+        if part.offset < 0:
+            return read
         self.values[part.name] = read.number
         if part.role == "code":
             return self._code(part, read)
         if part.role == "station":
             return self._station(read)
         return read
+
+    def _counted(self, part: PartLayout, read: Worded) -> Worded:
+        """What a length says."""
+        if not self.wrapped.whole:
+            return read
+        should = part.number(len(self.data))
+        right = should is not None and read.number == should
+        return read.judged(right, should if should is not None else "for another number of bytes", "wrong_length")
+
+    def _checked(self, part: PartLayout, raw: bytes) -> Worded:
+        """What a check says."""
+        read = Worded(whole(raw, part.order))
+        if not self.wrapped.whole:
+            return read
+        should = _sum(part, self.data)
+        return read.judged(raw == should, should.hex(" ").upper(), "wrong_check")
 
     def _code(self, part: PartLayout, read: Worded) -> Worded:
         """The message that a code names. A response may mark it as a refusal."""
@@ -278,14 +299,15 @@ class _Frame:
         body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, asked)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
-        if message is None or message.accesses is None or self.error:
+        access = self.layout.device.register_access(message) if message is not None and not self.error else None
+        if access is None:
             return rows, ()
-        values = record.named(message.accesses.values)
+        values = record.named(access.values)
         at = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
         held = self.data[at:last] if values else b""
-        span = accessed(message.accesses, body.values, asked, at, held[: len(held) // 2 * 2])
-        return rows, tuple(register_rows(self.layout, span, self.spot)) if span else ()
+        span = accessed(access, body.values, asked, at, held[: len(held) // 2 * 2])
+        return rows, tuple(register_rows(self.layout, span, self.spot, access.operation)) if span else ()
 
     def _unknown(self, start: int, end: int) -> Iterator[Row]:
         """The row of a body of which nothing is known."""
@@ -306,22 +328,15 @@ class _Frame:
             if len(held) < part.size:
                 yield self._short(part, at, held)
                 return
-            if part.role == "check":
-                should = _sum(part, self.data)
-                read = Worded(whole(held, part.order))
-                read = read.judged(held == should, should.hex(" ").upper(), "wrong_check")
-            else:
-                assert part.value is not None
-                read = worded(self.layout.device, part.value, held, part.order, False)
-            yield self._part(part, at, held, read)
+            yield self._part(part, at, held, self._said(part, held))
 
 
 def _sum(check: PartLayout, data: bytes) -> bytes:
     """What the check of some parts should be."""
-    number = CHECKSUMS[check.algorithm](data[: len(data) + check.offset])
+    number = CHECKSUMS[check.algorithm](data[check.start : check.stop])
     return number.to_bytes(check.size, "big" if check.order == "big" else "little")
 
 
 def _held(check: PartLayout, data: bytes) -> bytes:
     """What the check of some parts is."""
-    return data[len(data) + check.offset :][: check.size]
+    return data[check.at(len(data)) :][: check.size]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
@@ -114,6 +115,11 @@ def _one(device: Device, path: str, field: FieldLayout, held: object) -> Raw:
     return inner
 
 
+def raw_value(device: Device, path: str, value: Value, held: object) -> Raw:
+    """One written value as a raw one. Raises MeaningError; `path` is what it calls the value."""
+    return _number(device, path, value, held)
+
+
 def _number(device: Device, path: str, value: Value | None, held: Any) -> Raw:
     """One written value as a raw one."""
     assert value is not None
@@ -129,6 +135,9 @@ def _number(device: Device, path: str, value: Value | None, held: Any) -> Raw:
         except ValueError:
             raise MeaningError(path, "bytes are written as pairs of hexadecimal digits") from None
     if value.type.kind is Kind.FLOAT:
+        named = next((sentinel for sentinel in value.sentinels if sentinel.name == held), None)
+        if named is not None:
+            return struct.unpack(">f", named.value.to_bytes(4, "big"))[0] if named.is_nan else float(named.value)
         try:
             return float(held)
         except (TypeError, ValueError):
@@ -160,6 +169,9 @@ def _text(device: Device, path: str, value: Value, held: str) -> int:
         raw = value.from_unit(Decimal(match[1]))
         if raw is None:
             raise MeaningError(path, f"`{held}` is no whole number of counts of {value.scale} {value.unit}")
+        absent = value.sentinel(raw)
+        if absent is not None:
+            raise MeaningError(path, f"`{held}` would be the count {raw}, which stands for {absent.name}")
         return raw
     if value.enum:
         names = ", ".join(member.name for member in device.enums[value.enum].members)

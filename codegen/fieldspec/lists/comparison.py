@@ -239,9 +239,10 @@ def _differences(item: Item, row: Listed, aspects: Collection[str]) -> Iterator[
     if "scale" in aspects and (scale := _scale(texts.get("scale", ""))) is not None and scale != value.scale:
         yield Difference("scale", f"{value.scale:f}", texts["scale"])
     default = value.default if value.const is None else value.const
+    ranges = value.written_ranges
     held = (
-        ("min", value.ranges.low if value.ranges else None, row.low),
-        ("max", value.ranges.high if value.ranges else None, row.high),
+        ("min", ranges.low if ranges else None, row.low),
+        ("max", ranges.high if ranges else None, row.high),
         ("default", default if isinstance(default, int) else None, row.default),
     )
     for aspect, ours, theirs in held:

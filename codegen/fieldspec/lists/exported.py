@@ -46,6 +46,7 @@ def row(item: Item) -> dict[str, Cell]:
     value, source = item.value, item.source
     many = item.count > 1
     default = None if value is None else value.default if value.const is None else value.const
+    ranges = None if value is None else value.written_ranges
     return {
         "space": item.space,
         "address": item.address,
@@ -57,8 +58,8 @@ def row(item: Item) -> dict[str, Cell]:
         "unit": (value.unit or None) if value else None,
         "scale": plain(value.scale) if value and value.scale != 1 else None,
         "offset": plain(value.offset) if value and value.offset else None,
-        "min": value.ranges.low if value and value.ranges else None,
-        "max": value.ranges.high if value and value.ranges else None,
+        "min": ranges.low if ranges else None,
+        "max": ranges.high if ranges else None,
         "default": default,
         "count": item.count if many else None,
         "stride": item.stride if many and item.stride else None,

@@ -12,13 +12,15 @@ from fieldspec.model.record import Record
 class RegisterAccess:
     """That a message reads or writes registers, and which fields hold the address, the number and the words.
 
-    `count` is empty where it is always one word.
+    `count` is empty where it is always one word. `space` is empty where the spec names none, which means the first
+    one of the device.
     """
 
     operation: str
     start: str
     count: str
     values: str
+    space: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,7 +24,7 @@ class Ranges:
         return max(high for _, high in self.intervals)
 
     def __contains__(self, value: object) -> bool:
-        return isinstance(value, int) and any(low <= value <= high for low, high in self.intervals)
+        return isinstance(value, int | float) and any(low <= value <= high for low, high in self.intervals)
 
     def text(self) -> str:
         """`0..127, 10000..10127`"""

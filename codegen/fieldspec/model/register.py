@@ -14,12 +14,14 @@ from fieldspec.model.value import Value
 class Register(Fact):
     """One register, or `count` equal ones that are `stride` words apart, numbered from `index_from`.
 
+    `space` is empty where the spec names none, which means the first one of the device.
     `words`, `decimal` and `number` are what the manual prints; `copy_of` names the register of which this one is a
     copy, else empty; `access` is empty, and `restart` None, where it does not
     say. A reserved one has no meaning to the user. `element_lines` has the place of each element, where they have rows
     of their own.
     """
 
+    space: str
     address: int
     decimal: int | None
     number: int | None
@@ -38,6 +40,11 @@ class Register(Fact):
     index_from: int
     element_name: str
     element_sources: tuple[Citation, ...]
+
+    @property
+    def answer(self) -> Value:
+        """The value as the device answers it when it is read."""
+        return self.value.as_answer(self.trigger)
 
     @property
     def width(self) -> int:
@@ -62,9 +69,10 @@ class Gap:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RegisterGroup(Fact):
-    """Registers that the manual lists together."""
+    """Registers that the manual lists together, all in one address space."""
 
     title: str
+    space: str
     section: str
     ascending: bool
     gaps: tuple[Gap, ...]

@@ -22,9 +22,13 @@ class PrintedElement:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Table(Fact):
-    """`count` records, the first at `base`, `stride` words apart, numbered from `index_from`."""
+    """`count` records, the first at `base`, `stride` words apart, numbered from `index_from`.
+
+    `space` is empty where the spec names none, which means the first one of the device.
+    """
 
     title: str
+    space: str
     base: int
     decimal: int | None
     stride: int

@@ -60,16 +60,24 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for laid in layout.registers:
         if laid.register.reserved:
             continue
-        beside = f"{_printed(laid.register)} {laid.register.access}".strip()
+        space = _space(layout, laid.register.space)
+        beside = f"{_printed(laid.register)} {laid.register.access} {space}".strip()
         yield Draft(laid.name, UINT, laid.address, _told(beside, laid.register), laid.register, hexadecimal=True)
         if laid.count > 1:
             for word, number in (("count", laid.count), ("stride", laid.stride)):
                 yield Draft(f"{laid.name}_{word}", UINT, number, _OF_SEVERAL[word], laid.register, derived=True)
     for table in layout.tables.values():
         held = table.table
-        yield Draft(f"{held.name}_base", UINT, held.base, _told(held.title, held), held, hexadecimal=True)
+        beside = f"{held.title} {_space(layout, held.space)}".strip()
+        yield Draft(f"{held.name}_base", UINT, held.base, _told(beside, held), held, hexadecimal=True)
         for word, number in (("stride", held.stride), ("count", held.count), ("first_index", held.index_from)):
             yield Draft(f"{held.name}_{word}", UINT, number, _OF_SEVERAL[word], held, derived=True)
+
+
+def _space(layout: DeviceLayout, name: str) -> str:
+    """`in input_registers`; empty where the device has only one space."""
+    device = layout.device
+    return f"in {device.space_name(name)}" if device.several_spaces else ""
 
 
 _OF_SEVERAL = {
@@ -134,12 +142,12 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for name, fact, value in _ranged(layout):
-        ranges = value.ranges
-        assert ranges is not None
         kind = (SIGNED if value.type.signed else UNSIGNED)[value.size]
         unit = f"1 count = {count_of(value)}." if value.scaled or value.unit else ""
-        for word, number in (("min", ranges.low), ("max", ranges.high)):
-            yield Draft(f"{name}_{word}", kind, number, _told(unit, fact), fact)
+        for word, ranges in (("", value.ranges), ("write_", value.write_ranges)):
+            if ranges is not None and (ranges.low, ranges.high) != (value.type.low, value.type.high):
+                yield Draft(f"{name}_{word}min", kind, ranges.low, _told(unit, fact), fact)
+                yield Draft(f"{name}_{word}max", kind, ranges.high, _told(unit, fact), fact)
 
 
 def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
@@ -154,9 +162,7 @@ def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
 
 
 def _narrow(name: str, fact: Fact, value: Value | None) -> Iterator[tuple[str, Fact, Value]]:
-    if value is None or value.ranges is None or value.type.kind is not Kind.INTEGER or value.const is not None:
-        return
-    if (value.ranges.low, value.ranges.high) != (value.type.low, value.type.high):
+    if value is not None and value.type.kind is Kind.INTEGER and value.const is None:
         yield name, fact, value
 
 

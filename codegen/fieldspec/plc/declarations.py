@@ -8,10 +8,12 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.flags import Flags
 from fieldspec.model.value import Value
 from fieldspec.names import Name
+from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.enums import EnumDeclaration, EnumMember, available
@@ -22,7 +24,7 @@ from fieldspec.plc.layout.placing import Placed, placed
 from fieldspec.plc.naming import Scope
 from fieldspec.plc.narrowing import narrowed
 from fieldspec.plc.routines.choices import choice_type
-from fieldspec.plc.routines.groups import register_type, registers_of
+from fieldspec.plc.routines.groups import answer_name, answer_type, register_type, registers_of
 from fieldspec.plc.routines.records import field_type, given
 from fieldspec.plc.routines.remarks import source
 from fieldspec.plc.routines.status import BASE, STATUSES, Status
@@ -72,7 +74,7 @@ class Declarations:
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     laid, found = narrowed(layout, dialect)
-    declaring = _Declaring(laid, dialect, [*found])
+    declaring = _Declaring(laid, dialect, [*found, *absent_reals(layout, dialect)])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())
@@ -160,8 +162,18 @@ class _Declaring:
                     remark = self.remark(one.register, one.register.value)
                     members.append(Member(name, kind, remark, one.register, one.register.value))
                     self._members.setdefault(group.name, {})[one.name] = name
+                    answer = answer_type(self.world, one)
+                    if answer is not None:
+                        members.append(self._answer(scope, group.name, one, answer))
                 title = group.title or Name.of(group.name).title()
                 yield self._struct(group.name, "registers", group, title, members)
+
+    def _answer(self, scope: Scope, group: str, laid: RegisterLayout, kind: Type) -> Member:
+        """The member that receives what the device answers, beside the one that holds what is written."""
+        name = scope.take(self.member(answer_name(laid), kind), laid.register)
+        remark = f"What reading {laid.register.printed_name or laid.name} gives, which may be any number."
+        self._members[group][answer_name(laid)] = name
+        return Member(name, kind, remark, laid.register, laid.register.answer)
 
     def _of_record(self, record: RecordLayout, kind: str, fact: Fact, title: str) -> Struct:
         scope = Scope(self.dialect, f"member of {record.name}", self.found)

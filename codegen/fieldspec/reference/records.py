@@ -246,7 +246,7 @@ def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> 
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
     if kind is Kind.FLOAT:
-        return _float(name, float(held))
+        return _float(name, value, float(held))
     if not isinstance(held, int):
         raise CodecError("wrong_type", f"{name} is a whole number, not {held!r}")
     if value.const is not None and held != value.const:
@@ -256,12 +256,14 @@ def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> 
     return _in_range(name, value, int(held))
 
 
-def _float(name: str, held: float) -> float:
-    """A number that its 32 bits hold; infinities and what is no number are held too."""
+def _float(name: str, value: Value, held: float) -> float:
+    """A number that its 32 bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
     try:
         struct.pack(">f", held)
     except OverflowError:
         raise CodecError("out_of_range", f"{name} is {held}, which 32 bits do not hold") from None
+    if value.ranges is not None and held not in value.ranges and value.sentinel(held) is None:
+        raise CodecError("out_of_range", f"{name} is {held}, not in {value.ranges.text()}")
     return held
 
 
@@ -269,7 +271,8 @@ def _in_range(name: str, value: Value | None, held: int) -> int:
     assert value is not None
     known = any(sentinel.value == held for sentinel in value.sentinels)
     fits = value.type.low <= held <= value.type.high
-    if not fits or (value.ranges is not None and held not in value.ranges and not known):
-        allowed = value.ranges.text() if value.ranges else f"{value.type.low}..{value.type.high}"
+    ranges = value.written_ranges
+    if not fits or (ranges is not None and held not in ranges and not known):
+        allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"
         raise CodecError("out_of_range", f"{name} is {held}, not in {allowed}")
     return held

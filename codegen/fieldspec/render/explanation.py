@@ -33,7 +33,7 @@ def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
 
 def accessed(layout: DeviceLayout, held: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
-    accesses = layout.messages[held.message].message.accesses
+    accesses = layout.device.register_access(layout.messages[held.message].message)
     addresses = [row.address + row.words for row in held.registers if row.address is not None]
     first = min(row.address for row in held.registers if row.address is not None)
     last = max(addresses) - 1

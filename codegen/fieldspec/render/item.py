@@ -9,6 +9,7 @@ from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.explaining.numbered import number_written
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
@@ -64,7 +65,8 @@ class Shown:
 
 
 Item: TypeAlias = (
-    Register
+    AddressSpace
+    | Register
     | RegisterGroup
     | TableLayout
     | MessageLayout
@@ -89,6 +91,7 @@ Item: TypeAlias = (
 def items(layout: DeviceLayout) -> Iterator[Item]:
     """All items of a device that can be shown, in the order of the spec's sections."""
     device = layout.device
+    yield from device.spaces.values()
     yield from device.registers()
     yield from device.groups
     yield from layout.tables.values()

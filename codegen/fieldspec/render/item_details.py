@@ -10,6 +10,8 @@ from fieldspec.layout.explaining.shares import references_text
 from fieldspec.layout.explanation import lengths
 from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
+from fieldspec.model.address_space import AddressSpace
+from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum
 from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
@@ -33,7 +35,7 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
         case Register():
             yield from _register(layout, item, number)
         case TableLayout():
-            yield from _table(item, number)
+            yield from _table(layout, item, number)
         case MessageLayout():
             yield from _message(layout, item)
         case RecordLayout() if item.size is not None:
@@ -57,6 +59,10 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield "clear", ", ".join(item.state.clear)
         case Link():
             yield from _link(layout, item)
+        case AddressSpace():
+            yield "unit", item.unit
+            yield "bounds", ", ".join(f"0x{low:04X}..0x{high:04X}" for low, high in item.bounds.intervals)
+            yield "first number", str(item.first_number)
         case Limit():
             bounds = [str(bound) for bound in (item.low, item.high) if bound is not None]
             count = str(item.value) if item.value is not None else "..".join(bounds)
@@ -72,7 +78,9 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
 def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
     many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
     words = "1 word" if register.width == 1 else f"{register.width} words"
-    yield "address", f"0x{register.address:04X} ({register.address}), {words}{many}"
+    yield "space", _space(layout.device, register.space)
+    number = layout.device.space(register.space).first_number + register.address
+    yield "address", f"0x{register.address:04X} ({number}), {words}{many}"
     if register.count > 1 and address is not None and register.address <= address < register.end:
         index = register.index_from + (address - register.address) // register.stride
         yield "here", f"0x{address:04X} is {register.name}[{index}]"
@@ -90,14 +98,20 @@ def _register(layout: DeviceLayout, register: Register, address: int | None) -> 
             yield "copied in", _placed(layout, other.name)
 
 
+def _space(device: Device, name: str) -> str:
+    """The name of an address space; empty where the device has only one."""
+    return device.space_name(name) if device.several_spaces else ""
+
+
 def _placed(layout: DeviceLayout, name: str) -> str:
     """A register with its address."""
     register = layout.device.register(name) if name else None
     return f"{name} at 0x{register.address:04X}" if register is not None else name
 
 
-def _table(laid: TableLayout, address: int | None) -> Details:
+def _table(layout: DeviceLayout, laid: TableLayout, address: int | None) -> Details:
     table = laid.table
+    yield "space", _space(layout.device, table.space)
     formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
     yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
     yield "access", table.access or "not printed"

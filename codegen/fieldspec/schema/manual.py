@@ -13,6 +13,7 @@ ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
 _MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
+_INCLUDED = re.compile(r"^<!-- include: ([a-z_]+\.md) -->$", re.MULTILINE)
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -27,8 +28,12 @@ _KINDS = {
 
 def manual() -> str:
     """The manual as Markdown. The template says where the keys of which part of the schema stand."""
-    text = resources.files(__name__.rpartition(".")[0]).joinpath("language.md").read_text("utf-8")
+    text = _INCLUDED.sub(lambda mark: _text(mark[1]).rstrip("\n"), _text("language.md"))
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
+
+
+def _text(name: str) -> str:
+    return resources.files(__name__.rpartition(".")[0]).joinpath(name).read_text("utf-8")
 
 
 @cache

@@ -57,7 +57,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         part.algorithm
         for link in layout.links.values()
         for frame in (link.request, link.response)
-        for part in frame.tail
+        for part in frame.parts
         if part.algorithm
     }
     return filled(
@@ -97,7 +97,7 @@ def _print_sections(naming: Naming, layout: DeviceLayout, algorithms: set[str]) 
         ),
         ("Data of requests and responses", _messages(naming, layout)),
         ("Registers", (declare_register(naming, device, register) for register in layout.registers)),
-        ("Tables of records", (declare_table(naming, table) for table in layout.tables.values())),
+        ("Tables of records", (declare_table(naming, device, table) for table in layout.tables.values())),
         (
             "Parameters",
             (

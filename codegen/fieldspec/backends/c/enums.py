@@ -169,13 +169,13 @@ def unknown_value_test(naming: Naming, device: Device, value: Value, number: Exp
 
 
 def enum_implies_range(device: Device, value: Value) -> bool:
-    """Whether every number that the value's closed enum takes is in its range: then the range need not be tested."""
-    if not value.enum or device.enums[value.enum].open or value.ranges is None:
+    """Whether every number that the value's closed enum takes may be written: then the range need not be tested."""
+    ranges = value.written_ranges
+    if not value.enum or device.enums[value.enum].open or ranges is None:
         return False
     sentinels = {sentinel.value for sentinel in value.sentinels}
     return all(
-        member.value in value.ranges or member.value in sentinels
-        for member in available_members(device.enums[value.enum])
+        member.value in ranges or member.value in sentinels for member in available_members(device.enums[value.enum])
     )
 
 

@@ -234,6 +234,11 @@ def whole_double(value: int) -> Literal:
     return Literal(f"{value}.0")
 
 
+def whole_float(value: int) -> Literal:
+    """A whole number as a float: `16384.0f`"""
+    return Literal(f"{value}.0f")
+
+
 def double(value: float) -> Literal:
     """A number as a double, with as many digits as tell it from all others."""
     return Literal(repr(value))

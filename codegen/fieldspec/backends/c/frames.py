@@ -36,7 +36,6 @@ from fieldspec.backends.c.expressions import (
     different,
     equal,
     greater,
-    integer,
     less,
     multiply,
     negate,
@@ -66,6 +65,7 @@ from fieldspec.backends.c.values import (
     return_ok,
     status_type,
     store,
+    store_constant,
 )
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
@@ -78,11 +78,7 @@ _CODE, _BODY_LENGTH, _TOTAL = Identifier("code"), Identifier("body_length"), Ide
 
 def header_parts(frame: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users set: neither the length nor the code, nor a constant."""
-    return [
-        part
-        for part in frame.head
-        if part.role in ("station", "plain") and not (part.value and part.value.const is not None)
-    ]
+    return [part for part in frame.head if part.is_argument]
 
 
 def part_value(part: PartLayout) -> WireValue:
@@ -91,9 +87,9 @@ def part_value(part: PartLayout) -> WireValue:
     return WireValue(part.value, part.order, False)
 
 
-def part_pointer(pointer: Expression, number: int) -> Expression:
-    """`in + 2`: a pointer to a part."""
-    return add(pointer, decimal(number))
+def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
+    """`in + 2`, or behind the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
+    return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
 
 
 def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
@@ -166,7 +162,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
         body += refuse(naming, less(LENGTH, unsigned(around)), "err_incomplete")
     body += _check_frame(naming, frame)
     for part in header_parts(frame):
-        number = load(naming, part_value(part), part_pointer(IN, part.offset))
+        number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
         body.append(assign(PointerMember(OUT, frame_member(part.name)), number))
     body += [
         *_read_code(naming, link, frame),
@@ -183,18 +179,43 @@ def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
     body: Body = ()
     length = frame.role("length")
     if length is not None:
-        number = load(naming, part_value(length), part_pointer(IN, length.offset))
-        body += refuse(naming, different(number, LENGTH), "err_wrong_length")
+        number = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
+        counted, uncounted = _count_length(frame, length, LENGTH)
+        body += refuse(naming, any_of([*uncounted, different(number, counted)]), "err_wrong_length")
     checksum = frame.check
     if checksum is not None:
-        size = add_size(LENGTH, checksum.offset)
-        received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (add(IN, size),))
-        computed = Call(naming.own(checksum.algorithm), (IN, size))
+        received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (part_pointer(IN, checksum, LENGTH),))
+        computed = _compute_checksum(naming, checksum, IN, LENGTH)
         body += refuse(naming, different(computed, received), "err_wrong_check")
-    for part in frame.head:
-        if part.value is not None and part.value.const is not None and part.role != "length":
-            body += check_constant(naming, part_value(part), part_pointer(IN, part.offset))
+    for part in frame.constants:
+        body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
+
+
+def _compute_checksum(naming: Naming, checksum: PartLayout, source: Expression, total: Expression) -> Call:
+    """`crc16_modbus(in + 1, length - 3u)`: the checksum of the bytes that it covers in a frame of `total` bytes."""
+    start, stop = checksum.start, checksum.stop or 0
+    first = source
+    if start:
+        first = add(source, decimal(start) if start > 0 else add_size(total, start))
+    # A start and a stop that are counted from the same end bound a constant size.
+    size = unsigned(stop - start) if start < 0 or stop > 0 else add_size(total, stop - start)
+    return Call(naming.own(checksum.algorithm), (first, size))
+
+
+def _count_length(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
+    """What a length part has in a frame of `total` bytes, and the tests of which each finds that no number says it.
+
+    Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
+    """
+    around = frame.head_size + frame.tail_size
+    uncounted: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
+    counted = add_size(total, -part.base)
+    if part.unit_size > 1:
+        unit = unsigned(part.unit_size)
+        uncounted.append(different(Operation("%", (counted, unit)), ZERO))
+        counted = Operation("/", (counted, unit))
+    return counted, uncounted
 
 
 def _checksum_access(checksum: PartLayout) -> str:
@@ -207,7 +228,7 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     if part is None:
         return ()
     code, error = PointerMember(OUT, "code"), PointerMember(OUT, "error")
-    body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part.offset))),)
+    body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
     guard: list[Expression] = []
     if link.link.error is not None and frame.direction == "response":
         flag = unsigned(link.link.error.flag)
@@ -251,13 +272,13 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     if is_wrapped(link):
         body.append(Variable(SIZE_TYPE, "at"))
     body += _check_capacity(naming, width, around, delimiters)
-    for part in frame.head:
-        body += _write_part(naming, layout, link, part)
+    for part in frame.parts:
+        if part.role != "check":
+            body += _write_part(naming, layout, link, frame, part)
     checksum = frame.check
     if checksum is not None:
-        size = add_size(_TOTAL, checksum.offset)
-        computed = Call(naming.own(checksum.algorithm), (OUT, size))
-        body.append(store(naming, _checksum_access(checksum), add(OUT, size), computed))
+        target = part_pointer(OUT, checksum, _TOTAL)
+        body.append(store(naming, _checksum_access(checksum), target, _compute_checksum(naming, checksum, OUT, _TOTAL)))
     if is_wrapped(link):
         body += wrap_frame(naming, link)
     if not contains(tuple(body), OUT):
@@ -288,22 +309,24 @@ def _check_capacity(naming: Naming, width: int, around: int, delimiters: int) ->
     return refuse(naming, any_of([*tests, greater(_BODY_LENGTH, room)]), "err_capacity")
 
 
-def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayout) -> Body:
-    """Checks a part before the body and writes it."""
+def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: FrameLayout, part: PartLayout) -> Body:
+    """Checks a part other than the checksum, and writes it."""
     wire = part_value(part)
-    target = part_pointer(OUT, part.offset)
+    target = part_pointer(OUT, part, _TOTAL)
     number_type = f"uint{8 * wire.size}_t"
     if part.role == "length":
         highest = wire.value.type.high
-        limit = refuse(naming, greater(_TOTAL, unsigned(highest)), "err_wrong_length")
+        counted, uncounted = _count_length(frame, part, _TOTAL)
+        checks = refuse(naming, any_of(uncounted), "err_wrong_length") if uncounted else ()
+        limit = refuse(naming, greater(counted, unsigned(highest)), "err_wrong_length")
         if highest >= 0xFFFF:
             limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
-        return (*limit, store(naming, wire.access, target, Cast(number_type, _TOTAL)))
+        return (*checks, *limit, store(naming, wire.access, target, Cast(number_type, counted)))
     if part.role == "code":
         limit = refuse(naming, greater(_CODE, unsigned(wire.value.type.high)), "err_unknown_code")
         return (*limit, store(naming, wire.access, target, Cast(number_type, _CODE)))
-    if wire.value.const is not None:
-        return (store(naming, wire.access, target, integer(wire.value.const, wire.size, False)),)
+    if part.constant is not None:
+        return store_constant(naming, wire, part.constant, target)
     value = Identifier(argument(part.name))
     unknown = unknown_value_test(naming, layout.device, wire.value, value)
     outside = _station_test(link, wire, value) if part.role == "station" else None

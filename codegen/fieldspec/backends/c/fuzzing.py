@@ -145,7 +145,9 @@ def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     for register in layout.registers:
         value = register.register.value
         wire = WireValue(value, register.order, register.swapped)
-        yield _value_macro(naming, "register", (register.name,), wire, value.size + value.size % 2)
+        yield _value_macro(
+            naming, "register", (register.name,), wire, value.size + value.size % 2, register.register.trigger
+        )
     orders = Orders(device.byte_order, device.word_order)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
@@ -154,18 +156,22 @@ def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
             names = (parameters.name, parameter.name)
             inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
             for full_names, value in [(names, parameter.value), *inner]:
-                yield _value_macro(naming, "parameter", full_names, WireValue(value, *orders.of(value)), value.size)
+                wire = WireValue(value, *orders.of(value))
+                yield _value_macro(naming, "parameter", full_names, wire, value.size, parameter.trigger)
 
 
-def _value_macro(naming: Naming, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int) -> Call:
+def _value_macro(naming: Naming, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool) -> Call:
+    """Of a trigger whose enum is closed the device may answer anything."""
+    kind = Identifier(type_name(wire.value))
     functions = _names(*(naming.function(noun, *names, verb) for verb in ("decode", "encode")))
     if wire.value.const is not None:
-        return Call("CONSTANT", (*functions, unsigned(wire.size), unsigned(size)))
+        return Call("CONSTANT", (kind, *functions, unsigned(size)))
     if wire.is_array:
         exact = _flag(wire.kind is Kind.BYTES and wire.size == size)
         declared = Identifier(Printer().print_variable(declare_value(wire, "value")))
         return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
-    return Call("VALUE", (Identifier(type_name(wire.value)), *functions, unsigned(wire.size), unsigned(size)))
+    macro = "VALUE" if wire.value.as_answer(trigger) == wire.value else "TRIGGER"
+    return Call(macro, (kind, *functions, unsigned(wire.size), unsigned(size)))
 
 
 def _other_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:

@@ -18,8 +18,10 @@ from fieldspec.backends.c.expressions import (
     Identifier,
     Operation,
     Type,
+    add,
     add_size,
     address_of,
+    decimal,
     less,
     unsigned,
 )
@@ -29,7 +31,6 @@ from fieldspec.backends.c.frames import (
     DIRECTIONS,
     OUTPUT_PARAMETERS,
     header_parameters,
-    part_pointer,
 )
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import (
@@ -118,7 +119,7 @@ def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:
     room: tuple[Expression, ...] = (OUT, CAPACITY)
     checks: Body = ()
     if size:
-        room = part_pointer(OUT, size), add_size(CAPACITY, -size)
+        room = add(OUT, decimal(size)), add_size(CAPACITY, -size)
         checks = refuse(naming, less(CAPACITY, unsigned(size)), "err_capacity")
     encode = naming.function("record", data.name, "encode")
     return (

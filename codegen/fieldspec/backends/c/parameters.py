@@ -130,7 +130,7 @@ def _declare_parameter(
     ]
     if parameter.reserved:
         return declarations
-    return [*declarations, *_declare_parameter_value(naming, device, names, parameter.value)]
+    return [*declarations, *_declare_parameter_value(naming, device, names, parameter.value, parameter.trigger)]
 
 
 def _declare_subindex(
@@ -142,15 +142,17 @@ def _declare_subindex(
     return [
         describe_fact(subindex, f"Of {parameter.name}.", describe_value(subindex.value)),
         *(Define(naming.macro("parameter", *names, end), unsigned(number)) for end, number in ends),
-        *_declare_parameter_value(naming, device, names, subindex.value),
+        *_declare_parameter_value(naming, device, names, subindex.value, parameter.trigger),
     ]
 
 
-def _declare_parameter_value(naming: Naming, device: Device, names: tuple[str, ...], value: Value) -> list[Declaration]:
+def _declare_parameter_value(
+    naming: Naming, device: Device, names: tuple[str, ...], value: Value, trigger: bool
+) -> list[Declaration]:
     order, swapped = Orders(device.byte_order, device.word_order).of(value)
     wire = WireValue(value, order, swapped)
     return [
         *define_constants(naming, "parameter", names, value),
         BLANK,
-        *access_functions(naming, device, "parameter", names, wire, value.size),
+        *access_functions(naming, device, "parameter", names, wire, value.size, trigger),
     ]

@@ -17,6 +17,7 @@ from fieldspec.backends.c.expressions import (
     Cast,
     Element,
     Expression,
+    Group,
     Identifier,
     Type,
     add,
@@ -28,12 +29,12 @@ from fieldspec.backends.c.expressions import (
     multiply,
     subtract,
     unsigned,
+    whole_float,
 )
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.statements import Body, Variable, assign
 from fieldspec.backends.c.values import (
     WireValue,
-    check_constant,
     declare_value,
     decode_value,
     encode_value,
@@ -43,6 +44,7 @@ from fieldspec.backends.c.values import (
     store_constant,
     type_name,
 )
+from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.register import RegisterLayout
 from fieldspec.model.device import Device
@@ -69,8 +71,10 @@ def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: 
     if value.const is not None:
         constants.append(("value", integer(value.const, size, signed)))
     if value.ranges is not None:
-        constants.append(("min", integer(value.ranges.low, size, signed)))
-        constants.append(("max", integer(value.ranges.high, size, signed)))
+        constants += [("min", _bound(value, value.ranges.low)), ("max", _bound(value, value.ranges.high))]
+    if value.write_ranges is not None:
+        low, high = value.write_ranges.low, value.write_ranges.high
+        constants += [("write_min", _bound(value, low)), ("write_max", _bound(value, high))]
     if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
         constants.append(("default", integer(value.default, size, signed)))
     for name, exact, implied in (("scale", value.scale, 1), ("offset", value.offset, 0)):
@@ -81,32 +85,39 @@ def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: 
     return [Define(naming.macro(noun, *names, name), number) for name, number in constants]
 
 
+def _bound(value: Value, number: int) -> Expression:
+    """A bound of the value's range as a constant of its type."""
+    if value.type.kind is not Kind.FLOAT:
+        return integer(number, value.size, value.type.signed)
+    return Group(whole_float(number)) if number < 0 else whole_float(number)
+
+
 def access_functions(
-    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int
+    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool
 ) -> list[Declaration]:
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
+
+    What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
+    member of its closed enum.
 
     `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
     """
     value = wire.value
-    read, written = [Variable(INPUT_BYTES, "in")], [Variable(OUTPUT_BYTES, "out")]
-    encode: Body
-    decode: Body
+    answer = replace(wire, value=value.as_answer(trigger))
+    result = declare_value(wire, "out") if wire.is_array else Variable(Type(type_name(value), pointer=True), "out")
+    read, written = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]
+    decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else dereference(OUT))
     if value.const is not None:
-        encode, decode = store_constant(naming, wire, value.const, OUT), check_constant(naming, wire, IN)
+        encode = store_constant(naming, wire, value.const, OUT)
     else:
-        target = OUT if wire.is_array else dereference(OUT)
         encode = encode_value(naming, device, wire, VALUE, OUT)
-        decode = decode_value(naming, device, wire, IN, target)
-        pointer = Variable(Type(type_name(value), pointer=True), "out")
-        read.append(declare_value(wire, "out") if wire.is_array else pointer)
         written.insert(0, declare_value(wire, "value", const=wire.is_array))
     padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
     place = f" its value from the {size} bytes of its words." if noun == "register" else " its value."
     decode_name, encode_name = naming.function(noun, *names, "decode"), naming.function(noun, *names, "encode")
     return [
         comment(f"Reads{place}"),
-        Function(status_type(naming), decode_name, tuple(read), (*decode, return_ok(naming))),
+        Function(status_type(naming), decode_name, read, (*decode, return_ok(naming))),
         BLANK,
         comment(f"Writes{place.replace(' from ', ' to ')}"),
         Function(status_type(naming), encode_name, tuple(written), (*encode, *padding, return_ok(naming))),
@@ -120,6 +131,7 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
     """The constants of a register, and the functions for its value."""
     register, value = layout.register, layout.register.value
     facts = (
+        f"In the address space {device.space_name(register.space)}." if device.several_spaces else "",
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
@@ -146,17 +158,20 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
         *(Define(naming.macro("register", layout.name, name), number) for name, number in constants),
         *define_constants(naming, "register", names, value),
         BLANK,
-        *access_functions(naming, device, "register", names, wire, value.size + value.size % 2),
+        *access_functions(naming, device, "register", names, wire, value.size + value.size % 2, register.trigger),
     ]
     if layout.count > 1:
         declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]
     return declarations
 
 
-def declare_table(naming: Naming, layout: TableLayout) -> list[Declaration]:
+def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[Declaration]:
     """The constants of a table, and the function that gives an element's address."""
     table = layout.table
     access = ACCESS[table.access] if table.access else ""
+    if device.several_spaces:
+        access = f"In the address space {device.space_name(table.space)}. {access}".strip()
+    read_only = f"Read only: {', '.join(layout.read_only)}." if layout.read_only else ""
     constants = [
         ("address", hexadecimal(table.base, 2)),
         ("words", unsigned(layout.words)),
@@ -165,7 +180,7 @@ def declare_table(naming: Naming, layout: TableLayout) -> list[Declaration]:
         ("first", unsigned(table.index_from)),
     ]
     return [
-        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", access),
+        describe_fact(table, f"Its elements are {naming.type('record', layout.record.name)}.", access, read_only),
         *(Define(naming.macro("table", layout.name, name), number) for name, number in constants),
         BLANK,
         *_address_function(naming, "table", layout.name, f"an element of {table.name} by its number"),

@@ -73,7 +73,7 @@ def low_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.BYTES:
         return bytes(value.size)
     if value.type.kind is Kind.FLOAT:
-        return 0.0
+        return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
     numbers = legal_numbers(device, value)
     return 0 if 0 in numbers else numbers[0]
 
@@ -85,18 +85,19 @@ def high_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.BYTES:
         return bytes((0xA1 + at) & 0xFF for at in range(value.size))
     if value.type.kind is Kind.FLOAT:
-        return -1.5
+        return -1.5 if value.ranges is None else float(value.ranges.high)
     return legal_numbers(device, value)[-1]
 
 
 def legal_numbers(device: Device, value: Value) -> list[int]:
     """Numbers that are taken, the least and the greatest of each interval among them."""
+    ranges = value.written_ranges
     if value.enum and not device.enums[value.enum].open:
         numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
-        inside = [number for number in numbers if value.ranges is None or number in value.ranges]
+        inside = [number for number in numbers if ranges is None or number in ranges]
         return inside or numbers
-    if value.ranges is not None:
-        return [bound for pair in value.ranges.intervals for bound in pair]
+    if ranges is not None:
+        return [bound for pair in ranges.intervals for bound in pair]
     return [0, value.type.low, value.type.high]
 
 

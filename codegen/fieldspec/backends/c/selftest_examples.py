@@ -33,7 +33,7 @@ from fieldspec.backends.c.expressions import (
     unsigned,
 )
 from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.frames import header_parts
+from fieldspec.backends.c.frames import header_parts, part_value
 from fieldspec.backends.c.naming import Naming, frame_member
 from fieldspec.backends.c.sample_values import form_of_values, record_value
 from fieldspec.backends.c.statements import If, Statement, Variable, Variables, assign, call
@@ -111,7 +111,7 @@ def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], w
     frame = link.frame(example.direction)
     body: list[Statement] = []
     for part in header_parts(frame):
-        number = integer(values[part.name], part.size, False)
+        number = integer(values[part.name], part.size, part_value(part).value.type.signed)
         body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part.name)), number))
     if frame.role("code") is not None:
         body.append(expect_equal(f"{what}: code", Member(_OPENED, "code"), _code(link, example)))
@@ -181,7 +181,9 @@ def _encode_frame(
     """The function that writes the whole frame, and its arguments."""
     link = layout.links[example.link]
     frame = link.frame(example.direction)
-    arguments: list[Expression] = [integer(int(values[part.name]), part.size, False) for part in header_parts(frame)]
+    arguments: list[Expression] = [
+        integer(int(values[part.name]), part.size, part_value(part).value.type.signed) for part in header_parts(frame)
+    ]
     if example.error and frame.role("code") is not None:
         arguments.append(_code(link, example))
     if members(record):

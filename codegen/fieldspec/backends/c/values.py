@@ -22,8 +22,10 @@ from fieldspec.backends.c.expressions import (
     equal,
     greater,
     integer,
+    less,
     negate,
     unsigned,
+    whole_float,
 )
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
@@ -31,6 +33,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.record import CaseLayout, FieldLayout
 from fieldspec.model.device import Device
 from fieldspec.model.primitive import Kind
+from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import Value
 
 _TYPES = {
@@ -147,16 +150,19 @@ def refuse(naming: Naming, test: Expression, error: str) -> Body:
 
 
 def out_of_range_test(value: Value, number: Expression) -> Expression | None:
-    """`if (!(value >= 1u && value <= 12u))`: whether an integer is out of range; None where none of its type is.
+    """`!(value >= 1u && value <= 12u)`: whether a number may not be written; None where all of its type may be.
 
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
     beside the range is taken.
     """
-    if value.ranges is None:
+    ranges = value.written_ranges
+    if ranges is None:
         return None
     kind = value.type
+    if kind.kind is Kind.FLOAT:
+        return _float_out_of_range_test(value, ranges, number)
     tests: list[Expression] = []
-    for low, high in sorted(value.ranges.intervals):
+    for low, high in sorted(ranges.intervals):
         least, most = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
         if low == high:
             tests.append(equal(number, least))
@@ -172,9 +178,21 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
     tests += [
         equal(number, integer(sentinel.value, value.size, kind.signed))
         for sentinel in value.sentinels
-        if sentinel.value not in value.ranges
+        if sentinel.value not in ranges
     ]
     return negate(tests[0] if len(tests) == 1 else any_of([Group(test) for test in tests]))
+
+
+def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -> Expression:
+    """`!(value >= -5.0f && value <= 5.0f)`, of which a NaN is out of range, as no comparison holds of it.
+
+    Where a NaN stands for an absent value: `(value < -5.0f || value > 5.0f)`, in which none is.
+    """
+    sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
+    bounds = [(whole_float(low), whole_float(high)) for low, high in sorted([*ranges.intervals, *sentinels])]
+    if value.absent_nan:
+        return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in bounds])
+    return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in bounds]))
 
 
 # Reading
@@ -231,7 +249,7 @@ def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expres
     if wire.kind is Kind.TEXT:
         text_test = Call(naming.own("is_text"), (source, unsigned(wire.size)))
         return refuse(naming, negate(text_test), "err_unknown_value")
-    if wire.kind is not Kind.INTEGER:
+    if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
         return ()
     unknown = unknown_value_test(naming, device, wire.value, source)
     outside = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)

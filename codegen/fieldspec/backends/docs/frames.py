@@ -14,9 +14,9 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 
 CHECKS = {
-    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes before it",
-    "lrc": "two's complement of the sum of all bytes before it",
-    "sum8": "low byte of the sum of all bytes before it",
+    "crc16_modbus": "CRC-16 with polynomial 8005h, reflected, start value FFFFh, of all bytes",
+    "lrc": "two's complement of the sum of all bytes",
+    "sum8": "low byte of the sum of all bytes",
 }
 END_FIRST = {"big": "high", "little": "low"}
 
@@ -115,15 +115,37 @@ class FrameTable:
         elif part.role == "station" and not part.part.doc:
             yield (plain("the address of the device"),)
         elif part.role == "length":
-            yield (plain(self._length(record)),)
+            yield (plain(self._length(part, record)),)
         elif part.role == "check":
             order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
-            yield (plain(f"{CHECKS[part.algorithm]}{order}"),)
+            yield (plain(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
+        elif part.reserved:
+            yield (styled("reserved", "badge"),)
 
-    def _length(self, record: RecordLayout | None) -> str:
-        if record is None:
-            return "the length of the frame in bytes"
-        return f"the length of the frame: {length_text(self.shape.head_size + self.shape.tail_size, record)}"
+    def _length(self, part: PartLayout, record: RecordLayout | None) -> str:
+        around = self.shape.head_size + self.shape.tail_size
+        if (part.unit_size, part.base) == (1, 0):
+            return (
+                "the length of the frame in bytes"
+                if record is None
+                else f"the length of the frame: {length_text(around, record)}"
+            )
+        unit = "words of two bytes" if part.unit_size > 1 else "bytes"
+        more = part.part.plus
+        added = f", {'plus' if more > 0 else 'minus'} {abs(more)}" if more else ""
+        number = part.number(around + record.size) if record is not None and record.size is not None else None
+        fixed = "" if number is None else f": {number}"
+        return f"the number of {unit} {self._spanned(part)}{added}{fixed}"
+
+    def _covered(self, part: PartLayout) -> str:
+        """Over what a check is worked out."""
+        return "before it" if (part.start, part.stop) == (0, part.offset) else self._spanned(part)
+
+    def _spanned(self, part: PartLayout) -> str:
+        """`from command to crc`: what a length counts or a check covers."""
+        parts = self.link.link.parts(self.direction)
+        first, last = self.link.link.span(self.direction, part.part) or (0, len(parts) - 1)
+        return f"of {parts[first].name}" if first == last else f"from {parts[first].name} to {parts[last].name}"
 
     def _body(self, record: RecordLayout | None) -> Iterator[Row]:
         if record is not None:

@@ -48,7 +48,11 @@ def _alike(link: Link) -> bool:
     """Whether requests and responses have the same parts."""
 
     def told(part: Part) -> tuple[object, ...]:
-        return part.name, part.role, part.value, part.algorithm, part.doc, part.label, part.notes, part.sources
+        return (
+            (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved),
+            (part.span, part.unit_size, part.plus),
+            (part.doc, part.label, part.notes, part.sources),
+        )
 
     return [told(part) for part in link.request] == [told(part) for part in link.response]
 

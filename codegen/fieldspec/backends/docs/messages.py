@@ -88,7 +88,12 @@ def _facts(context: Context, laid: MessageLayout) -> Iterator[tuple[str, tuple[L
     if message.broadcast:
         yield "Broadcast", ((plain("may be sent to all stations at once"),),)
     if message.accesses is not None:
-        yield "Accesses", ((plain(f"{message.accesses.operation}s registers", "#registers"),),)
+        verb, spaces = f"{message.accesses.operation}s", context.device.spaces
+        if spaces:
+            space = context.device.space(message.accesses.space)
+            yield "Accesses", ((plain(f"{verb} {space.title or space.name}", f"#{space.place.path}"),),)
+        else:
+            yield "Accesses", ((plain(f"{verb} registers", "#registers"),),)
     examples = [example for example in context.device.examples.values() if example.message == message.name]
     if examples:
         yield "Examples", (joined((plain(example.id, f"#{example.place.path}"),) for example in examples),)

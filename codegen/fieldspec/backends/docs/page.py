@@ -18,6 +18,7 @@ from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.places import places
 from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.signals import conversions, signals
+from fieldspec.backends.docs.spaces import spaces
 from fieldspec.backends.docs.tables import records, tables
 from fieldspec.backends.docs.telegrams import telegrams
 from fieldspec.backends.docs.words import words
@@ -27,6 +28,7 @@ from fieldspec.layout.device import DeviceLayout
 SECTIONS = (
     identity,
     links,
+    spaces,
     registers,
     tables,
     telegrams,

@@ -62,6 +62,9 @@ def _group(context: Context, group: RegisterGroup) -> Section:
     rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
     title = group.title or group.name
     blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=3))
+    if context.device.spaces:
+        space = context.device.space(group.space)
+        blocks.append(Facts((("Address space", ((plain(space.title or space.name, f"#{space.place.path}"),),)),)))
     if group.gaps:
         blocks.append(Facts(tuple(_gaps(group.gaps))))
     if group.sources:
@@ -83,7 +86,7 @@ def _rows(context: Context, register: Register, marks: Inferences, restart: bool
     yield Row(
         (
             cell("" if register.number is None else str(register.number)),
-            _address(register),
+            _address(register, context.device.space(register.space).first_number),
             cell(str(register.width)),
             names(register, register.name, mark=marks.marks(inferred)),
             kind,
@@ -98,14 +101,18 @@ def _rows(context: Context, register: Register, marks: Inferences, restart: bool
         register.place.path,
     )
     if register.count > 1:
-        yield from (_element(register, number) for number in range(register.count))
+        first = context.device.space(register.space).first_number
+        yield from (_element(register, number, first) for number in range(register.count))
 
 
-def _address(register: Register) -> Cell:
+def _address(register: Register, first_number: int) -> Cell:
+    number = first_number + register.address
     last = register.address + (register.count - 1) * register.stride
     if register.count == 1:
-        return cell(code(address(register.address)), styled(str(register.address), "quiet"))
-    return cell(code(f"{address(register.address)}..{address(last)}"), styled(f"{register.address}..{last}", "quiet"))
+        return cell(code(address(register.address)), styled(str(number), "quiet"))
+    return cell(
+        code(f"{address(register.address)}..{address(last)}"), styled(f"{number}..{first_number + last}", "quiet")
+    )
 
 
 def _special(register: Register) -> Iterator[Line]:
@@ -127,7 +134,7 @@ def _special(register: Register) -> Iterator[Line]:
         yield (plain("The same as "), code(register.same_as, f"#registers/{register.same_as}"))
 
 
-def _element(register: Register, number: int) -> Row:
+def _element(register: Register, number: int, first_number: int) -> Row:
     """The row of one of several equal registers: where it lies, and what the manual calls it."""
     index = register.index_from + number
     at = register.address + number * register.stride
@@ -137,7 +144,7 @@ def _element(register: Register, number: int) -> Row:
     return Row(
         (
             Cell(),
-            cell(code(address(at)), styled(str(at), "quiet")),
+            cell(code(address(at)), styled(str(first_number + at), "quiet")),
             Cell(),
             cell((code(f"{register.name}[{index}]"),), (label(printed),)),
             *blank,

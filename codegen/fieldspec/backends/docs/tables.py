@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.backends.docs.context import Context, address
 from fieldspec.backends.docs.document import (
     Cell,
@@ -26,6 +28,7 @@ from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.table import PrintedElement
+from fieldspec.model.table import Table as TableOfRecords
 
 # So many of the first elements have their addresses written out, and the last one.
 FIRST = 3
@@ -61,7 +64,7 @@ def _table(context: Context, laid: TableLayout, done: set[str]) -> Section:
     held = laid.table
     path = held.place.path
     blocks = context.opening(held)
-    blocks.append(Facts(tuple(_facts(laid))))
+    blocks.append(Facts(tuple(_facts(context, laid))))
     blocks += context.opening(laid.record.record)
     blocks.append(_fields(context, laid, laid.record.name not in done))
     done.add(laid.record.name)
@@ -72,7 +75,7 @@ def _table(context: Context, laid: TableLayout, done: set[str]) -> Section:
     return Section(path, context.section_title(held.title or held.name, held), tuple(blocks))
 
 
-def _facts(laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
+def _facts(context: Context, laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
     held = laid.table
     first, last = held.indexes[0], held.indexes[-1]
     formula = f"address(n) = {address(held.base)} + {held.stride} * (n - {held.index_from})"
@@ -80,6 +83,7 @@ def _facts(laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
     printed = joined(((label(text),) for text in (record.printed_name, record.label) if text), " ")
     return [
         ("Name", ((code(held.name),),)),
+        *_space(context, held),
         ("Elements", ((plain(f"{held.count}, numbered {first} to {last}"),),)),
         ("Address of element n", ((code(formula),),)),
         ("Words of an element", ((plain(f"{laid.words}; one element begins {held.stride} words after the other"),),)),
@@ -88,11 +92,17 @@ def _facts(laid: TableLayout) -> list[tuple[str, tuple[Line, ...]]]:
     ]
 
 
+def _space(context: Context, table: TableOfRecords) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """The address space, where the device declares some."""
+    if context.device.spaces:
+        space = context.device.space(table.space)
+        yield "Address space", ((plain(space.title or space.name, f"#{space.place.path}"),),)
+
+
 def _fields(context: Context, laid: TableLayout, anchored: bool) -> Table:
     record = laid.record.record
     marks = Inferences(f"{laid.table.place.path}/fields")
-    access = laid.table.access
-    rows = [_table_row(context, field, access, marks) for field in laid.record.fields]
+    rows = [_table_row(context, field, laid.access(field.field), marks) for field in laid.record.fields]
     caption = f"Fields of an element, the record {record.name}"
     if not anchored:
         rows = [row._replace(anchor="") for row in rows]
@@ -111,7 +121,7 @@ def _table_row(context: Context, field: FieldLayout, access: str, marks: Inferen
             cell(str((field.size * (field.count or 1) + 1) // 2)),
             name,
             kind,
-            access_cell(field.field.access or access, inferred, marks) if not field.field.reserved else Cell(),
+            access_cell(access, inferred, marks) if not field.field.reserved else Cell(),
             unit,
             bounds,
             default_cell(value, inferred, marks) if value else Cell(),

@@ -86,12 +86,13 @@ def unit_lines(value: Value) -> list[Line]:
 
 
 def range_lines(value: Value) -> list[Line]:
-    """The range in the unit, then in counts where these are other numbers."""
-    if value.ranges is None:
-        return []
-    lines: list[Line] = [(plain(spoken(range_in_unit(value, value.ranges))),)]
-    if value.scaled:
-        lines.append((styled(f"raw {spoken(value.ranges.text())}", "quiet"),))
+    """The range in the unit, then in counts where these are other numbers; then that of writing, where it differs."""
+    lines: list[Line] = []
+    for before, ranges in (("", value.ranges), ("written: ", value.write_ranges)):
+        if ranges is not None:
+            lines.append((plain(before + spoken(range_in_unit(value, ranges))),))
+            if value.scaled:
+                lines.append((styled(f"raw {spoken(ranges.text())}", "quiet"),))
     return lines
 
 
@@ -105,8 +106,12 @@ def default_cell(value: Value, inferred: Mapping[str, str], marks: Inferences) -
     default = value.default
     lines: list[Line] = []
     if isinstance(default, int):
-        lines = [(plain(in_unit(value, default) or str(default)),)]
-        if value.scaled:
+        sentinel = value.sentinel(default)
+        if sentinel is not None:
+            lines = [(code(str(default)), plain(" "), code(sentinel.name))]
+        else:
+            lines = [(plain(in_unit(value, default) or str(default)),)]
+        if value.scaled and sentinel is None:
             lines.append((styled(f"raw {default}", "quiet"),))
     elif default is not None:
         lines = [(code(default),)]
@@ -152,7 +157,14 @@ def _meanings(context: Context, value: Value) -> Iterator[Item]:
         yield from (Item(_member(member)) for member in enum.members)
     for sentinel in value.sentinels:
         doc: Line = (plain(f": {sentinel.doc}"),) if sentinel.doc else ()
-        yield Item((code(str(sentinel.value)), plain(" "), code(sentinel.name), *doc))
+        yield Item(
+            (
+                code(sentinel.text),
+                plain(" "),
+                code(sentinel.name),
+                *doc,
+            )
+        )
 
 
 def _short(enum: Enum) -> bool:

@@ -45,26 +45,36 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
 
 def _runs(layout: DeviceLayout) -> Iterator[Area]:
     """Registers whose addresses follow each other, so that one request can read or write them."""
+    names = list(layout.device.spaces) if layout.device.several_spaces else [""]
+    for name in names:
+        yield from _runs_of(layout, name)
+
+
+def _runs_of(layout: DeviceLayout, space: str) -> Iterator[Area]:
+    """The runs of a space; of all registers where it has no name."""
     placed = [
-        (laid.address + number * laid.stride, laid, number) for laid in layout.registers for number in range(laid.count)
+        (laid.address + number * laid.stride, laid, number)
+        for laid in layout.registers
+        if not space or layout.device.space_name(laid.register.space) == space
+        for number in range(laid.count)
     ]
     placed.sort(key=lambda one: one[0])
     run: list[Held] = []
     first = end = 0
     for address, laid, number in placed:
         if run and address > end:
-            yield _run(first, end, run)
+            yield _run(space, first, end, run)
             run = []
         if not run:
             first = end = address
         run.append(of_register(laid, number, 2 * (address - first)))
         end = max(end, address + laid.words)
     if run:
-        yield _run(first, end, run)
+        yield _run(space, first, end, run)
 
 
-def _run(first: int, end: int, run: list[Held]) -> Area:
-    return Area(f"registers 0x{first:04X}..0x{end - 1:04X}", "", 2, 2 * (end - first), tuple(run), first)
+def _run(space: str, first: int, end: int, run: list[Held]) -> Area:
+    return Area(f"{space or 'registers'} 0x{first:04X}..0x{end - 1:04X}", "", 2, 2 * (end - first), tuple(run), first)
 
 
 def _table(laid: TableLayout) -> Area:
@@ -76,13 +86,14 @@ def _table(laid: TableLayout) -> Area:
 
 def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Iterator[Area]:
     """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
-    if laid.message.accesses is not None:
+    if layout.device.register_access(laid.message) is not None:
         return
     several = sum(laid.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
         shape, data = link.frame(direction), laid.data(direction)
         whole = None if data.size is None else shape.head_size + data.size + shape.tail_size
-        fixed = {"code": laid.message.code, "length": whole}
+        length = shape.role("length")
+        fixed = {"code": laid.message.code, "length": None if length is None or whole is None else length.number(whole)}
         held = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.head]
         held += of_record(data, shape.head_size)
         if whole is not None:

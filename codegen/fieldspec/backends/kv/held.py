@@ -8,6 +8,7 @@ from fieldspec.classes import dataclass, replace
 from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 
@@ -89,7 +90,7 @@ def of_table(name: str, record: RecordLayout, access: str, count: int, stride: i
                 inner.swapped,
                 inner.fact,
                 inner.value,
-                inner.access or access,
+                narrowed(access, inner.access),
                 inner.case,
                 inner.fixed,
                 inner.reserved,
@@ -110,9 +111,20 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> Held:
     """A part of a frame."""
     value = part.value
     name = value.type.name if value is not None else f"u{8 * part.size}"
-    if fixed is None and value is not None:
-        fixed = value.const
-    return Held(part.name, start, part.size, name, part.order, False, part.part, value, fixed=fixed)
+    if fixed is None and not part.reserved:
+        fixed = part.constant
+    return Held(
+        part.name,
+        start,
+        part.size,
+        name,
+        part.order,
+        False,
+        part.part,
+        value,
+        fixed=fixed,
+        reserved=part.reserved,
+    )
 
 
 def _of_field(field: FieldLayout, before: str, at: int, selector: str, listed: bool) -> Iterator[Held]:
@@ -129,7 +141,8 @@ def _of_field(field: FieldLayout, before: str, at: int, selector: str, listed: b
     for number in range(count):
         name = f"{before}{field.name}[{number}]." if field.listed else f"{before}{field.name}."
         for inner in field.record.fields:
-            yield from _of_field(inner, name, start + number * field.size, "", listed=False)
+            for held in _of_field(inner, name, start + number * field.size, "", listed=False):
+                yield replace(held, access=narrowed(field.field.access, held.access))
 
 
 def _elements(

@@ -14,7 +14,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.enum import Enum
 from fieldspec.model.fact import Fact
 from fieldspec.model.flags import Bit, Flags
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
 
 COLUMNS = (
     "area",
@@ -95,9 +95,9 @@ def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDiale
             "scale": value.scale_text if value.scaled else None,
             "offset": f"{value.offset:f}" if value.offset else None,
             "unit": value.unit or None,
-            **_ranges(value.ranges),
+            **_ranges(value),
             "default": value.default,
-            "values": _members(enum) if enum is not None else None,
+            "values": "; ".join(_named(value, enum)) or None,
         }
     yield row | {
         "fixed": held.fixed,
@@ -150,15 +150,26 @@ def _suffix(text: str, held: Held, dialect: WordDialect) -> str | None:
     return dialect.suffixes.get(held.type) if _in_memory(text, held, dialect) == "direct" else None
 
 
-def _ranges(ranges: Ranges | None) -> Cells:
-    """The bounds, and all intervals where there are several."""
+def _ranges(value: Value) -> Cells:
+    """The bounds of what may be written, and all intervals where there are several, or others are read."""
+    ranges = value.written_ranges
     if ranges is None:
         return {}
-    return {"min": ranges.low, "max": ranges.high, "ranges": ranges.text() if len(ranges.intervals) > 1 else None}
+    several = ranges.text() if len(ranges.intervals) > 1 else None
+    if value.write_ranges is not None:
+        several = f"{ranges.text()}; read: {value.ranges.text() if value.ranges is not None else 'any'}"
+    return {"min": ranges.low, "max": ranges.high, "ranges": several}
 
 
 def _members(enum: Enum) -> str:
     return "; ".join(f"{member.value} {member.name}" for member in enum.members)
+
+
+def _named(value: Value, enum: Enum | None) -> Iterator[str]:
+    """The values that have names: members of the enum, and sentinels."""
+    if enum is not None:
+        yield _members(enum)
+    yield from (f"{sentinel.text} {sentinel.name}" for sentinel in value.sentinels)
 
 
 def _senses(bit: Bit) -> str | None:

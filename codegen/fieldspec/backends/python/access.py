@@ -6,6 +6,8 @@ from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Slots
 from fieldspec.classes import dataclass
+from fieldspec.model.address_space import WORD
+from fieldspec.model.device import Device
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +20,31 @@ class AccessView:
     make: str
     values: str
     single: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SpaceAccess:
+    """The messages that read and write the registers of an address space; empty name: the device has only one space."""
+
+    space: str
+    read: AccessView | None
+    single: AccessView | None
+    block: AccessView | None
+
+
+def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
+    """The messages that access each space of words, in the order of the spec."""
+    names = [name for name, space in device.spaces.items() if space.unit == WORD] if device.several_spaces else [""]
+    found = []
+    for name in names:
+        own = [
+            one
+            for one in exchanges
+            if (access := device.register_access(one.message.message)) is not None
+            and (not name or device.space_name(access.space) == name)
+        ]
+        found.append(SpaceAccess(name, read_access(own), *write_accesses(own)))
+    return found
 
 
 def _field(shaped: RecordShape, title: str) -> Slots | None:

@@ -26,6 +26,7 @@ RUNTIME = (
     "_framers",
     "_frames",
     "_parameters",
+    "_part_frames",
     "_quantities",
     "_record",
     "_refusals",

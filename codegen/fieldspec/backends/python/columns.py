@@ -46,6 +46,8 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
         yield f"tests={tests}"
     if field.stored and field.whole and field.value.scaled and not field.value.enum and not field.value.flags:
         yield f"ratio={ratio(field.value)}"
+        if field.sentinels:
+            yield f"absent={tuple_of(field.sentinels)}"
 
 
 def _tests(shaped: RecordShape, field: Slots) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.backends.python.heads import is_simple
 from fieldspec.backends.python.text import docstring
 from fieldspec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
@@ -28,9 +29,12 @@ def framer(
         about.append("A start mark within a frame begins another one.")
         return "_MarkFramer", arguments, docstring(about, 8)
     length, code = frame.role("length"), frame.role("code")
+    if not _ordered(frame):
+        return "", [], []
     if length is not None:
         about.append("The length says where a frame ends; one that fits no message is taken for garbage.")
-        return "_LengthFramer", [*arguments, f"length_size={length.size}"], docstring(about, 8)
+        kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
+        return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
     if code is None or link.link.encoding != "binary":
         return "", [], []
     extents = {code: _extent(link, frame, record) for _, code, record in carried if code is not None}
@@ -46,6 +50,13 @@ def framer(
     if open_ended:
         about.append(f"No part of {', '.join(open_ended)} says how long it is: only `idle` ends such a frame.")
     return "_CodeFramer", arguments, docstring(about, 8)
+
+
+def _ordered(frame: FrameLayout) -> bool:
+    """Whether all numbers by which a framer finds frames lie in the order of the head."""
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    numbers = (frame.role(role) for role in ("station", "code", "length"))
+    return all(part is None or part.size == 1 or part.order == order for part in numbers)
 
 
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.python.heads import constant, greatest_part, letter, number, variable
+from fieldspec.backends.python.heads import constant, greatest_part, is_simple, letter, number, variable
 from fieldspec.backends.python.lines import chained, filled, unpacked
 from fieldspec.backends.python.reading import local, targets
-from fieldspec.backends.python.records import RecordShape, condition, making_lines, writing_lines
+from fieldspec.backends.python.records import RecordShape, condition, constant_tests, making_lines, writing_lines
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
 from fieldspec.backends.python.writing import greatest
@@ -63,6 +63,8 @@ def fuses(shaped: RecordShape, frame: FrameLayout) -> bool:
     lists = sum(field.listed and not field.skipped for field in shaped.fields)
     if shaped.tail is not None or shaped.selector is not None or lists > 1:
         return False
+    if not is_simple(frame):
+        return False
     orders = {part.order for part in frame.head if part.size > 1}
     if any(field.letters.strip("0123456789sx") not in ("", "B", "b") for field in shaped.fields):
         orders.add(shaped.order)
@@ -97,7 +99,7 @@ def fused(
     letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
     packed = [_slot(part, constants) for part in frame.head] + writing.values
     marked = f"{frames}.marked" if link.link.start or link.link.end or link.link.encoding == "hex_ascii" else ""
-    into = [_target(part, looked_up) for part in frame.head]
+    into = [_target(part) for part in frame.head]
     into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
     check: list[str] = []
     compared: list[str] = []
@@ -117,11 +119,13 @@ def fused(
         check = chained("check = ", written, "^", "", 16)
         compared = chained("expected = ", read, "^", "", 12)
         unread = "_UNREAD"
-        appended, taken, checked, wrong = "", "", ["check"], ["check != expected"]
+        # The tables hold the shares of what must be received, so that each of it is compared with what is received.
+        wrong = ["check != expected", *constant_tests(shaped)]
+        appended, taken, checked = "", "", ["check"]
     else:
         big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
         appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
-        wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
+    wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
     wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
     conditions = condition([*tests, *writing.tests])
     return Fused(
@@ -174,17 +178,18 @@ def _slot(part: PartLayout, constants: dict[str, int]) -> str:
 
 
 def _single(field: Slots) -> bool:
-    """Whether a field is one number in one slot, so that its bytes can be had from the number."""
-    if field.field.record is not None or field.listed or field.field.field.measures:
+    """Whether a field is one number in one slot, so that its bytes can be had from the number.
+
+    Whatever is received in a reserved field counts for the check, so that there must be none.
+    """
+    if field.field.record is not None or field.listed or field.field.field.measures or field.field.field.reserved:
         return False
-    if not field.stored and field.constant is None and not field.skipped:
-        return False
-    return field.skipped or (len(field.letters) == 1 and field.letters in "BbHhIiQq")
+    return len(field.letters) == 1 and field.letters in "BbHhIiQq"
 
 
-def _target(part: PartLayout, looked_up: bool) -> str:
-    """What a part of the head is unpacked into. The code has been looked at before; a CRC covers the length."""
-    return "_" if part.role == "code" or (looked_up and part.role == "length") else variable(part)
+def _target(part: PartLayout) -> str:
+    """What a part of the head is unpacked into. The code has been looked at before."""
+    return "_" if part.role == "code" else variable(part)
 
 
 def _shares(

@@ -58,7 +58,7 @@ def code_literal(code: int | None) -> str:
 
 def head_value(part: PartLayout, code: str) -> str:
     """What a part of the head holds before its length is known."""
-    if part.role == "length":
+    if part.role in ("length", "check"):
         return "0"
     held = constant(part)
     return code if part.role == "code" else number(part) if held is None else str(held)
@@ -75,13 +75,42 @@ def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int],
 
 
 def constant(part: PartLayout) -> int | None:
-    """The one value that a plain part may have."""
-    return part.value.const if part.role == "plain" and part.value is not None else None
+    """The one value that a plain part has when it is sent."""
+    return part.constant
+
+
+def is_simple(frame: FrameLayout) -> bool:
+    """Whether a head of one byte order is followed by the body and, at most, a check of all before it.
+
+    A length is then that of all parts. Any other frame takes the slower way, part by part.
+    """
+    check, length = frame.check, frame.role("length")
+    return (
+        len({part.order for part in frame.head if part.size > 1}) <= 1
+        and not any(part.reserved for part in frame.head)
+        and frame.tail == (() if check is None else (check,))
+        and (check is None or (check.start, check.stop) == (0, check.offset))
+        and (length is None or (length.unit_size, length.base) == (1, 0))
+    )
+
+
+def part_rows(parts: tuple[PartLayout, ...]) -> str:
+    """Parts as the rows of a tuple: name, size, order, sign, what is always sent, and whether it is compared."""
+    rows = [
+        f"({literal(part.name)}, {part.size}, {literal(part.order)}, {_signed(part)}, {part.constant},"
+        f" {part.constant is not None and not part.reserved})"
+        for part in parts
+    ]
+    return tuple_of(rows) if rows else "()"
+
+
+def _signed(part: PartLayout) -> bool:
+    return part.value is not None and part.value.type.signed
 
 
 def given(frame: FrameLayout) -> list[PartLayout]:
     """The parts of the head that the caller gives."""
-    return [part for part in frame.head if part.role in ("station", "plain") and constant(part) is None]
+    return [part for part in frame.head if part.is_argument]
 
 
 def plain_views(frame: FrameLayout, words: Words) -> list[PartView]:

@@ -13,7 +13,9 @@ from fieldspec.backends.python.heads import (
     head_refusals,
     head_tests,
     head_value,
+    is_simple,
     letter,
+    part_rows,
     plain_views,
 )
 from fieldspec.backends.python.lines import chained, listed, union
@@ -58,6 +60,7 @@ class DirectionView:
 
     direction: str
     frames: str
+    kind: str
     arguments: list[str]
     quick: str
     quickly: str
@@ -238,6 +241,7 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
+        kind="_Frames" if is_simple(frame) else "_PartFrames",
         arguments=_frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
@@ -270,12 +274,7 @@ def _known(message: MessageLayout) -> list[str]:
 
 
 def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    order = next((part.order for part in frame.head if part.size > 1), "big")
-    letters = "".join(map(letter, frame.head))
-    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
-    arguments.append(literal(frame.check.algorithm if frame.check else ""))
-    if frame.check and frame.check.order == "big":
-        arguments.append('check_order="big"')
+    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
     for role in ("code", "length"):
         part = frame.role(role)
         if part is not None:
@@ -287,8 +286,30 @@ def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
     if link.link.encoding == "hex_ascii":
         arguments.append("hexadecimal=True")
-    if constants(frame):
+    if is_simple(frame) and constants(frame):
         arguments.append(f"constants=({', '.join(constants(frame))},)")
+    return arguments
+
+
+def _simple_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_Frames` that say what the head and the check are."""
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    letters = "".join(map(letter, frame.head))
+    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
+    arguments.append(literal(frame.check.algorithm if frame.check else ""))
+    if frame.check and frame.check.order == "big":
+        arguments.append('check_order="big"')
+    return arguments
+
+
+def _part_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_PartFrames` that say what the parts are."""
+    check, length = frame.check, frame.role("length")
+    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
+    if check is not None:
+        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
+    if length is not None:
+        arguments += [f"unit={length.unit_size}", f"base={length.base}"]
     return arguments
 
 

@@ -11,12 +11,13 @@ from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
 from fieldspec.backends.python.registers import ACCESS
 from fieldspec.backends.python.slots import Words, value_type
 from fieldspec.backends.python.text import described, docstring, literal, places
-from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.backends.python.values import register_value, value_facts
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.value import Value
 from fieldspec.names import Name
 
 
@@ -182,7 +183,7 @@ def _row(
         "printed_name": printed_name if run or row.printed_name or held.printed_as else "",
         "default": _default(row),
         "elements": "" if row.elements is None else str(row.elements),
-        "subindices": tuple_of(_subindex(one, order, words) for one in row.subindices),
+        "subindices": tuple_of(_subindex(one, order, words, row.trigger) for one in row.subindices),
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
@@ -193,7 +194,13 @@ def _row(
         "base": f"0x{held.base:X}" if held.base else "",
     }
     kept = [f"{key}={text}" for key, text in more.items() if text not in ("", "()", '""')]
-    arguments = [name, number, value_expression(value, value.size, order, False, words), literal(row.access), *kept]
+    arguments = [
+        name,
+        number,
+        register_value(value, value.size, order, False, words, row.trigger),
+        literal(row.access),
+        *kept,
+    ]
     call = filled("_Parameter(", arguments, ")", 16 if run else 12)
     lines = ["tuple(", *(f"    {line}" for line in call), f"    for place in range({row.count})", ")"] if run else call
     kind = f"_Parameter[{_type(row, words)}]"
@@ -217,8 +224,8 @@ def _default(row: Parameter) -> str:
     return "" if default is None else literal(default) if isinstance(default, str) else str(default)
 
 
-def _subindex(one: Subindex, order: str, words: Words) -> str:
-    value = value_expression(one.value, one.value.size, order, False, words)
+def _subindex(one: Subindex, order: str, words: Words, trigger: bool) -> str:
+    value = register_value(one.value, one.value.size, order, False, words, trigger)
     more = [f"type={literal(one.value.type.name)}"]
     more += ["reserved=True"] if one.reserved else []
     more += [f"source={literal(places(one.sources))}"] if one.sources else []
@@ -228,7 +235,13 @@ def _subindex(one: Subindex, order: str, words: Words) -> str:
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
     every = [row.value, *(one.value for one in row.subindices)]
-    return " | ".join(dict.fromkeys(value_type(value, words) for value in every))
+    return " | ".join(dict.fromkeys(_answered(value, words, row.trigger) for value in every))
+
+
+def _answered(value: Value, words: Words, trigger: bool) -> str:
+    """The type of what is read of a parameter, which takes more than a closed enum lists where that is a trigger."""
+    more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
+    return value_type(value, words) + more
 
 
 def _doc(row: Parameter, held: ParameterSet) -> list[str]:

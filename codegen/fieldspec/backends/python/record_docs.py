@@ -27,7 +27,9 @@ def _field_doc(field: Slots) -> str:
             facts.append(quantity(field.value))
         if field.value.ranges is not None:
             facts.append(f"{field.value.ranges.text()}")
-        facts += [f"{sentinel.value} = {Name.of(sentinel.name).title().lower()}" for sentinel in field.value.sentinels]
+        if field.value.write_ranges is not None:
+            facts.append(f"{field.value.write_ranges.text()} when it is written")
+        facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in field.value.sentinels]
         if field.value.default is not None:
             facts.append(f"initially {field.value.default}")
     if fact.restart:

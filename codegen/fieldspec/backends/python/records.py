@@ -206,14 +206,24 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
 
 
 def making_lines(shaped: RecordShape, owner: str, at: int, bound: bool = False) -> list[str]:
-    """Lines that make the values of all fields. `bound` says that all raw values are in locals."""
+    """Lines that make the values of all fields.
+
+    `bound` says that all raw values are in locals, and that the constants among them have been compared.
+    """
     lines: list[str] = []
     for field in shaped.fields:
+        if bound and field.constant is not None:
+            continue
         place = at + field.field.offset
         lines += decided_read(field, owner, place) if field.decided else reading(field, owner, place, bound)
     for field in shaped.fields:
         lines += _measure_test(shaped, field, owner, at)
     return lines
+
+
+def constant_tests(shaped: RecordShape) -> list[str]:
+    """The conditions under which a constant, whose raw value is in a local, is another number."""
+    return [f"{local(field)} != {field.constant}" for field in shaped.fields if field.constant is not None]
 
 
 def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> list[str]:

@@ -125,8 +125,8 @@ class Slots:
 
     @property
     def sentinels(self) -> tuple[int, ...]:
-        """Values beside the ranges."""
-        return tuple(sentinel.value for sentinel in self.value.sentinels)
+        """Values beside the ranges, but for a NaN."""
+        return tuple(sentinel.value for sentinel in self.value.sentinels if not sentinel.is_nan)
 
     @property
     def plain(self) -> bool:
@@ -168,11 +168,12 @@ class Slots:
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges, where they are narrower than the type."""
-        if self.field.value is None or self.value.ranges is None or not self.whole:
-            return None
-        full = self.value.ranges.intervals == ((self.value.type.low, self.value.type.high),)
-        return None if full else self.value.ranges
+        """The ranges of what may be written, where they are narrower than the type."""
+        ranges = self.field.value.written_ranges if self.field.value is not None else None
+        if ranges is None or self.kind is Kind.FLOAT:
+            return ranges
+        full = ranges.intervals == ((self.value.type.low, self.value.type.high),)
+        return None if full or not self.whole else ranges
 
 
 def value_type(value: Value, words: Words) -> str:

@@ -12,8 +12,20 @@ from fieldspec.model.value import Value
 from fieldspec.names import Name
 
 
+def register_value(value: Value, size: int, order: str, swapped: bool, words: Words, trigger: bool) -> str:
+    """The `Value` of a register or a parameter, in `size` bytes: what the device answers is read, whatever it is.
+
+    Only what is written is bound to a constant, and, where it starts something, to a closed enum.
+    """
+    return _value(value, size, order, swapped, words, value.as_answer(trigger) != value)
+
+
 def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
-    """The `Value` of a value that lies in `size` bytes, which may be more than its own."""
+    """The `Value` of a value in a frame that lies in `size` bytes, which may be more than its own."""
+    return _value(value, size, order, swapped, words, False)
+
+
+def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
         return f'{kind}("{size}s", {value.size})'
@@ -25,18 +37,28 @@ def value_expression(value: Value, size: int, order: str, swapped: bool, words: 
     if value.type.kind is Kind.BOOLEAN:
         return _call("_Boolean", letters, more)
     if value.type.kind is Kind.FLOAT:
+        more += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+        others = [repr(float("nan")) if one.is_nan else str(one.value) for one in value.sentinels]
+        others = ['float("nan")' if one == "nan" else one for one in others]
+        more += [f"others={tuple_of(others)}"] if others else []
+        more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
         return _call("_Float", letters, more)
     if value.const is not None:
-        return _call("_Constant", letters, [str(value.const), *more])
+        if not any_answer:
+            return _call("_Constant", letters, [str(value.const), *more])
+        more += [f'limits="{value.type.letter}"'] if narrow else []
+        return _call("_Setting", letters, [str(value.const), *more])
     ranges = _ranges(value)
     if ranges is not None:
         more.append(f"ranges={pairs(ranges)}")
     if value.flags:
         return _call("_Word", letters, [words.flags[value.flags], *more])
-    if value.sentinels and (ranges is not None or value.enum):
+    if value.sentinels:
         more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
     if value.enum:
         enum = words.enums[value.enum]
+        if any_answer:
+            return _call("_Trigger", letters, [literal(enum.title), enum.table, *more])
         if not enum.open and value.sentinels:
             more.append("closed=True")
         return _call(
@@ -56,9 +78,8 @@ def _call(name: str, letters: str, more: list[str]) -> str:
 
 
 def _ranges(value: Value) -> Ranges | None:
-    if value.ranges is None or value.ranges.intervals == ((value.type.low, value.type.high),):
-        return None
-    return value.ranges
+    ranges = value.written_ranges
+    return None if ranges is None or ranges.intervals == ((value.type.low, value.type.high),) else ranges
 
 
 def value_facts(value: Value) -> list[str]:
@@ -66,7 +87,9 @@ def value_facts(value: Value) -> list[str]:
     facts = [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
-    facts += [f"{sentinel.value} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
+    if value.write_ranges is not None:
+        facts.append(f"{value.write_ranges.text()} when it is written")
+    facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
     if value.default is not None:
         facts.append(f"initially {value.default}")
     return facts

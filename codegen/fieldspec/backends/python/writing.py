@@ -95,7 +95,7 @@ def _one(field: Slots, held: str) -> list[str]:
     if field.kind is Kind.BYTES:
         return [f"len({held}) == {size}"]
     if field.kind is Kind.FLOAT:
-        return []
+        return _float_tests(field, held)
     found: list[str] = []
     raw = f"{held}.raw" if field.value.flags and not field.deferred else held
     enum = field.enum
@@ -106,6 +106,16 @@ def _one(field: Slots, held: str) -> list[str]:
     elif field.ranges is not None:
         found.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
     return [test for test in found if test]
+
+
+def _float_tests(field: Slots, held: str) -> list[str]:
+    """What must hold of a floating-point number: no comparison holds of a NaN."""
+    if field.ranges is None:
+        return []
+    parts = [f"{low} <= {held} <= {high}" for low, high in field.ranges.intervals]
+    parts += [f"{held} == {number}" for number in field.sentinels]
+    parts += [f"{held} != {held}"] * field.value.absent_nan
+    return [parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"]
 
 
 def packed(type: Primitive) -> tuple[int, int]:
@@ -206,7 +216,10 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
     if field.kind is Kind.BYTES:
         return "_refused_bytes", [size]
     if field.kind is Kind.FLOAT:
-        return "_refused_float", []
+        if field.ranges is None:
+            return "_refused_float", []
+        others = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
+        return "_refused_float", [pairs(field.ranges), *([tuple_of(others)] if others else [])]
     ranges = pairs(field.ranges)
     if field.value.flags:
         return "_refused_flags", [str(primitive.high), *([ranges] if ranges else [])]

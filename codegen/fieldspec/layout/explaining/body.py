@@ -13,6 +13,7 @@ from fieldspec.layout.explaining.worded import Worded, worded
 from fieldspec.layout.meaning import Raw
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
+from fieldspec.model.message import Message
 
 
 class Body:
@@ -36,6 +37,7 @@ class Body:
         self.layout, self.outer, self.spot, self.asked = layout, outer, spot, asked
         self.data, self.start, self.end = data, start, end
         self.record = record.of_data(data[start:end]) or record
+        self.written = isinstance(outer, Message) and record.record is outer.request
         self.values: dict[str, Raw] = {}
         self.rows = list(self._rows())
 
@@ -138,7 +140,7 @@ class Body:
         if top:
             read = self._measured(field, self._repeated(field, read))
         row = fact_row(device, "field", path, field.field, self.spot, at, raw, read, self.outer)
-        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer)
+        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.written)
         return [with_share(device, row, field, number)], number
 
     def _measured(self, field: FieldLayout, read: Worded) -> Worded:

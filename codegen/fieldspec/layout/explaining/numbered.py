@@ -54,10 +54,10 @@ class _Element:
 
 
 def with_parameter(
-    device: Device, row: Row, field: FieldLayout, index: int, known: Mapping[str, Raw], outer: Fact
+    device: Device, row: Row, field: FieldLayout, index: int, known: Mapping[str, Raw], outer: Fact, written: bool
 ) -> Row:
     """A row of element `index` of a field with what the parameter adds; `known` are the values of the frame so far,
-    and those of the request that it answers. `outer` is the message.
+    and those of the request that it answers. `outer` is the message; `written` says that it is a request.
     """
     part = field.value.parameter if field.value else None
     if part is None:
@@ -67,7 +67,7 @@ def with_parameter(
         if index >= len(words.parameters):
             return row
         held = words.parameters[index]
-        return _read_as(device, row, field, _Element(words, held.number, held, None, None))
+        return _read_as(device, row, field, _Element(words, held.number, held, None, None), written)
     asked = row.number if part.part == "number" else known.get(part.number)
     found = device.parameter_at(part.set, asked) if isinstance(asked, int) else None
     if found is None:
@@ -83,7 +83,7 @@ def with_parameter(
         at = first + index if isinstance(first, int) else None
     element = _element(words, number, parameter, at)
     if part.part == "value":
-        return _read_as(device, row, field, element)
+        return _read_as(device, row, field, element, written)
     if part.part == "subindex" and element.index is None:
         return row
     return replace(row, meanings=(*row.meanings, element.meaning))
@@ -120,7 +120,7 @@ def _element(words: ParameterSet, number: int, parameter: Parameter | None, at: 
     return _Element(words, number, parameter, at, subindex)
 
 
-def _read_as(device: Device, row: Row, field: FieldLayout, element: _Element) -> Row:
+def _read_as(device: Device, row: Row, field: FieldLayout, element: _Element, written: bool) -> Row:
     """A row whose bytes are read as a parameter: its unit, members and notes. No codec refuses it for these."""
     fact = element.fact
     if fact is None or element.parameter is None:
@@ -128,7 +128,9 @@ def _read_as(device: Device, row: Row, field: FieldLayout, element: _Element) ->
     again = None if row.reason else _again(fact.value, field, row)
     if again is None:
         return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
-    read = worded(device, fact.value, *again, reserved=fact.reserved)
+    read = worded(device, fact.value.as_written() if written else fact.value, *again, reserved=fact.reserved)
+    if element.parameter.trigger and not written:
+        read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))
     return replace(
         row,

@@ -21,10 +21,15 @@ _PART = {
 }
 
 
+FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be written"}
+"""What an access forbids."""
+
+
 @dataclass(frozen=True, slots=True)
 class Span:
-    """`words` from `address` on, and their bytes: `data` at `at` in the parts of the frame, or none."""
+    """`words` from `address` on in a space, and their bytes: `data` at `at` in the parts of the frame, or none."""
 
+    space: str
     address: int
     words: int
     at: int
@@ -58,6 +63,7 @@ class Holder:
     access: str
     reserved: bool
     atomic: bool = False
+    trigger: bool = False
 
 
 def accessed(
@@ -72,29 +78,54 @@ def accessed(
     if not isinstance(start, int):
         return None
     words = count if isinstance(count, int) else len(data) // 2
-    return Span(start, words, at, data)
+    return Span(access.space, start, words, at, data)
 
 
-def register_rows(layout: DeviceLayout, span: Span, spot: Spot) -> Iterator[Row]:
-    """A row for every register that shares words with a span, by address; and for words that none has."""
+def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[Row]:
+    """A row for every register that shares words with a span, by address; and for words that none has.
+
+    `operation` is `read` or `write`: a note says which registers do not allow it.
+    """
     held = sorted(_holders(layout, span), key=lambda holder: holder.address)
     at = span.address
     for holder in held:
         if holder.address > at:
             yield _unlisted(layout, span, at, holder.address, spot)
         at = max(at, holder.address + holder.words)
-        yield _row(layout, span, holder, spot)
+        row = _row(layout, span, holder, spot, operation)
+        why = FORBIDS.get((operation, holder.access), "")
+        yield replace(row, notes=(*row.notes, f"It {why}.")) if why else row
     if at < span.end:
         yield _unlisted(layout, span, at, span.end, spot)
 
 
+def forbidden(layout: DeviceLayout, span: Span, operation: str) -> str:
+    """Why the words of a span cannot be read, or written, at once; empty where nothing says that they cannot."""
+    for holder in sorted(_holders(layout, span), key=lambda holder: holder.address):
+        why = FORBIDS.get((operation, holder.access))
+        if why:
+            return f"{holder.path} at 0x{holder.address:04X} {why}"
+    return ""
+
+
+def holder_at(layout: DeviceLayout, space: str, address: int) -> Holder | None:
+    """The register, or the field of a table's element, that begins at an address of a space; None for none."""
+    held = _holders(layout, Span(space, address, 1, 0, b""))
+    return next((holder for holder in held if holder.address == address), None)
+
+
 def _holders(layout: DeviceLayout, span: Span) -> Iterator[Holder]:
+    device = layout.device
+    own = device.space_name(span.space)
     for register in layout.registers:
+        if device.space_name(register.register.space) != own:
+            continue
         end = register.address + (register.count - 1) * register.stride + register.words
         if register.address < span.end and span.address < end:
             yield from _elements(register, span)
     for table in layout.tables.values():
-        yield from _fields(table, span)
+        if device.space_name(table.table.space) == own:
+            yield from _fields(table, span)
 
 
 def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
@@ -117,6 +148,7 @@ def _elements(laid: RegisterLayout, span: Span) -> Iterator[Holder]:
             access=register.access,
             reserved=False,
             atomic=register.atomic,
+            trigger=register.trigger,
         )
 
 
@@ -146,7 +178,7 @@ def _field(laid: TableLayout, field: FieldLayout, base: int, item: int, path: st
         field.value,
         field.order,
         field.swapped,
-        field.field.access or laid.table.access,
+        laid.access(field.field),
         field.field.reserved,
     )
 
@@ -158,11 +190,14 @@ def _near(base: int, stride: int, words: int, count: int, span: Span) -> range:
     return range(first, max(first, last))
 
 
-def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot) -> Row:
+def _row(layout: DeviceLayout, span: Span, holder: Holder, spot: Spot, operation: str) -> Row:
     found = span.bytes_of(holder.address, holder.value.size)
     at, raw = found if found else (0, b"")
     if found:
-        read = worded(layout.device, holder.value, raw, holder.order, holder.swapped, holder.reserved)
+        value = holder.value.as_written() if operation == "write" else holder.value
+        read = worded(layout.device, value, raw, holder.order, holder.swapped, holder.reserved)
+        if holder.trigger and operation == "read":
+            read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:
         inside = span.address <= holder.address and holder.address + holder.words <= span.end
         read = Worded(None, notes=() if inside else (_PART[holder.atomic],))
@@ -177,6 +212,7 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
     reasons = (
         gap.reason
         for group in layout.device.groups
+        if layout.device.space_name(group.space) == layout.device.space_name(span.space)
         for gap in group.gaps
         if any(low < end and first <= high for low, high in gap.addresses.intervals)
     )

@@ -103,8 +103,11 @@ def _exponent(number: Decimal) -> int:
 
 
 def in_unit(value: Value, number: int) -> str:
-    """`20.00 mm`: the value with its unit, as `decimal_text` writes it; empty where it has neither unit nor scale."""
-    if not value.unit and not value.scaled:
+    """`20.00 mm`: the value with its unit, as `decimal_text` writes it.
+
+    Empty where it has neither unit nor scale, and for a sentinel, which is no quantity.
+    """
+    if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
         return ""
     return f"{decimal_text(value.in_unit(number))} {value.unit}".strip()
 
@@ -131,9 +134,22 @@ def worded(device: Device, value: Value, data: bytes, order: str, swapped: bool,
         if any(byte > 0x7F for byte in data):
             return Worded(data).judged(False, "ASCII", "unknown_value")
         return Worded(data.rstrip(b"\0").decode("ascii"))
+    if isinstance(number, float):
+        return _float(value, number)
     if not isinstance(number, int):
-        return Worded(number, f"{number!r} {value.unit}" if kind is Kind.FLOAT and value.unit else "")
+        return Worded(number)
     return _whole(device, value, number)
+
+
+def _float(value: Value, number: float) -> Worded:
+    """What a floating-point number says: it counts in the unit."""
+    sentinel = value.sentinel(number)
+    if sentinel is not None:
+        return Worded(number, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
+    found = Worded(number, f"{number!r} {value.unit}" if value.unit else "")
+    if value.ranges is None or number in value.ranges:
+        return found
+    return found.judged(False, f"{value.ranges.text()} {value.unit}".strip(), "out_of_range")
 
 
 def _boolean(device: Device, value: Value, number: Raw) -> Worded:
@@ -148,7 +164,7 @@ def _whole(device: Device, value: Value, number: int) -> Worded:
     if value.const is not None and number != value.const:
         return Worded(number).judged(False, value.const, "wrong_const")
     found = Worded(number, verdict="" if value.const is None else "right")
-    sentinel = next((sentinel for sentinel in value.sentinels if sentinel.value == number), None)
+    sentinel = value.sentinel(number)
     if sentinel is not None:
         return replace(found, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.plc.routines.checksums import checksum
 from fieldspec.plc.routines.enums import enum_routines
-from fieldspec.plc.routines.frames import frame_routines, framed
+from fieldspec.plc.routines.frames import frame_routines
 from fieldspec.plc.routines.groups import group_routines
 from fieldspec.plc.routines.messages import message_routines
 from fieldspec.plc.routines.reals import real_routines
@@ -16,6 +16,7 @@ from fieldspec.plc.routines.tables import table_routines
 from fieldspec.plc.routines.telegrams import telegram_routines
 from fieldspec.plc.routines.walking import called
 from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import framed
 
 
 def routines(world: World) -> list[Routine]:
@@ -38,7 +39,7 @@ def _all(world: World) -> Iterator[Routine]:
     yield from group_routines(world)
     yield from telegram_routines(world)
     links = [link for link in layout.links.values() if framed(link)]
-    checks = (part.algorithm for link in links for shape in (link.request, link.response) for part in shape.tail)
+    checks = (part.algorithm for link in links for shape in (link.request, link.response) for part in shape.parts)
     for algorithm in dict.fromkeys(one for one in checks if one):
         yield checksum(world, algorithm)
     for link in links:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.register import RegisterLayout
+from fieldspec.model.access import readable, writable
 from fieldspec.model.register import RegisterGroup
 from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
@@ -28,11 +29,9 @@ from fieldspec.plc.routines.holders import Words
 from fieldspec.plc.routines.orders import order_remark, word_order
 from fieldspec.plc.routines.routine import Declared, Routine
 from fieldspec.plc.routines.statements import Assignment, Loop, Statement, when
-from fieldspec.plc.routines.types import BOOL, INT, UDINT, UINT, Type, sequence
+from fieldspec.plc.routines.types import BOOL, INT, UDINT, UINT, ArrayType, Type, sequence
 from fieldspec.plc.routines.values import Wire, read, write
 from fieldspec.plc.routines.world import World
-
-_READ, _WRITTEN = ("ro", "rw"), ("wo", "rw")
 
 
 def group_routines(world: World) -> Iterator[Routine]:
@@ -41,13 +40,13 @@ def group_routines(world: World) -> Iterator[Routine]:
         yield _holds(world)
     for group in world.layout.device.groups:
         registers = registers_of(world.layout, group)
-        readable = [laid for laid in registers if laid.register.access in _READ]
+        read_registers = [laid for laid in registers if readable(laid.register.access)]
         # Where no access is printed, writing is what a trigger is for.
-        writable = [laid for laid in registers if laid.register.access in _WRITTEN or laid.register.trigger]
-        if readable:
-            yield _unpacked(world, group, readable)
-        if writable:
-            yield _packed(world, group, writable)
+        written_registers = [laid for laid in registers if writable(laid.register.access) or laid.register.trigger]
+        if read_registers:
+            yield _unpacked(world, group, read_registers)
+        if written_registers:
+            yield _packed(world, group, written_registers)
 
 
 def registers_of(layout: DeviceLayout, group: RegisterGroup) -> list[RegisterLayout]:
@@ -92,7 +91,26 @@ def _sum(left: Expression, right: Expression) -> Expression:
 
 def register_type(world: World, laid: RegisterLayout) -> Type:
     """The type of a register's variable; an array where there are several equal ones."""
-    one = world.type_of(laid.register.value)
+    return _each(laid, world.type_of(laid.register.value))
+
+
+def answer_type(world: World, laid: RegisterLayout) -> Type | None:
+    """The type of a variable of its own for what the device answers, where that of the register does not hold it.
+
+    An enumeration holds what may be written to start something, but not any number that reading may give. So what is
+    read never changes what is to be written either.
+    """
+    register = laid.register
+    own, answer = world.type_of(register.value), world.type_of(register.answer)
+    return _each(laid, answer) if readable(register.access) and own != answer else None
+
+
+def answer_name(laid: RegisterLayout) -> str:
+    """What the variable of an answer is called in the language."""
+    return f"{laid.name}_answer"
+
+
+def _each(laid: RegisterLayout, one: Type) -> Type:
     return sequence(laid.count, one) if laid.count > 1 else one
 
 
@@ -113,14 +131,18 @@ class _Range:
         draft.refuse(compared(self.count, ">", number(world.words.high + 1)), "no_room")
         draft.add([Assignment(self.taken, number(0))])
 
-    def each(self, laid: RegisterLayout, struct: Variable, one: _One) -> list[Statement]:
-        """The statements for a register, or for each of several equal ones, if it lies in the words."""
-        kind = register_type(self.world, laid)
-        member = Member(struct, self.world.member(self.group.name, laid.name), kind)
+    def each(self, laid: RegisterLayout, struct: Variable, answer: Type | None, one: _One) -> list[Statement]:
+        """The statements for a register, or for each of several equal ones, if it lies in the words.
+
+        `answer` is the type of the variable that receives what is read, where that is one of its own.
+        """
+        kind, name = answer or register_type(self.world, laid), answer_name(laid) if answer else laid.name
+        member = Member(struct, self.world.member(self.group.name, name), kind)
         if laid.count == 1:
             return [self._if_there(laid, Whole(laid.address, UINT), member, one)]
         index = self.draft.local("iElement")
-        held = Element(member, index, self.world.type_of(laid.register.value))
+        assert isinstance(kind, ArrayType)
+        held = Element(member, index, kind.of)
         steps: Expression = Conversion(index, UINT)
         if laid.stride > 1:
             steps = Operation("*", (steps, Whole(laid.stride, UINT)), UINT)
@@ -182,9 +204,9 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
     for laid in registers:
 
         def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:
-            return read(draft, world, Wire.of_register(laid), words, 0, held)
+            return read(draft, world, Wire.of_answer(laid), words, 0, held)
 
-        draft.add(given.each(laid, struct, one))
+        draft.add(given.each(laid, struct, answer_type(world, laid), one))
     draft.refuse(compared(given.taken, "=", number(0)), "not_covered")
     return draft.finished()
 
@@ -205,7 +227,7 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
         def one(words: Words, held: Expression, laid: RegisterLayout = laid) -> list[Statement]:
             return write(draft, world, Wire.of_register(laid), words, 0, held)
 
-        draft.add(given.each(laid, struct, one))
+        draft.add(given.each(laid, struct, None, one))
     wrong = [compared(given.count, "<=", number(0)), compared(given.taken, "<>", given.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()

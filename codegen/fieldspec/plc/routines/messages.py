@@ -21,7 +21,7 @@ from fieldspec.plc.routines.expressions import (
     number,
     plus,
 )
-from fieldspec.plc.routines.frames import LENGTH, code_type, framed, head_members, link_words, wire_of, wrapped
+from fieldspec.plc.routines.frames import code_type, head_members, wire_of
 from fieldspec.plc.routines.holders import Bytes
 from fieldspec.plc.routines.records import field_type, given, read_field, write_field
 from fieldspec.plc.routines.routine import Routine
@@ -29,6 +29,7 @@ from fieldspec.plc.routines.statements import Assignment, Statement, when
 from fieldspec.plc.routines.types import BOOL, INT, ArrayType, StructType, Type
 from fieldspec.plc.routines.values import Wire
 from fieldspec.plc.routines.world import PREFIXES, World
+from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +75,7 @@ def _declared(draft: Draft, world: World, message: MessageLayout, record: Record
 
 def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
     """The type of a parameter: words of registers are in the one array that all routines for registers take."""
-    access = message.message.accesses
+    access = world.layout.device.register_access(message.message)
     if access is not None and field.field.repeat is not None and field.name == access.values:
         return world.words
     return choice_type(field) if field.cases else field_type(world, field)

@@ -55,7 +55,8 @@ class Quantity:
         """What makes two quantities of one name the same."""
         value = self.value
         sentinels = tuple(sentinel.value for sentinel in value.sentinels)
-        return value.type.name, value.scale, value.offset, value.unit, value.ranges, sentinels
+        ranges = value.ranges, value.write_ranges
+        return value.type.name, value.scale, value.offset, value.unit, *ranges, sentinels
 
 
 def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
@@ -120,10 +121,11 @@ def _times(of: Expression, ratio: Ratio) -> Expression:
 def _about(world: World, same: list[Quantity], way: str) -> list[str]:
     first = same[0]
     owners = ", ".join(dict.fromkeys(one.owner for one in same if one.owner != one.name))
-    ranges = first.value.ranges
+    ranges, written = first.value.ranges, first.value.write_ranges
     return [
         f"{way}: 1 count = {count_of(first.value)}.",
         f"Counts: {ranges.text()}." if ranges is not None else "",
+        f"Counts that may be written: {written.text()}." if written is not None else "",
         f"Of {owners}. {world.told(first.fact, None)}" if owners else world.told(first.fact, None),
         " ".join(f"{one.value} is {one.name}, no quantity." for one in first.value.sentinels),
     ]
@@ -178,7 +180,7 @@ def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
     shifted = _plus(value, -Ratio(first.value.offset))
-    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value))
+    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.as_written()))
     return draft.finished()
 
 

@@ -29,10 +29,13 @@ from fieldspec.plc.routines.world import World
 
 def table_routines(world: World) -> Iterator[Routine]:
     """The functions of all records that tables hold, and those that give the address of an element."""
-    records = {table.record.name: table.record for table in world.layout.tables.values()}
+    tables = list(world.layout.tables.values())
+    records = {table.record.name: table.record for table in tables}
     for record in records.values():
         yield _unpacked(world, record)
-        yield _packed(world, record)
+        alike = [table for table in tables if table.record.name == record.name]
+        if any(table.writable for table in alike):
+            yield _packed(world, record, [table.name for table in alike if not table.writable])
     for table in world.layout.tables.values():
         yield _address(world, table)
 
@@ -82,7 +85,8 @@ def _unpacked(world: World, record: RecordLayout) -> Routine:
     return draft.finished()
 
 
-def _packed(world: World, record: RecordLayout) -> Routine:
+def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine:
+    """The words of an element; `read_only` are the tables whose elements must not be written."""
     words = (record.size or 0) // 2
     draft = Draft(
         world.routine("pack", record.name, _order(record)),
@@ -90,6 +94,7 @@ def _packed(world: World, record: RecordLayout) -> Routine:
         world.status,
         f"Struct to registers: {words} words of {record.name}. {_order_told(world, record)}".strip(),
         "Where a value is refused, some of the words may have been changed: do not send them.",
+        *(f"The elements of {name} cannot be written." for name in read_only),
     )
     struct = draft.declare("stData", world.struct(record.name), "in_out", "is read only")
     holder, _ = _words(world, draft, record, "receives the words")

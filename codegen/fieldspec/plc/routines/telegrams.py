@@ -9,13 +9,13 @@ from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import number
-from fieldspec.plc.routines.frames import framed
 from fieldspec.plc.routines.holders import Bytes, Holder, Words
 from fieldspec.plc.routines.orders import order_remark
 from fieldspec.plc.routines.records import members_of, read_fields, write_fields
 from fieldspec.plc.routines.routine import Routine
 from fieldspec.plc.routines.types import BYTE, WORD, sequence
 from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import framed
 
 
 def telegrams(layout: DeviceLayout) -> list[MessageLayout]:

@@ -13,18 +13,21 @@ from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
     Element,
     Expression,
+    Fraction,
     Negation,
     Truth,
     Variable,
     Whole,
     compared,
     converted,
+    either,
+    every,
     number,
     outside,
 )
 from fieldspec.plc.routines.holders import Holder
 from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Statement, when
-from fieldspec.plc.routines.types import BITS, BYTE, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
+from fieldspec.plc.routines.types import BITS, BYTE, REAL, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
 from fieldspec.plc.routines.world import PREFIXES, World
 
 
@@ -44,8 +47,13 @@ class Wire:
 
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
-        """The value of a register."""
+        """The value of a register, as it is written."""
         return Wire(register.register.value, register.order, register.swapped)
+
+    @staticmethod
+    def of_answer(register: RegisterLayout) -> Wire:
+        """The value of a register, as the device answers it."""
+        return Wire(register.register.answer, register.order, register.swapped)
 
     @property
     def kind(self) -> Kind:
@@ -73,10 +81,7 @@ def read(
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
         wanted = Whole(value.const & wire.bits.high, wire.bits)
-        refusal = draft.refusal(compared(bits, "<>", wanted), "wrong_constant")
-        if target is None or not isinstance(target.type, Elementary):
-            return [refusal]
-        return [refusal, Assignment(target, converted(bits, target.type))]
+        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
@@ -107,7 +112,8 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
     if wire.kind is Kind.FLOAT:
         call = world.bits_from_real(source, raw)
-        return [draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+        limits = [] if value.ranges is None else [draft.refusal(_outside_real(value, source), "out_of_range")]
+        return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
     if wire.kind is Kind.BOOLEAN:
         one = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
         zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
@@ -124,12 +130,24 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     if value.const is not None:
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
-    if value.ranges is not None:
-        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
-        wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)
+    ranges = value.written_ranges
+    if ranges is not None:
+        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in ranges]
+        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     return [*statements, *_put(wire, holder, offset, raw, source)]
+
+
+def _outside_real(value: Value, of: Expression) -> Expression:
+    """Whether a floating-point number is neither in range nor a sentinel."""
+    pairs = list(value.ranges.intervals) if value.ranges is not None else []
+    pairs += [(one.value, one.value) for one in value.sentinels if not one.is_nan]
+    inside = [
+        every([compared(of, ">=", Fraction(f"{low}.0", REAL)), compared(of, "<=", Fraction(f"{high}.0", REAL))])
+        for low, high in sorted(pairs)
+    ]
+    return Negation(either(inside))
 
 
 def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:

@@ -97,10 +97,17 @@ class World:
         """What a comment says of a fact and its value: unit, range, meaning, place in the manual."""
         return " ".join(part for part in (of_value(value), source(fact)) if part)
 
-    def checksum(self, algorithm: str, length: Expression, frame: Expression) -> Call:
-        """The check of the first bytes of a frame."""
+    def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
+        """The check of the bytes of a frame from an index on up to a length."""
         kind = WORD if CHECK_SIZES[algorithm] == 2 else BYTE
-        return Call(self.routine(algorithm), (("iLength", length), ("aFrame", frame)), (), kind)
+        begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
+        return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
+
+    def begins_later(self, algorithm: str) -> bool:
+        """Whether a check with an algorithm covers bytes that do not begin with the first one."""
+        shapes = (shape for link in self.layout.links.values() for shape in (link.request, link.response))
+        checks = (shape.check for shape in shapes)
+        return any(check is not None and check.algorithm == algorithm and check.start != 0 for check in checks)
 
     def struct(self, name: str) -> StructType:
         """The struct of a record, a group of registers, or the data of a telegram."""
@@ -196,7 +203,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
-        access = message.message.accesses
+        access = layout.device.register_access(message.message)
         for data in (message.request, message.response):
             found = data.named(access.values) if access is not None else None
             if found is not None and found.field.repeat is not None:
@@ -209,7 +216,7 @@ def values_of(layout: DeviceLayout) -> Iterator[Value]:
         yield from (found.value for found in record.fields if found.value is not None)
     for link in layout.links.values():
         for shape in (link.request, link.response):
-            yield from (part.value for part in shape.head if part.value is not None)
+            yield from (part.value for part in shape.parts if part.value is not None)
     yield from (laid.register.value for laid in layout.registers)
     for held in layout.device.parameters.values():
         for parameter in held.parameters:

@@ -46,6 +46,7 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
             records=_by_name(root, "records", lambda entry: records.record(entry, kept), kept),
             enums=_by_name(root, "enums", words.enum, kept),
             flags=_by_name(root, "flags", words.flags, kept),
+            spaces=_by_name(root, "spaces", registers.address_space, kept),
             groups=_groups(root, kept),
             tables=_by_name(root, "tables", registers.table, kept),
             parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept), kept),

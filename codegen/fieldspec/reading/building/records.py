@@ -98,7 +98,7 @@ def message(entry: Entry, kept: Kept) -> Message:
         response_words=words.integer("response") if words else None,
         broadcast=entry.flag("broadcast"),
         handling=entry.handling(),
-        accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values")))
+        accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values", "space")))
         if access
         else None,
     )

@@ -47,11 +47,18 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         enum=entry.text("enum"),
         flags=entry.text("flags"),
         parameter=ParameterPart(part.text("set"), part.text("part"), part.text("number")) if part else None,
-        sentinels=tuple(
-            Sentinel(inner.integer("value") or 0, inner.text("name"), inner.text("doc"), inner.sources)
-            for inner in entry.entries("sentinels")
-        ),
+        sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
+        write_ranges=entry.whole_ranges("write_range"),
     )
+
+
+def _sentinel(entry: Entry) -> Sentinel:
+    bits, number = entry.integer("bits"), entry.integer("value")
+    if (bits is None) == (number is None):
+        key = "value" if number is not None else "name"
+        entry.refuse("missing_key", key, "a sentinel has either a `value` or `bits`", "give one of them")
+    value = (bits if number is None else number) or 0
+    return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, bits is not None and number is None)
 
 
 def _scale(entry: Entry) -> Decimal | None:

@@ -89,12 +89,27 @@
 
 /* ---- CONSTANT ---- */
 
-/* A constant: what is written is what is read. */
-#define CONSTANT(decode, encode, held, length) \
+/* A constant: what is written can be read, and so can what else the device answers. */
+#define CONSTANT(type, decode, encode, length) \
     do { \
+        type value; \
         uint8_t out[length]; \
-        hold(encode(out) == DEVICE_OK && decode(out) == DEVICE_OK); \
-        hold(size < (length) || (decode(data) == DEVICE_OK) == (memcmp(out, data, held) == 0)); \
+        hold(encode(out) == DEVICE_OK && decode(out, &value) == DEVICE_OK); \
+        hold(size < (length) || decode(data, &value) != DEVICE_ERR_WRONG_CONST); \
+    } while (0)
+
+/* ---- TRIGGER ---- */
+
+/* What starts an action: the device answers anything, and what may be written is read as it was. */
+#define TRIGGER(type, decode, encode, held, length) \
+    do { \
+        type value; \
+        uint8_t out[length]; \
+        if (size < (length)) { \
+            break; \
+        } \
+        hold(decode(data, &value) == DEVICE_OK); \
+        hold(encode(value, out) != DEVICE_OK || memcmp(out, data, held) == 0); \
     } while (0)
 
 /* ---- ADDRESS ---- */
