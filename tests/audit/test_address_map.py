@@ -139,8 +139,9 @@ def test_the_runs_of_a_block_follow_one_another_without_a_hole(laid) -> None:  #
 def test_a_request_reads_up_to_the_limit_and_divides_no_value() -> None:
     made = polled(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
     assert blocks(made) == [(0, 9), (9, 3)]
-    assert made.limit is not None
-    assert made.limit.words == 10
+    limit = made.limit("")
+    assert limit is not None
+    assert limit.words == 10
 
 
 def test_a_request_ends_at_a_hole() -> None:
@@ -198,8 +199,9 @@ def test_the_poll_blocks_of_a_device_hold_every_readable_value_once(device: str)
         *names,
         *left_out,
     }
-    assert made.limit is not None
-    assert all(block.words <= (made.limit.words or 0) for block in made.blocks)
+    limit = made.limit("")
+    assert limit is not None
+    assert all(block.words <= (limit.words or 0) for block in made.blocks)
 
 
 def test_equal_requests_at_equal_distances_are_one_row() -> None:
