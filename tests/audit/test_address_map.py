@@ -88,7 +88,7 @@ def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
         + row(1, "b", "type: u16")
     )
     held = space(text)
-    assert [run.own for run in held.blocks[0].runs] == [True, False, True]
+    assert [run.is_device_specific for run in held.blocks[0].runs] == [True, False, True]
     assert held.count("used") == 3
 
 
@@ -179,13 +179,13 @@ def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
 def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
     text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
     made = polling(laid_at(gadget(text), "1"))
-    assert [(limit.words, limit.own) for limit in made.limits] == [(4, True)]
+    assert [(limit.words, limit.from_manual) for limit in made.limits] == [(4, True)]
 
 
 def test_a_limit_of_the_protocol_is_told_from_one_of_the_manual() -> None:
-    assert [(one.words, one.own) for one in polling(newest(SPECS, "ck10")).limits] == [(125, False)]
+    assert [(one.words, one.from_manual) for one in polling(newest(SPECS, "ck10")).limits] == [(125, False)]
     (own,) = polling(newest(SPECS, "tc100")).limits
-    assert (own.words, own.own, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
+    assert (own.words, own.from_manual, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10"])

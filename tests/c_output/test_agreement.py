@@ -20,7 +20,7 @@ from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.support import STATUSES
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 from laid_out import MADE_UP, SPECS, newest
@@ -66,7 +66,7 @@ def given(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
         held = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [given(inner, item) for item in held] if field.listed else given(inner, held)
+            held = [given(inner, item) for item in held] if field.is_list else given(inner, held)
         kept[field.name] = held
     return kept
 

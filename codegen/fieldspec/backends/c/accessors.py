@@ -10,8 +10,7 @@ from fieldspec.backends.c.text import comment, indented, integer
 from fieldspec.backends.c.values import Wire, declaration, decode_lines, encode_lines, fixed_lines
 from fieldspec.classes import replace
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 ACCESS = {
     "ro": "Read only.",

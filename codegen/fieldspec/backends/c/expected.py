@@ -9,8 +9,7 @@ from fieldspec.backends.c.enums import available
 from fieldspec.backends.c.fields import given, members, most
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 
 def low_value(device: Device, value: Value) -> Any:
@@ -62,7 +61,7 @@ def field_value(device: Device, field: FieldLayout, pick: Any) -> Any:
             return pick(device, field.value)
         return {inner.name: field_value(device, inner, pick) for inner in members(field.record)}
 
-    if not field.listed:
+    if not field.is_list:
         return one()
     repeat = field.field.repeat
     count = most(field) if repeat is None else max(repeat.low, min(1, repeat.high))
@@ -82,8 +81,8 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             held = field.value.const if field.value.const is not None else default
             if field.value.type.letter == "s":
                 held = b""
-            held = [held] * (field.count or 1) if field.listed else held
-        for item in held if field.listed else [held]:
+            held = [held] * (field.count or 1) if field.is_list else held
+        for item in held if field.is_list else [held]:
             data += record_bytes(field.record, item) if field.record else value_bytes(field, item)
     return data
 
@@ -93,7 +92,7 @@ def _measured(record: RecordLayout, field: FieldLayout, values: dict[str, Any]) 
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None
-    items = len(values[other.name]) if other.listed else 1
+    items = len(values[other.name]) if other.is_list else 1
     return items * other.size if measure.of == "bytes" else items
 
 

@@ -15,8 +15,7 @@ from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _MACROS = {
     "RECORD": """

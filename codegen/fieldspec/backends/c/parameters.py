@@ -11,7 +11,7 @@ from fieldspec.backends.c.text import comment, indented
 from fieldspec.backends.c.values import Wire
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 
 
@@ -50,7 +50,7 @@ def _family(naming: Naming, held: ParameterSet) -> list[str]:
         f"#define {naming.macro('parameter', *names, 'last')} {number_text(held, held.numbers.high)}",
     ]
     number, wire = held.numbers.low, held.base + held.numbers.low
-    example = f"{number_text(held, wire)[:-1]} for {held.written(number)}"
+    example = f"{number_text(held, wire)[:-1]} for {held.number_text(number)}"
     tests = []
     for low, high in held.numbers.intervals:
         first, last = (number_text(held, bound) for bound in (low, high))
@@ -77,7 +77,7 @@ def _family(naming: Naming, held: ParameterSet) -> list[str]:
 
 def _parameter(naming: Naming, device: Device, held: ParameterSet, parameter: Parameter) -> list[str]:
     names = (held.name, parameter.name)
-    written = held.written(parameter.number) if held.printed_as else ""
+    written = held.number_text(parameter.number) if held.printed_as else ""
     facts = (
         "Reserved." if parameter.reserved else "",
         f"{written} of {held.name}." if written else "",

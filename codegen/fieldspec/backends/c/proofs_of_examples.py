@@ -13,9 +13,9 @@ from fieldspec.backends.c.naming import Naming, frame_member
 from fieldspec.backends.c.text import array, integer, string
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.meaning import body_of, raw_values
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.example import Example
+from fieldspec.layout.values import body_of, raw_values
+from fieldspec.model.texts import Example
 
 _REFUSALS = {
     "unknown_code": "err_unknown_code",

@@ -13,9 +13,7 @@ from fieldspec.backends.c.text import array, integer, string
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.signal import Conversion
-from fieldspec.model.value import Value
+from fieldspec.model.value import Conversion, Kind, Value
 
 
 def values_at_bounds(layout: DeviceLayout, naming: Naming) -> Iterator[list[str]]:

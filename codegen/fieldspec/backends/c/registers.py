@@ -8,7 +8,7 @@ from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.text import comment, hexadecimal, indented
 from fieldspec.backends.c.values import Wire
 from fieldspec.layout.device import TableLayout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.device import Device
 
 

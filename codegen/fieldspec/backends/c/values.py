@@ -6,8 +6,7 @@ from fieldspec.backends.c.machine import cleared, copied
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import integer
 from fieldspec.classes import dataclass
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _TYPES = {
     "u8": "uint8_t",
