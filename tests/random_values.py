@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
 
@@ -50,7 +49,7 @@ def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout)
 
 def _field(layout: DeviceLayout, field: FieldLayout) -> st.SearchStrategy[Any]:
     one = values_of(layout, field.record) if field.record else _value(layout, field.value)
-    if not field.listed:
+    if not field.is_list:
         return one
     repeat = field.field.repeat
     least, most = (repeat.low, repeat.high) if repeat else (field.count or 0, field.count or 0)

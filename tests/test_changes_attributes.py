@@ -23,11 +23,8 @@ import pytest
 import fieldspec.model
 from fieldspec.changes import changes
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Claim
-from fieldspec.model.place import Place
-from fieldspec.model.primitive import PRIMITIVES, Primitive
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import ParameterPart, Sentinel, Value
+from fieldspec.model.fact import Claim, Place
+from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Ranges, Sentinel, Value
 from fieldspec.reading.project import read
 from fieldspec.source import SourceFile, Span
 from reading import gadget

@@ -9,9 +9,8 @@ from typing import Any
 import pytest
 
 from command_line import MADE_UP, SPECS, CommandLine
-from fieldspec.commands.given import Given
-from fieldspec.commands.readings import read
-from fieldspec.model.example import Example
+from fieldspec.explain.readings import FrameOptions, read
+from fieldspec.model.texts import Example
 from laid_out import newest
 
 EXAMPLES = newest(MADE_UP, "widget").device.examples
@@ -265,5 +264,5 @@ def test_a_frame_of_an_example_is_explained_as_an_example(name: str) -> None:
     good = [example for example in layout.device.examples.values() if not example.refused]
     readings = {(e.frame, e.link, e.direction, e.message, e.error) for e in good}
     for example in good:
-        held = read(layout, example.frame, Given()).explanation
+        held = read(layout, example.frame, FrameOptions()).explanation
         assert (held.frame, held.link, held.direction, held.message, held.error) in readings, example.id

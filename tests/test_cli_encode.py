@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from command_line import MADE_UP, SPECS, CommandLine
-from fieldspec.model.example import Example
+from fieldspec.model.texts import Example
 from laid_out import newest
 
 WIDGET = newest(MADE_UP, "widget")

@@ -10,13 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fieldspec.explain.explanation import Explanation, ExplanationRow, closest, explained, recognised
+from fieldspec.explain.values import decimal_text
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explaining.worded import decimal_text
-from fieldspec.layout.explanation import Explanation, Row, closest, explained, recognised
-from fieldspec.model.example import Example
+from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
-from fieldspec.reference.checksums import ALGORITHMS
-from fieldspec.reference.frames import Decoded
+from fieldspec.reference.frames import ALGORITHMS, Decoded
 from laid_out import MADE_UP, all_layouts, newest
 
 LAYOUTS = all_layouts()
@@ -41,7 +40,7 @@ def of(name: str, laid: DeviceLayout = WIDGET) -> Explanation:
     return of_example(laid, laid.device.examples[name])
 
 
-def row(found: Explanation, path: str) -> Row:
+def row(found: Explanation, path: str) -> ExplanationRow:
     (one,) = [held for held in (*found.rows, *found.registers) if held.path == path]
     return one
 

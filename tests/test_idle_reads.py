@@ -7,11 +7,10 @@ from typing import Any
 import pytest
 
 from fieldspec.audit.poll_blocks import PollBlock, polling
-from fieldspec.checks.legal import Legal
+from fieldspec.checks.numbers import Legal
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import decoded_value, value_construct
 from laid_out import SPECS, newest
 from made_python import made

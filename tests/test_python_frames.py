@@ -9,11 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import PartLayout
-from fieldspec.layout.meaning import body_of, raw_values
-from fieldspec.model.example import Example
+from fieldspec.layout.frame import CHECKSUMS, PartLayout
+from fieldspec.layout.values import body_of, raw_values
+from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
 from laid_out import all_layouts
 from made_python import built, class_of, codec_error, link_of, made, only_stored, outcome, raw, raws, record_class

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.primitive import Kind
+from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.value import Kind
 from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
 from made_python import codec_error, made, package
 
@@ -55,7 +55,7 @@ def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
     plain = not (value.enum or value.flags or value.const is not None)
     return {
         "name": row.name if row.count == 1 else f"{row.name}[{place}]",
-        "printed_name": row.printed_name if row.printed_name and row.count == 1 else held.written(number),
+        "printed_name": row.printed_name if row.printed_name and row.count == 1 else held.number_text(number),
         "number": number,
         "wire_number": held.base + number,
         "set": held.name,

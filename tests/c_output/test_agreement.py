@@ -20,7 +20,7 @@ from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.runtime_files import status_names
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 from laid_out import MADE_UP, SPECS, newest
@@ -66,7 +66,7 @@ def given(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
         held = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [given(inner, item) for item in held] if field.listed else given(inner, held)
+            held = [given(inner, item) for item in held] if field.is_list else given(inner, held)
         kept[field.name] = held
     return kept
 
@@ -163,8 +163,10 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
             reason, offset = "", None
         except CodecError as error:
             reason, offset = error.reason, error.offset
-        behind = {part.at(len(reference.links[example.link].parts(frame))) for part in shape.tail} if offset else set()
         of_values = reason in ("unknown_value", "wrong_const", "wrong_measure")
+        # A frame whose delimiters or characters are wrong has no parts.
+        size = len(reference.links[example.link].parts(frame)) if of_values else 0
+        behind = {part.at(size) for part in shape.tail} if of_values else set()
         inside = of_values and (offset is None or (offset >= shape.head_size and offset not in behind))
         if reason == "" or inside:
             assert status == 0, (example.id, frame.hex(), reason, status)

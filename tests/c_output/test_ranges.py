@@ -13,8 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from fieldspec.backends.c.backend import header
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 from laid_out import MADE_UP, SPECS, layouts
 
 NEWEST = [versions[-1] for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
@@ -31,8 +30,8 @@ def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
     else:
         intervals = ranges.intervals if ranges is not None else ()
         numbers = {number for low, high in intervals for number in (low - 1, high + 1)}
-    written = {number for number in numbers if value.type.low <= number <= value.type.high} - sentinels
-    return closed, ranges is not None and any(number not in ranges for number in written)
+    attempts = {number for number in numbers if value.type.low <= number <= value.type.high} - sentinels
+    return closed, ranges is not None and any(number not in ranges for number in attempts)
 
 
 @pytest.mark.parametrize("layout", NEWEST, ids=[layout.device.id for layout in NEWEST])

@@ -19,10 +19,9 @@ from drawing import drawn_bytes, drawn_values
 from loaded import DEVICES, NAMES, held_in, judged, proof, reason
 from proving import Proof, without
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.wrapping import framed
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded

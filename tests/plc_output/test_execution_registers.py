@@ -19,10 +19,10 @@ from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import DEVICES, NAMES, ROUNDINGS, held_in, judged, proof
 from proving import Proof, without
 
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.register import RegisterGroup
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.registers import RegisterGroup
 from fieldspec.plc.routines.enums import enum_routines
-from fieldspec.plc.routines.groups import answer_name, answer_type
+from fieldspec.plc.routines.registers import answer_name, answer_type
 from fieldspec.plc.routines.scaling import quantities
 from fieldspec.reference import CodecError
 from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct

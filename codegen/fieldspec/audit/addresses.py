@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces
 from fieldspec.audit.poll_blocks import PollBlock, Polling, ReadLimit, Unit, polling
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 
@@ -30,7 +29,9 @@ def addresses(subject: Subject) -> Section:
     figures = []
     for space in found:
         figures.append(Figure(f"{space.what} in use ({space.title})", space.count(USED)))
-        overlaps = [run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.own]
+        overlaps = [
+            run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_device_specific
+        ]
         if overlaps:
             unsaid = sum(1 for run in overlaps if not run.reason)
             figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
@@ -48,7 +49,7 @@ def _blocks(found: Sequence[Space]) -> SectionTable:
         for block in space.blocks:
             shape = f"{block.repeats} elements, {block.stride} apart" if block.repeats > 1 else ""
             counts = [block.count(state) or None for state in STATES]
-            ends = space.written(block.first), space.written(block.last)
+            ends = space.number_text(block.first), space.number_text(block.last)
             rows.append((space.title, block.title, *ends, shape, *counts, block.place["name"]))
     columns = ("space", "block", "first", "last", "shape", *STATES, "spec")
     return SectionTable("blocks", "Blocks", columns, tuple(rows))
@@ -58,7 +59,7 @@ def _gaps(found: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
     for space, block, run in _each(found):
-        if run.state in (DECLARED, UNDECLARED) and run.own:
+        if run.state in (DECLARED, UNDECLARED) and run.is_device_specific:
             reason = run.reason or "nothing says why"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
             kinds.append("warning" if run.state == UNDECLARED else "")
@@ -70,7 +71,7 @@ def _overlaps(found: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
     for space, block, run in _each(found):
-        if run.state == OVERLAP and run.own:
+        if run.state == OVERLAP and run.is_device_specific:
             names = " and ".join(holder.name for holder in run.holders)
             rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
             kinds.append("" if run.reason else "warning")
@@ -86,10 +87,10 @@ def _overlaps(found: Sequence[Space]) -> SectionTable:
 def _aliases(found: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = [
         (
-            space.written(alias.address),
+            space.number_text(alias.address),
             alias.holder.name,
             "a copy of" if alias.copied else "the same as",
-            space.written(alias.of_address),
+            space.number_text(alias.of_address),
             alias.of.name,
             alias.holder.place["copy_of" if alias.copied else "same_as"],
             alias.holder.sources[0] if alias.holder.sources else None,
@@ -123,7 +124,7 @@ def _each(found: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
 
 
 def _ends(space: Space, run: Run) -> tuple[str, str]:
-    return space.written(run.first), space.written(run.last)
+    return space.number_text(run.first), space.number_text(run.last)
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,7 +181,7 @@ def _limit_text(limit: ReadLimit) -> str:
     place = ""
     if limit.span is not None:
         place = f"{limit.span.file.path}:{limit.span.position()[0]}"
-    if not limit.own:
+    if not limit.from_manual:
         notes = f" {' '.join(limit.notes)}" if limit.notes else ""
         return (
             f"One request of {limit.message} reads up to {limit.words} words. The manual prints no limit; this one is "
@@ -195,7 +196,7 @@ def _limits(made: Polling) -> SectionTable:
         (
             limit.message,
             limit.words,
-            "the manual" if limit.own else "the protocol",
+            "the manual" if limit.from_manual else "the protocol",
             limit.span,
             limit.sources[0] if limit.sources else None,
         )

@@ -15,10 +15,9 @@ from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
-from fieldspec.model.handling import Handling
-from fieldspec.model.message import Message
-from fieldspec.model.record import Field
-from fieldspec.model.register import Register
+from fieldspec.model.record import Field, Message
+from fieldspec.model.registers import Register
+from fieldspec.model.value import Handling
 from fieldspec.source import Span
 
 WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
@@ -40,7 +39,7 @@ class ReadLimit:
     space: str
     words: int | None
     span: Span | None
-    own: bool
+    from_manual: bool
     sources: tuple[Citation, ...]
     notes: tuple[str, ...]
 

@@ -8,13 +8,11 @@ from typing import Any
 from fieldspec.changes.comparing import Comparison, Pair, Values
 from fieldspec.changes.finding import named
 from fieldspec.classes import dataclass
-from fieldspec.model.flags import Flags
+from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.primitive import Kind, Primitive
-from fieldspec.model.ranges import Ranges
 from fieldspec.model.record import Field
-from fieldspec.model.value import Value
+from fieldspec.model.registers import ParameterSet
+from fieldspec.model.value import Kind, Primitive, Ranges, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,14 +67,14 @@ def _of_values(held: Values) -> tuple[Ranges | None, Ranges | None]:
     old, new = held.old, held.new
     if old.ranges is None and new.ranges is None:
         return None, None
-    if old.type.kind not in _COUNTED or new.type.kind not in _COUNTED:
+    if old.type.kind not in _COUNT_TYPES or new.type.kind not in _COUNT_TYPES:
         return old.ranges, new.ranges
     if old.type != new.type and (old.ranges is None or new.ranges is None):
         return None, None
     return old.ranges or _whole(old.type), new.ranges or _whole(new.type)
 
 
-_COUNTED = (Kind.INTEGER, Kind.BOOLEAN)
+_COUNT_TYPES = (Kind.INTEGER, Kind.BOOLEAN)
 
 
 def _whole(primitive: Primitive) -> Ranges:

@@ -17,9 +17,8 @@ from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparing import Comparison, Pair
 from fieldspec.changes.finding import change, named, turned
 from fieldspec.model.address_space import AddressSpace
-from fieldspec.model.message import Message
-from fieldspec.model.register import Register
-from fieldspec.model.table import Table
+from fieldspec.model.record import Message
+from fieldspec.model.registers import Register, Table
 
 _OF_SPACE = (
     ("unit", "what an address holds", Effect.WIRE),

@@ -14,12 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label, shown
+from fieldspec.checks.finding import enumeration, finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.access import narrowed, readable, writable
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field, Record
-from fieldspec.model.table import Table
+from fieldspec.model.registers import Table
 
 _CODE = "accesses_agree"
 _HELP = "put one of them right: the narrower one holds"
@@ -41,7 +41,7 @@ def _of_field(field: Field, tables: list[Table]) -> Iterator[Diagnostic]:
         return
     for verb, allows in _VERBS:
         if allows(field.access) and not any(allows(narrowed(table.access, field.access)) for table in tables):
-            names = shown([table.name for table in tables])
+            names = enumeration([table.name for table in tables])
             text = f"{field.name} can be {verb} by its access, {field.access}, but not as a part of {names}"
             there = label(tables[0].place, "access", f"the access of {tables[0].name}")
             yield finding(_CODE, field.place, "access", text, _HELP, there)

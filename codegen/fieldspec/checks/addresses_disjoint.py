@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from operator import attrgetter
 
-from fieldspec.checks.finding import addresses, counted, finding, label
-from fieldspec.checks.occupied import Block, blocks
+from fieldspec.checks.addresses import Block, blocks
+from fieldspec.checks.finding import addresses, finding, label, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
@@ -54,6 +54,6 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {counted(register.width, 'word')} and are {register.stride} apart",
+                f"elements of {register.name} have {plural(register.width, 'word')} and are {register.stride} apart",
                 "put the stride or the type right",
             )

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.addresses import SPACE, table_words
 from fieldspec.checks.finding import finding, hexadecimal, label
-from fieldspec.checks.occupied import SPACE, table_words
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device

@@ -12,12 +12,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.frames import messages_on
+from fieldspec.checks.sizes import messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link
-from fieldspec.model.message import Message
-from fieldspec.model.primitive import Kind
+from fieldspec.model.record import Message
+from fieldspec.model.value import Kind
 
 _CODE = "codes_fit_link"
 

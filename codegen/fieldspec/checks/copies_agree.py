@@ -17,10 +17,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from fieldspec.checks.finding import counted, finding, hexadecimal, label
+from fieldspec.checks.finding import finding, hexadecimal, label, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.registers import Register, RegisterGroup
 
 _CODE = "copies_agree"
 
@@ -51,7 +51,7 @@ def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_num
 def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
     words = original.words or original.width
     if row.words is not None and row.words != words:
-        text = f"{row.name} is printed with {counted(row.words, 'word')}, {original.name} has {words}"
+        text = f"{row.name} is printed with {plural(row.words, 'word')}, {original.name} has {words}"
         yield _finding(row, original, "words", text, "put one of them right")
     for key in ("label", "printed_name"):
         mine, theirs = getattr(row, key), getattr(original, key)

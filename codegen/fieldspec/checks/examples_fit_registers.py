@@ -13,15 +13,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addressed import Addressed, Addresses
+from fieldspec.checks.addresses import Addressed, Addresses
 from fieldspec.checks.finding import finding, hexadecimal, label, range_key
-from fieldspec.checks.legal import Legal
-from fieldspec.checks.written import in_counts
+from fieldspec.checks.numbers import Legal, in_counts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.example import Example
-from fieldspec.model.message import Message, RegisterAccess
-from fieldspec.model.record import Field
+from fieldspec.model.record import Field, Message, RegisterAccess
+from fieldspec.model.texts import Example
 
 _CODE = "examples_fit_registers"
 _MOST_WORDS = 0x10000

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.addresses import extents, free, merged
 from fieldspec.checks.finding import addresses, finding, label, longest_ascent
-from fieldspec.checks.occupied import extents, free, merged
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.registers import Register, RegisterGroup
 
 
 def gaps_declared(device: Device) -> Iterator[Diagnostic]:

@@ -12,13 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, range_key
-from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.place import Place
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.fact import Place
+from fieldspec.model.value import Kind, Value
 
 _NAMED = ("enum", "flags", "const")
 _SCALED = ("scale", "offset")

@@ -12,16 +12,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, interval, label
-from fieldspec.checks.frames import Shape, messages_on, shapes
-from fieldspec.checks.sizes import Sizes
-from fieldspec.checks.walking import layers
+from fieldspec.checks.sizes import Shape, Sizes, messages_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.fact import Place
 from fieldspec.model.link import Part, PartSpan
-from fieldspec.model.place import Place
-from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Field, Record
+from fieldspec.model.value import Kind
 
 _CODE = "lengths_hold"
 _HELP = "put the number of elements or the type right"

@@ -19,11 +19,11 @@ from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label, near
-from fieldspec.checks.frames import coded, messages_on
+from fieldspec.checks.sizes import coded, messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 _CODE = "links_complete"
 _NUMBERS = ("station", "code", "length")
@@ -37,13 +37,13 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, link.place, "byte_order", text, "give `byte_order: big` or `little`")
         for direction in ("request", "response"):
             yield from _of_parts(device, link, direction, link.parts(direction))
-        yield from _told_apart(device, link)
+        yield from _messages_distinct(device, link)
         if link.error is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks refusals in the code, but its responses have none"
             yield finding(_CODE, link.place, "error", text, "give the part with the code the role `code`")
 
 
-def _told_apart(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
     """A link without codes carries one message, or messages that are known to have none."""
     sent = messages_on(device, link)
     odd = next((message for message in sent if message.code is not None or not message.links), None)

@@ -12,15 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, outside, range_key
-from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link
-from fieldspec.model.primitive import Kind, Primitive
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Primitive, Ranges, Value
 
 _HELP = "put the type or the bound right"
 _QUIET_NAN = 0x7FC00000
@@ -35,7 +33,7 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
             yield from _of_float(fact, value)
     for flags in device.flags.values():
         if flags.type.kind in _WHOLE and outside(flags.ranges, flags.type.low, flags.type.high):
-            text = f"{flags.name} cannot be {_text(flags.ranges)} as {_held(flags.type)}"
+            text = f"{flags.name} cannot be {_text(flags.ranges)} as {_type_range(flags.type)}"
             yield finding("range_within_type", flags.place, "range", text, _HELP)
     for link in device.links.values():
         yield from _of_stations(link)
@@ -43,11 +41,11 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if outside(value.ranges, value.type.low, value.type.high):
-        text = f"{fact.name} cannot be {_text(value.ranges)} as {_held(value.type)}"
+        text = f"{fact.name} cannot be {_text(value.ranges)} as {_type_range(value.type)}"
         yield finding("range_within_type", fact.place, range_key(fact.place), text, _HELP)
     for sentinel in value.sentinels:
         if not value.type.low <= sentinel.value <= value.type.high:
-            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_held(value.type)}"
+            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_type_range(value.type)}"
             yield finding("range_within_type", fact.place, "sentinels", text, _HELP)
 
 
@@ -91,11 +89,11 @@ def _of_stations(link: Link) -> Iterator[Diagnostic]:
         return
     held = part.value.type
     if outside(link.stations.ranges, held.low, held.high):
-        text = f"{part.name} cannot be {_text(link.stations.ranges)} as {_held(held)}"
+        text = f"{part.name} cannot be {_text(link.stations.ranges)} as {_type_range(held)}"
         yield finding("range_within_type", link.stations.place, "range", text, _HELP)
 
 
-def _held(primitive: Primitive) -> str:
+def _type_range(primitive: Primitive) -> str:
     return f"{primitive.name}, which holds {primitive.low}..{primitive.high}"
 
 

@@ -12,7 +12,6 @@ from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
 from fieldspec.checks.aliases_agree import aliases_agree
-from fieldspec.checks.allowances import Allowance, allowances, covered
 from fieldspec.checks.allowances_used import allowances_used
 from fieldspec.checks.bits_match_range import bits_match_range
 from fieldspec.checks.bits_unique import bits_unique
@@ -34,7 +33,7 @@ from fieldspec.checks.enum_values_unique import enum_values_unique
 from fieldspec.checks.enum_within_range import enum_within_range
 from fieldspec.checks.examples_fit_registers import examples_fit_registers
 from fieldspec.checks.facts_verified import facts_verified
-from fieldspec.checks.finding import Check
+from fieldspec.checks.finding import Allowance, Check, allowances, covered
 from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
@@ -185,7 +184,7 @@ def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
     names = [name for name, _ in CHECKS if name not in without]
-    found = [finding for name in names for finding in _kept(device, name, by_check.get(name, []), used)]
+    found = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
     unused = () if "allowances_used" in without else allowances_used(given, used, _BY_NAME)
     return in_order([*found, *unused])
 
@@ -194,10 +193,10 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     """The findings of one check, in order."""
     if name == "allowances_used":
         return [finding for finding in run(device) if finding.code == name]
-    return in_order(_kept(device, name, list(allowances(device, name)), set()))
+    return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
 
 
-def _kept(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
+def _unallowed(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
     """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
     kept = 0

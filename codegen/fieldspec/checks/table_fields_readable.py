@@ -16,7 +16,7 @@ from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Record
-from fieldspec.model.table import Table
+from fieldspec.model.registers import Table
 
 _MOST_LEVELS = 8
 

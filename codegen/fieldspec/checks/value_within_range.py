@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label, range_key
-from fieldspec.checks.legal import Legal
-from fieldspec.checks.walking import values
-from fieldspec.checks.written import numbers
+from fieldspec.checks.numbers import Legal, numbers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 

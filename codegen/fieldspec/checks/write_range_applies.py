@@ -12,14 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Field, Record
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _CODE = "write_range_applies"
 

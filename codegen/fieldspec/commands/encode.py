@@ -8,16 +8,17 @@ from collections.abc import Collection, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.commands import compiled
-from fieldspec.commands.counted import nearest, parameter_number
-from fieldspec.commands.given import DIRECTIONS, given, number_of
+from fieldspec.commands.frame_options import frame_options, number_of
 from fieldspec.commands.register_words import register_words
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.parameters import nearest, parameter_number
+from fieldspec.explain.readings import DIRECTIONS
+from fieldspec.explain.registers import accessed, forbidden
+from fieldspec.explain.row import ExplanationRow
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explaining.registers import accessed, forbidden
-from fieldspec.layout.explaining.row import Row
-from fieldspec.layout.explanation import explained
-from fieldspec.layout.meaning import MeaningError, Raw, body_of, raw_of
-from fieldspec.render.columns import one_line
+from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of
+from fieldspec.render.blocks import visible_text
 
 _MOST = 20
 
@@ -28,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     layout = compiled.asked(arguments)
     way, pairs = _way(layout, arguments)
-    written = _written(pairs)
+    written = _nested(pairs)
     fields = _fields(layout, way)
     _by_print(layout, way, written)
     for name in written:
@@ -39,7 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
     body = body_of(layout, way.link, way.direction, way.message, False)
     try:
         _with_words(layout, way.message, written)
-        counted = {name: _counted(layout, way, name, held) for name, held in written.items()}
+        counted = {name: _count_of(layout, way, name, held) for name, held in written.items()}
         values = raw_of(layout.device, parts, body, counted)
         _refuse_access(layout, way, values)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
@@ -61,7 +62,7 @@ def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
         raise UsageError(f"out_of_range: {said}")
 
 
-def _row_name(row: Row) -> str:
+def _row_name(row: ExplanationRow) -> str:
     """The path of a value, with the parameter that it is."""
     return row.path if not row.meanings or not row.meanings[0].name else f"{row.path} ({row.meanings[0].name})"
 
@@ -81,7 +82,7 @@ def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, lis
     named = arguments.message is not None or arguments.words
     if not named and pairs and "=" not in pairs[0]:
         arguments.message = pairs.pop(0)
-    said = given(layout, arguments)
+    said = frame_options(layout, arguments)
     if not said.message:
         raise UsageError(f"nothing says which message it is; {layout.device.id} has {_some(layout.messages)}")
     if arguments.direction:
@@ -98,7 +99,7 @@ def _some(names: Collection[str]) -> str:
     return ", ".join(names) if len(names) <= _MOST else f"{len(names)} of them"
 
 
-def _written(pairs: list[str]) -> dict[str, object]:
+def _nested(pairs: list[str]) -> dict[str, object]:
     """`items.0.size=1` as nested mappings and lists."""
     root: dict[str, object] = {}
     for pair in pairs:
@@ -115,14 +116,14 @@ def _written(pairs: list[str]) -> dict[str, object]:
         if last in holder:
             raise UsageError(f"{name} is given twice")
         holder[last] = value
-    return {name: _listed(value) for name, value in root.items()}
+    return {name: _lists_of(value) for name, value in root.items()}
 
 
-def _listed(value: object) -> object:
+def _lists_of(value: object) -> object:
     """Mappings whose keys are 0, 1, ... as lists."""
     if not isinstance(value, dict):
         return value
-    inner = {key: _listed(held) for key, held in value.items()}
+    inner = {key: _lists_of(held) for key, held in value.items()}
     if sorted(inner, key=_order) == [str(number) for number in range(len(inner))]:
         return [inner[str(number)] for number in range(len(inner))]
     return inner
@@ -170,9 +171,9 @@ def _with_words(layout: DeviceLayout, message: str, written: dict[str, object]) 
     field = layout.messages[message].request.named(access.values)
     if words is None or field is None:
         return
-    if not field.listed and len(words) != 1:
+    if not field.is_list and len(words) != 1:
         raise UsageError(f"{text} takes {len(words)} words, and {message} writes one")
-    written[access.values] = words if field.listed else words[0]
+    written[access.values] = words if field.is_list else words[0]
 
 
 def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
@@ -188,7 +189,7 @@ def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -
         raise UsageError(f"{why}: no frame is made of it")
 
 
-def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:
+def _count_of(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:
     """A value as counts, where that needs more than its own field: the number of a named parameter, and what is a
     share of a power of two, of which hardly any value in the unit is a whole number. Says what it rounds.
     """
@@ -237,4 +238,4 @@ def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
         return
     print(frame.hex(" ").upper())
     if form == "text" and characters is not None:
-        print(one_line(characters))
+        print(visible_text(characters))

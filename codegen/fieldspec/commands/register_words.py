@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.commands.usage import UsageError
+from fieldspec.explain.registers import Holder, holder_at
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explaining.registers import Holder, holder_at
-from fieldspec.layout.meaning import raw_value
-from fieldspec.model.message import RegisterAccess
+from fieldspec.layout.values import raw_value
+from fieldspec.model.record import RegisterAccess
 
 _COUNTS = re.compile(r"[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+)(?:[, ]+[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+))*")
 

@@ -7,10 +7,9 @@ from decimal import Decimal
 from typing import TypeAlias
 
 from fieldspec.model.fact import Citation, Claim, Fact
-from fieldspec.model.message import Message
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.ranges import Ranges, intervals
-from fieldspec.model.value import Value, exact_scale
+from fieldspec.model.record import Message
+from fieldspec.model.registers import Parameter
+from fieldspec.model.value import Ranges, Value, exact_scale, intervals
 
 COLUMNS = (
     "kind",
@@ -46,9 +45,9 @@ COLUMNS = (
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
-Row: TypeAlias = dict[str, Cell]
+FactRow: TypeAlias = dict[str, Cell]
 
-_BLANK: Row = dict.fromkeys(COLUMNS)
+_BLANK: FactRow = dict.fromkeys(COLUMNS)
 
 # What another place states again, and the column that shows it.
 _CLAIMED = {
@@ -76,13 +75,13 @@ _CLAIMED = {
 }
 
 
-class Kept:
+class SharedRows:
     """The rows that are made of nouns of the model, which versions share as long as these are the same objects."""
 
     def __init__(self) -> None:
-        self._rows: dict[tuple[int, int], list[Row]] = {}
+        self._rows: dict[tuple[int, int], list[FactRow]] = {}
 
-    def rows(self, noun: object, make: Callable[[], Iterable[Row]], base: int = 0) -> list[Row]:
+    def rows(self, noun: object, make: Callable[[], Iterable[FactRow]], base: int = 0) -> list[FactRow]:
         """The rows of a noun, and of a number on which they depend too."""
         key = id(noun), base
         if key not in self._rows:
@@ -90,7 +89,7 @@ class Kept:
         return self._rows[key]
 
 
-def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row:
+def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> FactRow:
     """A row with the first place of the manual; cells that are empty texts stay empty."""
     made = _BLANK.copy()
     made["kind"], made["path"], made["errata"] = kind, path, []
@@ -104,9 +103,9 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row
     return made
 
 
-def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[Row]:
+def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[FactRow]:
     """The row of a fact, then one for each place of the manual that states it again."""
-    known: Row = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
+    known: FactRow = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
     yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **cells})
@@ -117,7 +116,7 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
         yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
 
 
-def of_value(value: Value | None) -> Row:
+def of_value(value: Value | None) -> FactRow:
     """The cells of a value; bounds and defaults are counts."""
     if value is None:
         return {}
@@ -137,12 +136,12 @@ def of_flag(given: bool | None) -> str:
     return "" if given is None else "yes" if given else "no"
 
 
-def of_ranges(ranges: Ranges | None) -> Row:
+def of_ranges(ranges: Ranges | None) -> FactRow:
     """The least value, the greatest, and all intervals."""
     return {} if ranges is None else {"min": ranges.low, "max": ranges.high, "ranges": ranges.text()}
 
 
-def _restated(kind: str, value: Value | None, claim: Claim, known: Row, number: str) -> Row:
+def _restated(kind: str, value: Value | None, claim: Claim, known: FactRow, number: str) -> FactRow:
     """The row of a claim: what makes the fact known, and what the other place says of it.
 
     `number` is the column of the claim's `number`.
@@ -170,7 +169,7 @@ def _restated(kind: str, value: Value | None, claim: Claim, known: Row, number: 
     return row(kind, claim.place.path, claim.sources, **cells)
 
 
-def _bounds(text: str, value: Value | None) -> Row:
+def _bounds(text: str, value: Value | None) -> FactRow:
     """The bounds of intervals; with a `value`, of intervals in its unit, as counts."""
     pairs = intervals(text)
     if value is not None:

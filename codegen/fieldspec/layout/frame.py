@@ -1,14 +1,44 @@
-"""Where each part of a frame lies."""
+"""The parts of a frame with their offsets, message data, and checksums."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import Orders
+from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.model.link import CHECK_SIZES, Link, Part
+from fieldspec.model.record import Message
 from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class MessageLayout:
+    """The data of a message's request and response."""
+
+    message: Message
+    name: str
+    request: RecordLayout
+    response: RecordLayout
+
+    def data(self, direction: str) -> RecordLayout:
+        """The data in one direction."""
+        return self.request if direction == "request" else self.response
+
+
+def _crc16_modbus(data: bytes) -> int:
+    crc = 0xFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return crc
+
+
+CHECKSUMS: Mapping[str, Callable[[bytes], int]] = {
+    "crc16_modbus": _crc16_modbus,
+    "lrc": lambda data: -sum(data) & 0xFF,
+    "sum8": lambda data: sum(data) & 0xFF,
+}
 
 
 @dataclass(frozen=True, slots=True)

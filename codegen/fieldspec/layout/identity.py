@@ -6,13 +6,11 @@ import hashlib
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from fieldspec.layout.frame import LinkLayout, PartLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
-from fieldspec.model.message import RegisterAccess
+from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Value
 
 Words = tuple[object, ...]

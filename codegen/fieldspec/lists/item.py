@@ -10,10 +10,9 @@ from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum
+from fieldspec.model.enums import Enum
 from fieldspec.model.fact import Citation
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Parameter, ParameterSet, Register
 from fieldspec.model.value import Value
 
 REGISTERS = "registers"
@@ -160,6 +159,6 @@ def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str,
     return (*named, *((one.text, one.name) for one in (value.sentinels if value is not None else ())))
 
 
-def plain(number: Decimal) -> int | Decimal:
+def exact_number(number: Decimal) -> int | Decimal:
     """An exact number, as a whole one where it is."""
     return int(number) if number == number.to_integral_value() else number

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from fieldspec.classes import dataclass
-from fieldspec.model.fact import Fact
-from fieldspec.model.place import Place
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.fact import Fact, Place
+from fieldspec.model.value import Ranges
 from fieldspec.source import SourceFile, Span
 
 WORD = "word"

@@ -5,24 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.model.acceptance import Acceptance
 from fieldspec.model.address_space import WORD, WORDS, AddressSpace
-from fieldspec.model.enum import Enum
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.fact import Citation
-from fieldspec.model.flags import Flags
-from fieldspec.model.limit import Limit
+from fieldspec.model.enums import Enum, Flags
+from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.message import Message, RegisterAccess
-from fieldspec.model.note import Note
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.place import Place
-from fieldspec.model.record import Record
-from fieldspec.model.register import Register, RegisterGroup
-from fieldspec.model.signal import Conversion, Signal
-from fieldspec.model.table import Table
+from fieldspec.model.record import Message, Record, RegisterAccess
+from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.value import Conversion, Signal
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.classes import dataclass, field
-from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.place import Place
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.value import Ranges, Value
 
 CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
 """The bytes of each check algorithm's result."""

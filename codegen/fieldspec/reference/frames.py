@@ -1,4 +1,4 @@
-"""Frames: marks, characters, head, body and check."""
+"""The reference codec of frames and devices, with its checksums."""
 
 from __future__ import annotations
 
@@ -9,12 +9,32 @@ import construct
 
 from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.reference.checksums import ALGORITHMS
-from fieldspec.reference.error import CodecError
-from fieldspec.reference.records import Values, decoded, encoded, value_construct
+from fieldspec.reference.records import CodecError, Values, decoded, encoded, record_struct, value_construct
+
+
+def crc16_modbus(data: bytes) -> int:
+    """CRC-16 with polynomial 0xA001, reflected, start value 0xFFFF."""
+    crc = 0xFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return crc
+
+
+def lrc(data: bytes) -> int:
+    """The two's complement of the sum of all bytes."""
+    return -sum(data) & 0xFF
+
+
+def sum8(data: bytes) -> int:
+    """The low byte of the sum of all bytes."""
+    return sum(data) & 0xFF
+
+
+ALGORITHMS = {"crc16_modbus": crc16_modbus, "lrc": lrc, "sum8": sum8}
 
 
 @dataclass(frozen=True, slots=True)
@@ -218,3 +238,23 @@ def _part_construct(part: PartLayout) -> construct.Construct:
 def _shown(part: PartLayout) -> bool:
     """Whether a part before the body belongs to what a frame says."""
     return part.role not in ("length", "check") and not part.reserved
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceCodec:
+    """A device's links as frame codecs."""
+
+    layout: DeviceLayout
+    links: dict[str, FrameCodec]
+
+    @property
+    def records(self) -> dict[str, construct.Struct]:
+        """The records and the data of messages as construct Structs; those are under `<message>_request` and so on."""
+        messages = self.layout.messages.values()
+        data = (one for message in messages for one in (message.request, message.response))
+        return {record.name: record_struct(record) for record in (*self.layout.records.values(), *data)}
+
+
+def codec(layout: DeviceLayout) -> DeviceCodec:
+    """The codec of a layout."""
+    return DeviceCodec(layout, {name: FrameCodec(layout, link) for name, link in layout.links.items()})

@@ -5,25 +5,29 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.classes import replace
+from fieldspec.explain.body import references_text
+from fieldspec.explain.explanation import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.explaining.shares import references_text
-from fieldspec.layout.explanation import lengths
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.limit import Limit
+from fieldspec.model.enums import Enum
 from fieldspec.model.link import Link
-from fieldspec.model.note import Note
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.register import Register
-from fieldspec.model.signal import Conversion, Signal
-from fieldspec.render.item import Coded, Item, Numbered, Shown
-from fieldspec.render.item_texts import Details, erratum_details, example_details, note_details
-from fieldspec.render.values import value_details
+from fieldspec.model.registers import ParameterSet, Register
+from fieldspec.model.texts import Erratum, Example, Limit, Note
+from fieldspec.model.value import Conversion, Signal
+from fieldspec.render.item import (
+    Coded,
+    Details,
+    DisplayedState,
+    Item,
+    Numbered,
+    erratum_details,
+    example_details,
+    note_details,
+)
+from fieldspec.render.overview import value_details
 
 _RESTART = {True: "needed", False: "not needed", None: ""}
 _DIRECTIONS = ("request", "response")
@@ -53,7 +57,7 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield "follows", f"from {item.derived}" if item.derived else ""
         case Coded():
             yield from _code(item)
-        case Shown():
+        case DisplayedState():
             yield "shown by", item.word.name
             yield "set", ", ".join(item.state.set)
             yield "clear", ", ".join(item.state.clear)
@@ -202,15 +206,15 @@ def _parameter(item: Numbered, number: int | None) -> Details:
 def _number(words: ParameterSet, number: int) -> str:
     """`Pt317, 0x2317 on the wire`"""
     if not words.base:
-        return words.written(number)
-    own = words.written(number) if words.printed_as else f"{number}"
+        return words.number_text(number)
+    own = words.number_text(number) if words.printed_as else f"{number}"
     return f"{own}, 0x{words.base + number:04X} ({words.base + number}) on the wire"
 
 
 def _set(words: ParameterSet) -> Details:
     yield "what", words.title
     yield "base", f"a number on the wire is the number + 0x{words.base:04X}" if words.base else ""
-    form = words.written
+    form = words.number_text
     for low, high in words.numbers.intervals if words.numbers is not None else ():
         yield (
             "numbers",

@@ -96,12 +96,12 @@ def _also(part: Schema, needed: list[str]) -> Iterator[str]:
         few = len(taken) < len(left_out)
         text = f"It also takes {words}"
         if few:
-            text = f"It also takes {_listed(taken)}, as every [{group}](#{group}) does"
+            text = f"It also takes {_enumeration(taken)}, as every [{group}](#{group}) does"
         elif left_out:
-            text += f" but {_listed(left_out)}"
+            text += f" but {_enumeration(left_out)}"
         must = [key for key in taken if key in needed]
         yield ""
-        yield text + (f"; {_listed(must)} is needed." if must else ".")
+        yield text + (f"; {_enumeration(must)} is needed." if must else ".")
 
 
 def _words(part: Schema) -> Iterator[str]:
@@ -156,6 +156,6 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
-def _listed(words: list[str]) -> str:
+def _enumeration(words: list[str]) -> str:
     quoted = [f"`{word}`" for word in words]
     return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]

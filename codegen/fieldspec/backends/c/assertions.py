@@ -31,7 +31,7 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.sample_values import RecordForm, form_of_values
 from fieldspec.backends.c.statements import Assignment, Evaluation, Expectation, Statement, assign, call
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 LENGTH = Identifier("length")
 
@@ -104,7 +104,7 @@ def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: A
     target = struct
     for name in form.member_names(field):
         target = Member(target, name)
-    if not field.listed:
+    if not field.is_list:
         yield target, value
         return
     for at, item in enumerate(value):

@@ -192,7 +192,7 @@ def _selecting_header(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The header that takes that of the version which is asked for; `versions` are one device's, the oldest first."""
     device = versions[-1].device
     naming = Naming(device.id)
-    names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.twins)]
+    names = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in names}
     select = naming.own_macro(_SELECT)
     headers = [(macros[version], f"{stem(device.id, layout.device.version)}.h", layout) for version, layout in names]

@@ -31,7 +31,7 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import Body, If, Return, Variable, Variables, assign
 from fieldspec.backends.c.values import refuse, return_ok, status_type
 from fieldspec.model.device import Device
-from fieldspec.model.signal import Conversion
+from fieldspec.model.value import Conversion
 
 _DOUBLE = Type("double")
 _RAW, _REFERENCE, _QUANTITY = Identifier("raw"), Identifier("reference"), Identifier("quantity")
@@ -99,7 +99,7 @@ def _count_of_quantity(naming: Naming, conversion: Conversion, low: int, high: i
     """`count = quantity / reference * 16384.0;`, checked and then rounded to the nearest even count."""
     kind = count_type(conversion)
     size, signed = conversion.type.size, conversion.type.signed
-    zero, one, two = (integer(number, size, signed) for number in (0, 1, 2))
+    zero, unit, two = (integer(number, size, signed) for number in (0, 1, 2))
     share: Expression = Operation("/", (_QUANTITY, _REFERENCE))
     if conversion.complement:
         share = Group(subtract(whole_double(1), share))
@@ -110,7 +110,7 @@ def _count_of_quantity(naming: Naming, conversion: Conversion, low: int, high: i
     odd = different(Operation("%", (_WHOLE, two)), zero)
     above = any_of([greater(_REST, double(0.5)), Group(all_of([at_least(_REST, double(0.5)), odd]))])
     below = any_of([less(_REST, double(-0.5)), Group(all_of([at_most(_REST, double(-0.5)), odd]))])
-    round_down = If(below, (assign(_WHOLE, Cast(kind, subtract(_WHOLE, one))),))
+    round_down = If(below, (assign(_WHOLE, Cast(kind, subtract(_WHOLE, unit))),))
     return (
         Variables(_DOUBLE, ("count", "rest")),
         Variable(Type(kind), "whole"),
@@ -119,7 +119,7 @@ def _count_of_quantity(naming: Naming, conversion: Conversion, low: int, high: i
         *refuse(naming, negate(all_of([least, most])), "err_out_of_range"),
         assign(_WHOLE, Cast(kind, _COUNT)),
         assign(_REST, subtract(_COUNT, Cast("double", _WHOLE))),
-        If(above, (assign(_WHOLE, Cast(kind, add(_WHOLE, one))),), (round_down,) if signed else ()),
+        If(above, (assign(_WHOLE, Cast(kind, add(_WHOLE, unit))),), (round_down,) if signed else ()),
         assign(dereference(_RAW), _WHOLE),
         return_ok(naming),
     )

@@ -47,7 +47,7 @@ from fieldspec.backends.c.expressions import (
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum, Member
+from fieldspec.model.enums import Enum, Member
 from fieldspec.model.value import Value
 
 # What the constants of an enum may be: an int, which has 16 bits on small machines.

@@ -67,7 +67,7 @@ def function_locals(naming: Naming) -> tuple[Local, ...]:
 def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> Iterator[Comment | Variable | Union]:
     """The member of a struct for a field, and the one for the number of its elements where that varies."""
     yield describe_fact(field.field, describe_value(field.value))
-    count = greatest_count(field) if field.listed else None
+    count = greatest_count(field) if field.is_list else None
     if field.cases:
         yield from _declare_union(field, count)
     elif field.record is not None:
@@ -95,7 +95,7 @@ def walk_elements(
     size = field.size
     if case is not None:
         target, size = Member(target, case_member(case)), case.value.size
-    if not field.listed:
+    if not field.is_list:
         return element_body(Operation("+", (data, decimal(field.offset))), target)
     repeated = field.field.repeat is not None
     limit = PointerMember(struct, count_member(record, field)) if repeated else unsigned(field.count or 0)

@@ -29,7 +29,7 @@ from fieldspec.backends.c.expressions import (
 )
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.statements import If, Return, Variable
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.enums import Bit, Flags
 
 _WORD = Identifier("word")
 

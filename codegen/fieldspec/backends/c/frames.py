@@ -179,9 +179,9 @@ def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
     body: Body = ()
     length = frame.role("length")
     if length is not None:
-        number = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
-        counted, uncounted = _count_length(frame, length, LENGTH)
-        body += refuse(naming, any_of([*uncounted, different(number, counted)]), "err_wrong_length")
+        received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
+        number, unrepresentable = _length_number(frame, length, LENGTH)
+        body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
     checksum = frame.check
     if checksum is not None:
         received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (part_pointer(IN, checksum, LENGTH),))
@@ -203,19 +203,19 @@ def _compute_checksum(naming: Naming, checksum: PartLayout, source: Expression, 
     return Call(naming.own(checksum.algorithm), (first, size))
 
 
-def _count_length(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
+def _length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
     """What a length part has in a frame of `total` bytes, and the tests of which each finds that no number says it.
 
     Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
     """
     around = frame.head_size + frame.tail_size
-    uncounted: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
-    counted = add_size(total, -part.base)
+    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > around else []
+    number = add_size(total, -part.base)
     if part.unit_size > 1:
         unit = unsigned(part.unit_size)
-        uncounted.append(different(Operation("%", (counted, unit)), ZERO))
-        counted = Operation("/", (counted, unit))
-    return counted, uncounted
+        unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
+        number = Operation("/", (number, unit))
+    return number, unrepresentable
 
 
 def _checksum_access(checksum: PartLayout) -> str:
@@ -316,12 +316,12 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: F
     number_type = f"uint{8 * wire.size}_t"
     if part.role == "length":
         highest = wire.value.type.high
-        counted, uncounted = _count_length(frame, part, _TOTAL)
-        checks = refuse(naming, any_of(uncounted), "err_wrong_length") if uncounted else ()
-        limit = refuse(naming, greater(counted, unsigned(highest)), "err_wrong_length")
+        number, unrepresentable = _length_number(frame, part, _TOTAL)
+        checks = refuse(naming, any_of(unrepresentable), "err_wrong_length") if unrepresentable else ()
+        limit = refuse(naming, greater(number, unsigned(highest)), "err_wrong_length")
         if highest >= 0xFFFF:
             limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
-        return (*checks, *limit, store(naming, wire.access, target, Cast(number_type, counted)))
+        return (*checks, *limit, store(naming, wire.access, target, Cast(number_type, number)))
     if part.role == "code":
         limit = refuse(naming, greater(_CODE, unsigned(wire.value.type.high)), "err_unknown_code")
         return (*limit, store(naming, wire.access, target, Cast(number_type, _CODE)))

@@ -59,10 +59,10 @@ from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 _BYTE = Type("uint8_t")
-_DATA, _SIZE, _OUT, _BUFFER, _OPENED, _LENGTH, _STATUS, _GIVEN = (
+_DATA, _SIZE, _OUT, _BUFFER, _OPENED, _LENGTH, _STATUS, _HEADER_SIZE = (
     Identifier(name) for name in ("data", "size", "out", "buffer", "opened", "length", "status", "GIVEN")
 )
 _LONGEST_LINE = 200
@@ -273,8 +273,8 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
         if flag:
             code = Group(Operation("&", (code, unsigned(255 & ~flag))))
         tests.append(equal(Member(_OPENED, "code"), code))
-    size = subtract(_SIZE, _GIVEN)
-    body, opened_body = add(_DATA, _GIVEN), Member(_OPENED, "body")
+    size = subtract(_SIZE, _HEADER_SIZE)
+    body, opened_body = add(_DATA, _HEADER_SIZE), Member(_OPENED, "body")
     tests.append(equal(Member(_OPENED, "body_length"), size))
     tests.append(equal(Call("memcmp", (opened_body, body, size)), ZERO))
     closed = Call(
@@ -289,7 +289,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
             *_declare_variables(naming, link, direction),
             Variable(status_type(naming), "status"),
             _clear_opened(),
-            If(less(_SIZE, _GIVEN), (Return(),)),
+            If(less(_SIZE, _HEADER_SIZE), (Return(),)),
             call("memcpy", add(_OUT, decimal(frame.head_size)), body, size),
             If(different(closed, ok), (Return(),)),
             assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),

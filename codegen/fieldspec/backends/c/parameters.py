@@ -36,7 +36,7 @@ from fieldspec.backends.c.values import (
 )
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 
 
@@ -85,7 +85,7 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
         Define(naming.macro("parameter", parameters.name, "first"), _number(parameters, numbers.low)),
         Define(naming.macro("parameter", parameters.name, "last"), _number(parameters, numbers.high)),
     ]
-    example = f"{_number_text(parameters, parameters.base + numbers.low)} for {parameters.written(numbers.low)}"
+    example = f"{_number_text(parameters, parameters.base + numbers.low)} for {parameters.number_text(numbers.low)}"
     inside: list[Expression] = []
     for low, high in numbers.intervals:
         least, most = at_least(NUMBER, _number(parameters, low)), at_most(NUMBER, _number(parameters, high))
@@ -110,7 +110,7 @@ def _declare_parameter(
     naming: Naming, device: Device, parameters: ParameterSet, parameter: Parameter
 ) -> list[Declaration]:
     names = (parameters.name, parameter.name)
-    printed_number = parameters.written(parameter.number) if parameters.printed_as else ""
+    printed_number = parameters.number_text(parameter.number) if parameters.printed_as else ""
     facts = (
         "Reserved." if parameter.reserved else "",
         f"{printed_number} of {parameters.name}." if printed_number else "",

@@ -46,11 +46,9 @@ from fieldspec.backends.c.values import (
 )
 from fieldspec.classes import replace
 from fieldspec.layout.device import TableLayout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.signal import Signal
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Signal, Value
 
 ACCESS = {
     "ro": "Read only.",
@@ -105,22 +103,22 @@ def access_functions(
     value = wire.value
     answer = replace(wire, value=value.as_answer(trigger))
     result = declare_value(wire, "out") if wire.is_array else Variable(Type(type_name(value), pointer=True), "out")
-    read, written = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]
+    inputs, outputs = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]
     decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else dereference(OUT))
     if value.const is not None:
         encode = store_constant(naming, wire, value.const, OUT)
     else:
         encode = encode_value(naming, device, wire, VALUE, OUT)
-        written.insert(0, declare_value(wire, "value", const=wire.is_array))
+        outputs.insert(0, declare_value(wire, "value", const=wire.is_array))
     padding = [assign(Element(OUT, decimal(at)), ZERO) for at in range(wire.size, size)]
     place = f" its value from the {size} bytes of its words." if noun == "register" else " its value."
     decode_name, encode_name = naming.function(noun, *names, "decode"), naming.function(noun, *names, "encode")
     return [
         comment(f"Reads{place}"),
-        Function(status_type(naming), decode_name, read, (*decode, return_ok(naming))),
+        Function(status_type(naming), decode_name, inputs, (*decode, return_ok(naming))),
         BLANK,
         comment(f"Writes{place.replace(' from ', ' to ')}"),
-        Function(status_type(naming), encode_name, tuple(written), (*encode, *padding, return_ok(naming))),
+        Function(status_type(naming), encode_name, tuple(outputs), (*encode, *padding, return_ok(naming))),
     ]
 
 

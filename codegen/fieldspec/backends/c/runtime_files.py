@@ -16,7 +16,7 @@ from fieldspec.backends.c.values import WireValue, access_name
 from fieldspec.backends.forms import text
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 _FOLDER = "backends/c/runtime"
 _PART = re.compile(r"^/\* ---- (\w+) ---- \*/\n\n", re.MULTILINE)

@@ -12,8 +12,7 @@ from fieldspec.backends.c.naming import member
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 ValuePicker = Callable[[Device, Value], Any]
 
@@ -115,7 +114,7 @@ def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
             return pick(device, field.value)
         return {inner.name: field_sample(device, inner, pick) for inner in members(field.record)}
 
-    if not field.listed:
+    if not field.is_list:
         return sample()
     repeat = field.field.repeat
     count = greatest_count(field) if repeat is None else max(repeat.low, min(1, repeat.high))
@@ -135,7 +134,7 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             value = values.get(field.name)
         else:
             value = _fixed_value(field)
-        for item in value if field.listed else [value]:
+        for item in value if field.is_list else [value]:
             data += record_bytes(field.record, item) if field.record else _element_bytes(field, item)
     return data
 
@@ -147,7 +146,7 @@ def _fixed_value(field: FieldLayout) -> Any:
     value: Any = field.value.const if field.value.const is not None else default
     if field.value.type.letter == "s":
         value = b""
-    return [value] * (field.count or 1) if field.listed else value
+    return [value] * (field.count or 1) if field.is_list else value
 
 
 def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, Any]) -> int:
@@ -155,7 +154,7 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None
-    items = len(values[other.name]) if other.listed else 1
+    items = len(values[other.name]) if other.is_list else 1
     return items * other.size if measure.of == "bytes" else items
 
 

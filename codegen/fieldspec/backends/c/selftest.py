@@ -58,7 +58,7 @@ _BYTES, _WANTED, _IN, _OUT = (Identifier(name) for name in ("bytes", "wanted", "
 
 _IN_POINTER, _OUT_POINTER, _LENGTH_POINTER = address_of(_IN), address_of(_OUT), address_of(LENGTH)
 _SIZE_OF_BYTES = SizeOf(_BYTES)
-_ONE_LESS = subtract(SizeOf(_WANTED), decimal(1))
+_CUT_SIZE = subtract(SizeOf(_WANTED), decimal(1))
 _CLEAR = clear_variable(_BYTES), clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
 _COPY = call("copy", _IN_POINTER, _IN_POINTER, SizeOf(_IN))
 
@@ -112,10 +112,10 @@ def _test_member(naming: Naming, form: RecordForm, values: dict[str, Any], data:
     record = form.struct
     ok = naming.status("ok")
     last = form.record.fields[-1]
-    cut = _record_call(naming, record, "decode", _WANTED, _ONE_LESS, _OUT_POINTER)
+    cut = _record_call(naming, record, "decode", _WANTED, _CUT_SIZE, _OUT_POINTER)
     encoded = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _SIZE_OF_BYTES, _LENGTH_POINTER)
     decoded = _record_call(naming, record, "decode", _BYTES, LENGTH, _OUT_POINTER)
-    short = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _ONE_LESS, _LENGTH_POINTER)
+    short = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _CUT_SIZE, _LENGTH_POINTER)
     size = Identifier(naming.macro("record", record.name, "size"))
     return [
         Variable(BYTE, "wanted", (None,), byte_initializer(data), "static const"),

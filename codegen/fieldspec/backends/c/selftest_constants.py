@@ -32,9 +32,8 @@ from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.parameters import wire_number_type
 from fieldspec.backends.c.statements import Block, Statement, Variable, discard
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.enum import Enum
-from fieldspec.model.flags import Flags
-from fieldspec.model.parameter import ParameterSet
+from fieldspec.model.enums import Enum, Flags
+from fieldspec.model.registers import ParameterSet
 
 
 def test_constants(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
@@ -76,15 +75,15 @@ def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
     words = [sum(bits[name] for name in state.set) for state in word.states]
     function = naming.function("word", word.name, "state_of")
     for number in sorted({0, word.type.high, *words}):
-        shown = [
+        matches = [
             state
             for state in word.states
             if all(number & bits[name] == bits[name] for name in state.set)
             and not any(number & bits[name] for name in state.clear)
         ]
         state = (
-            naming.macro("state", word.name, "state", shown[0].name)
-            if shown
+            naming.macro("state", word.name, "state", matches[0].name)
+            if matches
             else naming.macro("word", word.name, "no_state")
         )
         result = Call(function, (hexadecimal(number, word.type.size),))

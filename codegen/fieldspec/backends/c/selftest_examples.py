@@ -40,9 +40,9 @@ from fieldspec.backends.c.statements import If, Statement, Variable, Variables, 
 from fieldspec.backends.c.values import status_type
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.meaning import body_of, raw_values
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.example import Example
+from fieldspec.layout.values import body_of, raw_values
+from fieldspec.model.texts import Example
 
 _STATUSES = {
     "unknown_code": "err_unknown_code",
@@ -85,7 +85,7 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     record = body_of(layout, link.name, example.direction, example.message, example.error)
     values = raw_values(layout, example)
     form = form_of_values(record, values)
-    shown: dict[str, Any] = {name: value for name, value in values.items() if record.named(name) is not None}
+    struct_values: dict[str, Any] = {name: value for name, value in values.items() if record.named(name) is not None}
     has_struct = bool(members(record))
     if has_struct:
         body.append(Variables(Type(naming.type("record", record.name)), ("in", "out")))
@@ -98,8 +98,8 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     struct = (_OUT_POINTER,) if has_struct else ()
     decoded = Call(naming.function("record", record.name, "decode"), (*_BODY, *struct))
     body.append(expect_equal(f"{what} decodes", decoded, naming.status("ok")))
-    body += expect_members(naming, form, shown, _OUT, what)
-    body += set_members(naming, form, {**record_value(layout.device, form.record), **shown}, _IN)
+    body += expect_members(naming, form, struct_values, _OUT, what)
+    body += set_members(naming, form, {**record_value(layout.device, form.record), **struct_values}, _IN)
     encoded = Call(*_encode_frame(layout, naming, example, values, record))
     body.append(expect_equal(f"{what} encodes", encoded, naming.status("ok")))
     body.append(expect_array(f"{what} bytes", "again", "frame"))

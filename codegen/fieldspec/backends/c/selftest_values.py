@@ -29,9 +29,7 @@ from fieldspec.backends.c.values import type_name
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.signal import Conversion
-from fieldspec.model.value import Value
+from fieldspec.model.value import Conversion, Kind, Value
 
 _BYTES, _OTHER, _IN, _OUT, _RAW = (Identifier(name) for name in ("bytes", "other", "in", "out", "raw"))
 _OUT_POINTER = address_of(_OUT)
@@ -147,10 +145,10 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
                 expect_equal(what, _RAW, integer(even, size, signed)),
             ]
     beyond = double(float(conversion.quantity(2 * high + 2 - low, Fraction(1))))
-    one = whole_double(1)
+    unit = whole_double(1)
     return [
         *body,
-        expect_equal(f"{conversion.name} beyond", Call(to_raw, (beyond, one, raw)), out_of_range),
-        expect_equal(f"{conversion.name} of nothing", Call(to_raw, (one, whole_double(0), raw)), out_of_range),
+        expect_equal(f"{conversion.name} beyond", Call(to_raw, (beyond, unit, raw)), out_of_range),
+        expect_equal(f"{conversion.name} of nothing", Call(to_raw, (unit, whole_double(0), raw)), out_of_range),
         discard("raw"),
     ]

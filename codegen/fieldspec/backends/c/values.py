@@ -32,9 +32,7 @@ from fieldspec.backends.c.statements import Assignment, Body, Evaluation, Return
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import CaseLayout, FieldLayout
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Ranges, Value
 
 _TYPES = {
     "u8": "uint8_t",

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from fieldspec.backends.docs.context import Context, address, names, sources
-from fieldspec.backends.docs.document import Column, Line, Row, Section, cell, code, joined, plain, table
-from fieldspec.backends.docs.inferences import Inferences
+from fieldspec.backends.docs.document import Line, Section, TableColumn, TableRow, cell, code, joined, table, text_piece
+from fieldspec.backends.docs.sources import Inferences
 from fieldspec.model.address_space import AddressSpace
 
 COLUMNS = (
-    Column("Name", kept=True),
-    Column("Address holds", "short", kept=True),
-    Column("Addresses", kept=True),
-    Column("First number", "number"),
-    Column("Read by"),
-    Column("Written by"),
-    Column("Meaning", "wide"),
-    Column("Source", "source"),
+    TableColumn("Name", unbroken=True),
+    TableColumn("Address holds", "short", unbroken=True),
+    TableColumn("Addresses", unbroken=True),
+    TableColumn("First number", "number"),
+    TableColumn("Read by"),
+    TableColumn("Written by"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
 )
 
 
@@ -25,12 +25,12 @@ def spaces(context: Context) -> Section:
     marks = Inferences("spaces")
     rows = [_row(context, space, marks) for space in held.values()]
     blocks = (table("Address spaces", COLUMNS, rows, marks.footnotes()),) if rows else ()
-    return Section("spaces", (plain("Address spaces"),), blocks)
+    return Section("spaces", (text_piece("Address spaces"),), blocks)
 
 
-def _row(context: Context, space: AddressSpace, marks: Inferences) -> Row:
+def _row(context: Context, space: AddressSpace, marks: Inferences) -> TableRow:
     bounds = joined(((code(f"{address(low)}..{address(high)}"),) for low, high in space.bounds.intervals), ", ")
-    return Row(
+    return TableRow(
         (
             names(space, space.name, mark=marks.all_marks(space.inferred)),
             cell(f"a {space.unit}"),

@@ -6,23 +6,22 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from fieldspec.backends.python.access import space_accesses
-from fieldspec.backends.python.columns import column_lines
-from fieldspec.backends.python.conversions import conversion_view
-from fieldspec.backends.python.heads import code_literal
+from fieldspec.backends.python.enums import enum_view, flags_view
+from fieldspec.backends.python.frames import code_literal
 from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, carries, link_view
 from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scope
 from fieldspec.backends.python.parameters import parameter_set_view, space_views
-from fieldspec.backends.python.record_docs import record_doc
+from fieldspec.backends.python.quantities import conversion_view
+from fieldspec.backends.python.record_parts import column_lines, record_doc
 from fieldspec.backends.python.records import RecordShape, RecordView, record_view, shape
 from fieldspec.backends.python.registers import register_view, table_view
+from fieldspec.backends.python.requests import space_accesses
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
-from fieldspec.backends.python.words import enum_view, flags_view
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.names import Name
 
 
@@ -123,7 +122,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     made += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
     made += ["write_request", "write_requests"] * bool(view["write_requests"])
     made += ["register_at"] * bool(view["registers"] or view["tables"])
-    return {**view, "names": [*made, *scope.given]}
+    return {**view, "names": [*made, *scope.names]}
 
 
 def union(names: Iterable[str]) -> str:

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.python.exchanging import ParameterMessageView, parameter_messages
-from fieldspec.backends.python.lines import filled
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
-from fieldspec.backends.python.registers import ACCESS
+from fieldspec.backends.python.registers import ACCESS, register_value, value_facts
+from fieldspec.backends.python.requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.slots import Words, value_type
-from fieldspec.backends.python.text import described, docstring, literal, places
-from fieldspec.backends.python.values import register_value, value_facts
+from fieldspec.backends.python.text import described, docstring, filled, literal, places
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 from fieldspec.names import Name
 
@@ -48,7 +46,7 @@ class ParameterSetView:
     type: str
     make: str
     doc: list[str]
-    made: list[str]
+    construction: list[str]
     rows: list[RowView]
     constants: str
     numbers: list[NumberView]
@@ -92,7 +90,7 @@ def parameter_set_view(
         type=kind,
         make=f"_{held.name}_rows",
         doc=docstring(described(held.title or Name.of(held.name).title(), held), 4),
-        made=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
+        construction=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
         rows=[_row(row, held, carrier, layout, words, names) for row in held.parameters],
         constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber") if alone else "",
         numbers=_numbers([held]) if alone else [],
@@ -144,7 +142,7 @@ def _numbers(sets: Sequence[ParameterSet]) -> list[NumberView]:
         NumberView(
             scope.take(Name.of(row.name).upper(), f"{Name.of(held.name).upper()}_{Name.of(row.name).upper()}"),
             _digits(held.base + row.number, held),
-            docstring([f"{row.printed_name or held.written(row.number)} of `{held.name}`."], 4),
+            docstring([f"{row.printed_name or held.number_text(row.number)} of `{held.name}`."], 4),
         )
         for held in sets
         for row in held.parameters
@@ -173,7 +171,7 @@ def _row(
     value, run = row.value, row.count > 1
     order = carrier.order if carrier else layout.device.byte_order
     number, name = _digits(row.number, held), literal(row.name)
-    printed_name = literal(row.printed_name or held.written(row.number))
+    printed_name = literal(row.printed_name or held.number_text(row.number))
     if run:
         number, name = f"{number} + place", f'f"{row.name}[{{place}}]"'
         printed_name = f"{literal(held.printed_as)}.format(number={number})" if held.printed_as else f"str({number})"

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.backends.python.words import EnumView
-from fieldspec.model.primitive import Kind, Primitive
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Primitive, Ranges
 
 FEW = 3
 """Comparisons up to which a test is written out."""
@@ -75,18 +74,18 @@ def conditions(field: Slots, held: str) -> list[str]:
     if field.repeated and field.field.field.repeat is not None:
         lengths = field.field.field.repeat
         found.append(within(f"len({held})", lengths))
-    elif field.listed:
+    elif field.is_list:
         found.append(f"len({held}) == {field.count}")
     if field.decided:
         return found
-    item = "item" if field.listed else held
-    each = _one(field, item)
-    if field.listed:
+    item = "item" if field.is_list else held
+    each = _element_lines(field, item)
+    if field.is_list:
         return found + [f"all({condition} for item in {held})" for condition in each]
     return each
 
 
-def _one(field: Slots, held: str) -> list[str]:
+def _element_lines(field: Slots, held: str) -> list[str]:
     if field.field.record is not None:
         return []
     size = field.field.size
@@ -161,7 +160,7 @@ def values(field: Slots, held: str) -> list[str]:
         parts = [f"{raw} & 65535", *(f"{raw} >> {16 * part} & 65535" for part in range(1, field.parted - 1))]
         parts.append(f"{raw} >> {16 * (field.parted - 1)}")
         return parts if field.big else parts[::-1]
-    if not field.listed:
+    if not field.is_list:
         return [_item(field, held)]
     item = _item(field, "item")
     return [f"*{held}" if item == "item" else f"*[{item} for item in {held}]"]
@@ -189,7 +188,7 @@ def measured(field: Slots, other: Slots, held: str, decided: str) -> str:
     measure = field.field.field.measures
     assert measure is not None
     size = decided if other.decided else str(other.field.size)
-    if not other.listed:
+    if not other.is_list:
         return size if measure.of == "bytes" else "1"
     items = f"len({held})"
     return f"{items} * {size}" if measure.of == "bytes" and size != "1" else items
@@ -199,7 +198,7 @@ def refusal(field: Slots) -> str:
     """The expression that says what is wrong with a field: a CodecError, or None."""
     title, held = literal(field.title), f"self.{field.name}"
     function, limits = _refusing(field)
-    if not field.listed:
+    if not field.is_list:
         return f"{function}({', '.join([title, held, *limits])})"
     repeat = field.field.field.repeat
     lengths = (repeat.low, repeat.high) if repeat else (field.count, field.count)

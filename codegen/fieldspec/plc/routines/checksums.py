@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from fieldspec.plc.routines.expressions import (
+    BYTE,
+    INT,
+    UINT,
+    WORD,
     Conversion,
     Element,
+    Elementary,
     Expression,
     Operation,
     Shift,
@@ -18,9 +23,7 @@ from fieldspec.plc.routines.expressions import (
     number,
     plus,
 )
-from fieldspec.plc.routines.routine import Declared, Routine
-from fieldspec.plc.routines.statements import Assignment, Body, Loop, when
-from fieldspec.plc.routines.types import BYTE, INT, UINT, WORD, Elementary
+from fieldspec.plc.routines.routine import Assignment, Body, Declared, Loop, Routine, when
 from fieldspec.plc.routines.world import World
 
 _FIRST = Variable("iFirst", INT)

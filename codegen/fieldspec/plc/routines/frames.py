@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
-from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
+    BOOL,
+    INT,
+    UNSIGNED,
     Conversion,
+    Elementary,
     Expression,
     Operation,
     Truth,
@@ -21,9 +24,7 @@ from fieldspec.plc.routines.expressions import (
     plus,
 )
 from fieldspec.plc.routines.holders import Bytes, Holder
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Statement, when
-from fieldspec.plc.routines.types import BOOL, INT, UNSIGNED, Elementary
+from fieldspec.plc.routines.routine import Assignment, Draft, Routine, Statement, when
 from fieldspec.plc.routines.values import Wire, read, write
 from fieldspec.plc.routines.world import PREFIXES, World
 from fieldspec.plc.routines.wrapping import LENGTH, link_words, unwrap_routine, wrap_routine, wrapped
@@ -80,7 +81,7 @@ def _close(world: World, link: LinkLayout) -> Routine:
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
     for part in shape.head:
         if part.role != "check":
-            draft.add(_head_written(draft, world, link, shape, part, given, code, total, holder))
+            draft.add(_write_header_part(draft, world, link, shape, part, given, code, total, holder))
     check = shape.check
     behind = [part for part in shape.tail if part is not check]
     if behind:
@@ -106,7 +107,7 @@ def _close(world: World, link: LinkLayout) -> Routine:
     return draft.finished()
 
 
-def _head_written(
+def _write_header_part(
     draft: Draft,
     world: World,
     link: LinkLayout,
@@ -266,7 +267,7 @@ def _code_read(
 def _part_declared(draft: Draft, world: World, part: PartLayout, role: str) -> Variable:
     wire = wire_of(part)
     kind = world.type_of(wire.value)
-    return draft.declare(world.variable(part.name, kind), kind, role, world.told(part.part, wire.value))
+    return draft.declare(world.variable(part.name, kind), kind, role, world.comment(part.part, wire.value))
 
 
 def _form(link: LinkLayout) -> str:

@@ -8,12 +8,15 @@ from fractions import Fraction as Ratio
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
-from fieldspec.model.signal import Conversion as Share
-from fieldspec.model.value import Value
-from fieldspec.plc.routines.draft import Draft
+from fieldspec.model.value import Conversion as Share
+from fieldspec.model.value import Kind, Value
 from fieldspec.plc.routines.expressions import (
+    BOOL,
+    LREAL,
+    SIGNED,
+    UNSIGNED,
     Conversion,
+    Elementary,
     Expression,
     Fraction,
     Negation,
@@ -25,9 +28,7 @@ from fieldspec.plc.routines.expressions import (
     outside,
 )
 from fieldspec.plc.routines.remarks import count_of
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Condition
-from fieldspec.plc.routines.types import BOOL, LREAL, SIGNED, UNSIGNED, Elementary
+from fieldspec.plc.routines.routine import Assignment, Condition, Draft, Routine
 from fieldspec.plc.routines.world import PREFIXES, World, every_record
 
 # A double has no halves beyond this.
@@ -126,7 +127,7 @@ def _about(world: World, same: list[Quantity], way: str) -> list[str]:
         f"{way}: 1 count = {count_of(first.value)}.",
         f"Counts: {ranges.text()}." if ranges is not None else "",
         f"Counts that may be written: {written.text()}." if written is not None else "",
-        f"Of {owners}. {world.told(first.fact, None)}" if owners else world.told(first.fact, None),
+        f"Of {owners}. {world.comment(first.fact, None)}" if owners else world.comment(first.fact, None),
         " ".join(f"{one.value} is {one.name}, no quantity." for one in first.value.sentinels),
     ]
 
@@ -238,7 +239,7 @@ def _share_about(world: World, share: Share) -> list[str]:
     full = f"{share.full_scale}"
     formula = f"reference * (1 - counts / {full})" if share.complement else f"reference * counts / {full}"
     return [
-        f"{share.title or share.name} = {formula}. {world.told(share, None)}".strip(),
+        f"{share.title or share.name} = {formula}. {world.comment(share, None)}".strip(),
         f"Counts are those of {', '.join(share.signals)}." if share.signals else "",
         f"The reference is {' or '.join(share.references)}." if share.references else "",
     ]

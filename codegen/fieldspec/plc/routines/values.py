@@ -1,17 +1,23 @@
-"""Single values: out of a holder into a variable, and back, with all that is to be refused."""
+"""Single values, from bytes into a variable and back, and names of their byte orders."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.record import FieldLayout
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
-from fieldspec.plc.routines.draft import Draft
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RegisterLayout
+from fieldspec.model.value import Kind, Value
 from fieldspec.plc.routines.expressions import (
+    BITS,
+    BYTE,
+    REAL,
+    SIGNED,
+    UNSIGNED,
+    ArrayType,
     Element,
+    Elementary,
+    EnumType,
     Expression,
     Fraction,
     Negation,
@@ -26,8 +32,7 @@ from fieldspec.plc.routines.expressions import (
     outside,
 )
 from fieldspec.plc.routines.holders import Holder
-from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Statement, when
-from fieldspec.plc.routines.types import BITS, BYTE, REAL, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
+from fieldspec.plc.routines.routine import Assignment, Condition, Draft, Loop, Statement, when
 from fieldspec.plc.routines.world import PREFIXES, World
 
 
@@ -107,7 +112,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     """What refuses a value that must not be sent, and puts the others into the holder."""
     value = wire.value
     if wire.kind in (Kind.TEXT, Kind.BYTES):
-        return _characters_written(draft, wire, holder, offset, source)
+        return _write_characters(draft, wire, holder, offset, source)
     raw = draft.local(_RAW[wire.bits.name], wire.bits)
     stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
     if wire.kind is Kind.FLOAT:
@@ -209,7 +214,7 @@ def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, targ
     return [*statements, *_ascii(draft, wire, target)]
 
 
-def _characters_written(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
     statements = _ascii(draft, wire, source)
     for at in range(wire.value.size):
         statements.append(holder.byte_stored(offset + at, Element(source, number(at), BYTE)))
@@ -224,3 +229,28 @@ def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
     character = converted(Element(array, index, BYTE), UNSIGNED[1])
     test = draft.refusal(compared(character, ">", Whole(127, UNSIGNED[1])), "unknown_value")
     return [Loop(index, number(0), number(wire.value.size - 1), (test,))]
+
+
+_FIRST = {True: "high_word_first", False: "low_word_first"}
+
+
+def word_order(wires: Iterable[Wire]) -> str:
+    """`high_word_first` or `low_word_first` where values of several words have that order; else empty."""
+    found = {
+        _FIRST[(wire.order == "big") != wire.swapped]
+        for wire in wires
+        if wire.kind in (Kind.INTEGER, Kind.FLOAT) and wire.value.size > 2
+    }
+    return found.pop() if len(found) == 1 else "both_word_orders" if found else ""
+
+
+def order_remark(layout: DeviceLayout, unit: str, needed: bool = True) -> str:
+    """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
+    if not needed:
+        return ""
+    device = layout.device
+    byte = "high" if device.byte_order == "big" else "low"
+    word = "high" if device.word_order == "big" else "low"
+    if unit == "bytes":
+        return f"Of several bytes, the {byte} one comes first on the wire."
+    return f"Of several words, the {word} one comes first; a word is a number, whatever the order of bytes in memory."

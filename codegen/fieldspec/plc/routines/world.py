@@ -9,14 +9,10 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import CHECK_SIZES
-from fieldspec.model.primitive import Kind
-from fieldspec.model.register import RegisterGroup
-from fieldspec.model.value import Value
+from fieldspec.model.registers import RegisterGroup
+from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
-from fieldspec.plc.routines.expressions import Call, Expression
-from fieldspec.plc.routines.remarks import of_value, source
-from fieldspec.plc.routines.status import Status
-from fieldspec.plc.routines.types import (
+from fieldspec.plc.routines.expressions import (
     BITS,
     BOOL,
     BYTE,
@@ -26,12 +22,16 @@ from fieldspec.plc.routines.types import (
     UNSIGNED,
     WORD,
     ArrayType,
+    Call,
     Elementary,
     EnumType,
+    Expression,
     StructType,
     Type,
     sequence,
 )
+from fieldspec.plc.routines.remarks import of_value, source
+from fieldspec.plc.routines.routine import Status
 
 _NARROWEST_FIRST = ("USINT", "SINT", "UINT", "INT", "UDINT", "DINT", "ULINT", "LINT")
 PREFIXES = {
@@ -93,7 +93,7 @@ class World:
             prefix = "a" if isinstance(kind, ArrayType) else "e" if isinstance(kind, EnumType) else "st"
         return prefix + Name.of(name).pascal()
 
-    def told(self, fact: Fact, value: Value | None) -> str:
+    def comment(self, fact: Fact, value: Value | None) -> str:
         """What a comment says of a fact and its value: unit, range, meaning, place in the manual."""
         return " ".join(part for part in (of_value(value), source(fact)) if part)
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
+    BYTE,
+    INT,
+    USINT,
     Conversion,
     Element,
     Expression,
@@ -17,9 +19,7 @@ from fieldspec.plc.routines.expressions import (
     plus,
     within,
 )
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Body, Condition, Loop, Statement, when
-from fieldspec.plc.routines.types import BYTE, INT, USINT
+from fieldspec.plc.routines.routine import Assignment, Body, Condition, Draft, Loop, Routine, Statement, when
 from fieldspec.plc.routines.world import World
 
 LENGTH = "iLength"

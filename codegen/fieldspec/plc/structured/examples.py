@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.model.device import Device
+from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.routines.expressions import Expression, number
-from fieldspec.plc.routines.records import given
+from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.printer import call_lines
+from fieldspec.plc.routines.records import is_user_field
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.spelling import Spelling
-from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
 from fieldspec.plc.routines.wrapping import framed, link_words
-from fieldspec.plc.routines.written import call_lines
 
 _STEP = "    "
 
@@ -112,8 +111,8 @@ def _telling(link: LinkLayout) -> MessageLayout | None:
     best: MessageLayout | None = None
     most = 0
     for message in link.messages.values():
-        fields = [field for field in message.request.fields if given(field)]
-        single = all(field.value is not None and not field.listed for field in fields)
+        fields = [field for field in message.request.fields if is_user_field(field)]
+        single = all(field.value is not None and not field.is_list for field in fields)
         if single and message.message.accesses is None and len(fields) > most:
             best, most = message, len(fields)
     return best

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from fieldspec.model.address_space import WHOLE, WORD, AddressSpace
 from fieldspec.model.fact import Citation
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.register import Gap, Register, RegisterGroup
-from fieldspec.model.table import PrintedElement, Table
-from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.keeping import Kept, rows
+from fieldspec.model.registers import (
+    Gap,
+    Parameter,
+    ParameterSet,
+    PrintedElement,
+    Register,
+    RegisterGroup,
+    Subindex,
+    Table,
+)
+from fieldspec.model.value import Ranges
+from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import value
 from fieldspec.reading.nodes import Mapping
 
@@ -25,7 +31,7 @@ def address_space(entry: Entry) -> AddressSpace:
     )
 
 
-def group(entry: Entry, kept: Kept) -> RegisterGroup:
+def group(entry: Entry, kept: Reused) -> RegisterGroup:
     """A group of registers."""
     held = entry.node.values.get("defaults")
     defaults = held if isinstance(held, Mapping) else None
@@ -139,7 +145,7 @@ def _subindex(entry: Entry, type_name: str) -> Subindex:
     )
 
 
-def parameter_set(entry: Entry, kept: Kept) -> ParameterSet:
+def parameter_set(entry: Entry, kept: Reused) -> ParameterSet:
     """A set of numbered parameters."""
     held = entry.node.values.get("defaults")
     defaults = held if isinstance(held, Mapping) else None
