@@ -51,11 +51,9 @@ def expect_bytes(what: str, memory: Expression, data: bytes) -> Evaluation:
     return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), what)
 
 
-def expect_array(what: str, memory: str, wanted: str) -> Evaluation:
-    """`expect(length == sizeof wanted && same_bytes(memory, wanted, length), "what is tested");`"""
-    array = Identifier(wanted)
-    same_size = equal(LENGTH, SizeOf(array))
-    return expect(all_of([same_size, Call("same_bytes", (Identifier(memory), array, LENGTH))]), what)
+def same_array(memory: Identifier, wanted: Identifier) -> Expression:
+    """`length == sizeof wanted && same_bytes(memory, wanted, length)`"""
+    return all_of([equal(LENGTH, SizeOf(wanted)), Call("same_bytes", (memory, wanted, LENGTH))])
 
 
 def clear_variable(variable: Expression) -> Evaluation:
@@ -68,14 +66,20 @@ def set_members(naming: Naming, form: RecordForm, values: Mapping[str, Any], str
     """`in.speed = 100u;`: gives members their values."""
     statements: list[Statement] = []
     for field in members(form.record):
-        value = values[field.name]
-        if field.field.repeat is not None:
-            statements.append(assign(Member(struct, form.count_name(field)), unsigned(len(value))))
-        for target, item in _elements(form, field, struct, value):
-            if field.record is not None:
-                statements += set_members(naming, form_of_values(field.record, item), item, target)
-            else:
-                statements += _set_member(naming, field, target, item)
+        statements += set_member(naming, form, field, values[field.name], struct)
+    return statements
+
+
+def set_member(naming: Naming, form: RecordForm, field: FieldLayout, value: Any, struct: Expression) -> list[Statement]:
+    """Gives the member of a field its value, and the one for the number of its elements."""
+    statements: list[Statement] = []
+    if field.field.repeat is not None:
+        statements.append(assign(Member(struct, form.count_name(field)), unsigned(len(value))))
+    for target, item in _elements(form, field, struct, value):
+        if field.record is not None:
+            statements += set_members(naming, form_of_values(field.record, item), item, target)
+        else:
+            statements += _set_element(naming, field, target, item)
     return statements
 
 
@@ -111,7 +115,7 @@ def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: A
         yield Element(target, decimal(at)), item
 
 
-def _set_member(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
+def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
     kind = field.primitive.kind
     if kind in (Kind.TEXT, Kind.BYTES):
         data = _data(item)

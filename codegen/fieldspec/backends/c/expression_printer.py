@@ -105,11 +105,12 @@ class ExpressionPrinter:
         for operand in node.operands:
             text = texts[operand.__class__](operand)
             if isinstance(operand, Operation):
-                parts.append(f"({text})" if _PRECEDENCE[operand.operator] < strength else text)
-            else:
-                parts.append(f"({text})" if isinstance(operand, Conditional) else text)
-            if len(parts) == 1 and operator not in _ASSOCIATIVE:
+                text = f"({text})" if _PRECEDENCE[operand.operator] < strength else text
+            elif isinstance(operand, Conditional):
+                text = f"({text})"
+            if not parts and operator not in _ASSOCIATIVE:
                 strength += 1
+            parts.append(text)
         return f" {operator} ".join(parts)
 
     def _conditional(self, node: Conditional) -> str:

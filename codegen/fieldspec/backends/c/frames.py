@@ -51,7 +51,6 @@ from fieldspec.backends.c.statements import (
     Statement,
     Variable,
     assign,
-    contains,
     discard,
 )
 from fieldspec.backends.c.values import (
@@ -281,7 +280,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         body.append(store(naming, _checksum_access(checksum), target, _compute_checksum(naming, checksum, OUT, _TOTAL)))
     if is_wrapped(link):
         body += wrap_frame(naming, link)
-    if not contains(tuple(body), OUT):
+    if not frame.parts and not is_wrapped(link):
         body.append(discard("out"))
     size = _TOTAL if width == 1 else multiply(_TOTAL, unsigned(width))
     body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]

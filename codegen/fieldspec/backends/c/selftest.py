@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 from typing import Any
 
 from fieldspec.backends.c.assertions import (
     LENGTH,
     clear_variable,
     expect,
-    expect_array,
     expect_equal,
     expect_members,
-    set_members,
+    same_array,
+    set_member,
 )
 from fieldspec.backends.c.comments import escape_comment
 from fieldspec.backends.c.declarations import Function
@@ -60,15 +61,22 @@ _IN_POINTER, _OUT_POINTER, _LENGTH_POINTER = address_of(_IN), address_of(_OUT), 
 _SIZE_OF_BYTES = SizeOf(_BYTES)
 _CUT_SIZE = subtract(SizeOf(_WANTED), decimal(1))
 _CLEAR = clear_variable(_BYTES), clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
+_SAME_BYTES = same_array(_BYTES, _WANTED)
+_LENGTH_VARIABLE = Variable(SIZE_TYPE, "length", value=ZERO)
 _COPY = call("copy", _IN_POINTER, _IN_POINTER, SizeOf(_IN))
 
 
 def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
     """The text of the program. It prints each failure, then a count, and exits with 0 where all is well."""
-    tests = [*test_constants(layout, naming), *_test_records(layout, naming), *test_values(layout, naming)]
-    tests += [*test_conversions(layout, naming)]
-    tests += [test_example(layout, naming, example) for example in layout.device.examples.values()]
+    bodies = chain(
+        test_constants(layout, naming),
+        _test_records(layout, naming),
+        test_values(layout, naming),
+        test_conversions(layout, naming),
+        (test_example(layout, naming, example) for example in layout.device.examples.values()),
+    )
     printer = Printer()
+    tests = [_print_test(printer, number, body) for number, body in enumerate(bodies)]
     switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""
     return filled(
         "backends/c/selftest.c.in",
@@ -78,7 +86,7 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         selftest=naming.own("selftest"),
         switches=switches,
         support=text("backends/c/runtime/selftest_support.h"),
-        tests=[_print_test(printer, number, body) for number, body in enumerate(tests)],
+        tests=tests,
         calls=[f"    test_{number}();\n" for number in range(len(tests))],
     )
 
@@ -93,12 +101,17 @@ def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stateme
     for record in all_records(layout):
         for form, selection in all_forms(record):
             low_values = {**record_value(layout.device, form.record), **selection}
-            for field in members(form.record):
-                values = dict(low_values)
+            fields = members(form.record)
+            low_settings = [set_member(naming, form, field, low_values[field.name], _IN) for field in fields]
+            for number, field in enumerate(fields):
+                values, settings = low_values, low_settings
                 if field.name not in selection:
-                    values[field.name] = field_sample(layout.device, field, high_value)
+                    value = field_sample(layout.device, field, high_value)
+                    values = {**low_values, field.name: value}
+                    settings = low_settings.copy()
+                    settings[number] = set_member(naming, form, field, value, _IN)
                 what = ".".join([record.name, *([form.case] if form.case else []), field.name])
-                yield _test_member(naming, form, values, record_bytes(form.record, values), what)
+                yield _test_member(naming, form, values, [*chain.from_iterable(settings)], what)
         if record.selector in members(record):
             yield from _test_unknown_selector(naming, record)
 
@@ -107,7 +120,9 @@ def _record_call(naming: Naming, record: RecordLayout, verb: str, *arguments: Ex
     return Call(naming.function("record", record.name, verb), arguments)
 
 
-def _test_member(naming: Naming, form: RecordForm, values: dict[str, Any], data: bytes, what: str) -> list[Statement]:
+def _test_member(
+    naming: Naming, form: RecordForm, values: dict[str, Any], settings: list[Statement], what: str
+) -> list[Statement]:
     """Encodes values and compares bytes, decodes the bytes and compares members; too few bytes are refused."""
     record = form.struct
     ok = naming.status("ok")
@@ -118,15 +133,15 @@ def _test_member(naming: Naming, form: RecordForm, values: dict[str, Any], data:
     short = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _CUT_SIZE, _LENGTH_POINTER)
     size = Identifier(naming.macro("record", record.name, "size"))
     return [
-        Variable(BYTE, "wanted", (None,), byte_initializer(data), "static const"),
+        Variable(BYTE, "wanted", (None,), byte_initializer(record_bytes(form.record, values)), "static const"),
         Variable(BYTE, "bytes", (size,)),
         Variables(Type(naming.type("record", record.name)), ("in", "out")),
-        Variable(SIZE_TYPE, "length", value=ZERO),
+        _LENGTH_VARIABLE,
         *_CLEAR,
-        *set_members(naming, form, values, _IN),
+        *settings,
         _COPY,
         expect_equal(f"{what} encodes", encoded, ok),
-        expect_array(f"{what} bytes", "bytes", "wanted"),
+        expect(_SAME_BYTES, f"{what} bytes"),
         expect_equal(f"{what} decodes", decoded, ok),
         *expect_members(naming, form, values, _OUT, what),
         expect_equal(f"{what} short", short, naming.status("err_capacity")),

@@ -87,7 +87,10 @@ def field_value(field: FieldLayout | CaseLayout) -> WireValue:
 
 def type_name(value: Value) -> str:
     """The type of an element of a value: `uint16_t`, and `char` of a text."""
-    return {Kind.TEXT: "char", Kind.BYTES: "uint8_t"}.get(value.type.kind) or _TYPES[value.type.name]
+    kind = value.type.kind
+    if kind is Kind.TEXT:
+        return "char"
+    return "uint8_t" if kind is Kind.BYTES else _TYPES[value.type.name]
 
 
 def declare_value(wire: WireValue, name: str, count: int | None = None, const: bool = False) -> Variable:
