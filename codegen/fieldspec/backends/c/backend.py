@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from fieldspec.backends.c.comments import comment, describe_fact, escape_comment
 from fieldspec.backends.c.conversions import declare_conversion
-from fieldspec.backends.c.declarations import Declaration, Define, Directive
-from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum
+from fieldspec.backends.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
+from fieldspec.backends.c.enums import code_tables, declare_code_texts, declare_enum, declare_flags
 from fieldspec.backends.c.expressions import string, unsigned
-from fieldspec.backends.c.flags import declare_flags
 from fieldspec.backends.c.frames import declare_link
 from fieldspec.backends.c.fuzzing import write_fuzz_target
 from fieldspec.backends.c.messages import declare_messages
 from fieldspec.backends.c.naming import Naming, stem, version_word
-from fieldspec.backends.c.parameters import declare_parameters
 from fieldspec.backends.c.printer import Printer
 from fieldspec.backends.c.records import declare_record
-from fieldspec.backends.c.registers import declare_register, declare_signal, declare_table
+from fieldspec.backends.c.registers import declare_parameters, declare_register, declare_signal, declare_table
 from fieldspec.backends.c.runtime_files import copy_checksums, copy_numbers, copy_runtime, runtime_macros
 from fieldspec.backends.c.selftest import write_selftest
 from fieldspec.backends.forms import filled

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import comment, describe_fact
-from fieldspec.backends.c.declarations import BLANK, Declaration, Function
+from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment, describe_fact
 from fieldspec.backends.c.expressions import (
     Cast,
     Expression,

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import comment
-from fieldspec.backends.c.declarations import Declaration, Function
+from fieldspec.backends.c.declarations import Declaration, Function, comment
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     INDEX,

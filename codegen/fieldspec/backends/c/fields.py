@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from fieldspec.backends.c.comments import describe_fact, describe_value
-from fieldspec.backends.c.declarations import Comment, Union
+from fieldspec.backends.c.declarations import Comment, Union, describe_fact, describe_value
 from fieldspec.backends.c.expressions import (
     IN,
     INDEX,

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import comment, describe_fact
-from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct
+from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
 from fieldspec.backends.c.delimiters import declare_unwrap, is_wrapped, wrap_frame
 from fieldspec.backends.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.backends.c.expressions import (

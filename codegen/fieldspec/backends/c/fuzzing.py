@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.c.comments import escape_comment
 from fieldspec.backends.c.conversions import count_type
-from fieldspec.backends.c.declarations import Function
+from fieldspec.backends.c.declarations import Function, escape_comment
 from fieldspec.backends.c.delimiters import is_wrapped
 from fieldspec.backends.c.expressions import (
     INPUT_BYTES,

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.c.comments import comment
-from fieldspec.backends.c.declarations import BLANK, Declaration, Function
+from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,

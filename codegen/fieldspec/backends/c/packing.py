@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import comment
-from fieldspec.backends.c.declarations import BLANK, Declaration, Function
+from fieldspec.backends.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.backends.c.expressions import (
     IN,
     INPUT_BYTES,

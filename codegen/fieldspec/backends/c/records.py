@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.c.comments import comment
-from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct
+from fieldspec.backends.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct, comment
 from fieldspec.backends.c.expressions import (
     CAPACITY,
     IN,

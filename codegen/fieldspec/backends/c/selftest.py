@@ -15,8 +15,7 @@ from fieldspec.backends.c.assertions import (
     same_array,
     set_member,
 )
-from fieldspec.backends.c.comments import escape_comment
-from fieldspec.backends.c.declarations import Function
+from fieldspec.backends.c.declarations import Function, escape_comment
 from fieldspec.backends.c.enums import code_tables
 from fieldspec.backends.c.expressions import (
     SIZE_TYPE,
@@ -46,9 +45,8 @@ from fieldspec.backends.c.sample_values import (
     record_bytes,
     record_value,
 )
-from fieldspec.backends.c.selftest_constants import test_constants
 from fieldspec.backends.c.selftest_examples import test_example
-from fieldspec.backends.c.selftest_values import test_conversions, test_values
+from fieldspec.backends.c.selftest_values import test_constants, test_conversions, test_values
 from fieldspec.backends.c.statements import Statement, Variable, Variables, assign, call
 from fieldspec.backends.forms import filled, text
 from fieldspec.layout.device import DeviceLayout
