@@ -56,13 +56,12 @@ from fieldspec.backends.c.statements import (
     Variables,
 )
 
-_PRECEDENCE = {
+_PRECEDENCE = {"&": 7, "^": 6, "|": 5, "&&": 4, "||": 3} | {
     **dict.fromkeys(("*", "/", "%"), 12),
     **dict.fromkeys(("+", "-"), 11),
     **dict.fromkeys(("<<", ">>"), 10),
     **dict.fromkeys(("<", "<=", ">", ">="), 9),
     **dict.fromkeys(("==", "!="), 8),
-    **{"&": 7, "^": 6, "|": 5, "&&": 4, "||": 3},
 }
 _UNARY, _CONDITIONAL = 13, 2
 _ASSOCIATIVE = ("+", "&", "^", "|", "&&", "||")
