@@ -66,11 +66,11 @@ class Naming:
 
     def own(self, *parts: str) -> str:
         """A type or a function that every header has, or that no other noun has: `gadget_codec_status`"""
-        return self.type("own", *parts)
+        return self._name(False, "own", parts)
 
     def own_macro(self, *parts: str) -> str:
         """`GADGET_OK`"""
-        return self.macro("own", *parts)
+        return self._name(True, "own", parts)
 
     def status(self, name: str) -> Identifier:
         """A constant of the status that functions return: `GADGET_ERR_OUT_OF_RANGE`"""

@@ -178,8 +178,13 @@ def discard(name: str) -> Evaluation:
 
 def contains(tree: object, node: Expression) -> bool:
     """Whether a node is somewhere in statements or expressions, which are tuples and classes of data."""
-    if tree is node:
-        return True
-    if isinstance(tree, tuple):
-        return any(contains(part, node) for part in tree)
-    return any(contains(getattr(tree, name), node) for name in getattr(tree, "__match_args__", ()))
+    parts = [tree]
+    while parts:
+        part = parts.pop()
+        if part is node:
+            return True
+        if isinstance(part, tuple):
+            parts += part
+        elif not isinstance(part, str):
+            parts += [getattr(part, name) for name in getattr(part, "__match_args__", ())]
+    return False
