@@ -23,9 +23,10 @@ import pytest
 import fieldspec.model
 from fieldspec.changes import changes
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Claim
+from fieldspec.model.fact import Citation, Claim
 from fieldspec.model.place import Place
 from fieldspec.model.primitive import PRIMITIVES, Primitive
+from fieldspec.model.provenance import Report, Standard
 from fieldspec.model.ranges import Ranges
 from fieldspec.model.value import ParameterPart, Sentinel, Value
 from fieldspec.reading.project import read
@@ -59,6 +60,9 @@ SAMPLES: dict[Any, Any] = {
     int: 1,
     Claim: Claim(Place("", Span(SourceFile("", ""), 0, 0), {}), (), {"label": "Speed"}),
     Sentinel: Sentinel(3, "none", "", ()),
+    Citation: Citation("9", ((1, 2),)),
+    Report: Report(Place("", Span(SourceFile("", ""), 0, 0), {}), "A user", "Seen.", {"unit": "mm"}),
+    Standard: Standard("A standard", "4.2"),
     ParameterPart: ParameterPart("servo", "value", "number"),
 }
 
@@ -77,6 +81,8 @@ IGNORED = {
     "Message/Record.sources": "they are those of the message",
     "Message/Record.notes": "data of messages have no text of their own",
     "Message/Record.inferred": "it is that of the message",
+    "Message/Record.standard": "it is that of the message",
+    "Message/Record.reported": "it is that of the message",
     "Message/Record.unverified": "it is that of the message",
     "Message/Record.restated": "data of messages have no text of their own",
     "Message/Record.since": "it is that of the message",
@@ -173,6 +179,8 @@ def others(value: Any, hint: Any) -> Iterator[Any]:
             yield dict(list(value.items())[:-1])
         elif typing.get_args(hint)[-1] is str:
             yield {"key": "a reason"}
+        elif typing.get_args(hint)[-1] in SAMPLES:
+            yield {"key": SAMPLES[typing.get_args(hint)[-1]]}
     elif isinstance(value, tuple) and value:
         yield value[:-1]
         if len(value) == 2 and all(isinstance(one, int) for one in value):

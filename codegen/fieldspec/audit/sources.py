@@ -20,11 +20,14 @@ from fieldspec.audit.sourcing import (
     sourced,
 )
 from fieldspec.audit.subject import Subject
+from fieldspec.checks.walking import facts as facts_of
+from fieldspec.model.device import Device
+from fieldspec.model.provenance import COMPUTED
 
 _SAYS = (
     "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
     "prints; where they differ, an erratum says which one is right. What the manual only implies is inferred, with the "
-    "reason."
+    "reason. What a standard gives, what others report and what we have computed is not printed at all."
 )
 
 
@@ -41,6 +44,7 @@ def sources(subject: Subject) -> Section:
         Figure("facts that follow from several places together", count[TOGETHER], len(facts)),
         Figure("facts that only one place prints", count[ONE_PLACE], len(facts)),
         Figure("values that are inferred, with a reason", len(keys)),
+        *_elsewhere_figures(subject.device),
     ]
     if unverified:
         figures.append(Figure("facts that nobody has verified", len(unverified), len(facts), False))
@@ -50,6 +54,9 @@ def sources(subject: Subject) -> Section:
         _listed("unverified", "Facts that nobody has verified", unverified, "bad"),
         _differing([fact for fact in facts if fact.standing == DIFFERING]),
         _reasons(keys),
+        _standards(subject.device),
+        _reported(subject.device),
+        _computed(subject.device),
         _listed("one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""),
         _agreeing([fact for fact in facts if fact.standing == AGREEING]),
     )
@@ -107,6 +114,53 @@ def _reasons(keys: Sequence[Inferred]) -> SectionTable:
         rows.append((key, f"{first.path}{more}", len(held), reason, place))
     columns = ("key", "facts", "number", "reason", "spec")
     return SectionTable("inferred", "What is inferred", columns, tuple(rows), detail=len(rows) > 20)
+
+
+def _elsewhere_figures(device: Device) -> list[Figure]:
+    """How much comes from elsewhere than the manual; what there is none of is left out."""
+    figures = (
+        Figure("values that a standard gives", sum(len(fact.standard) for fact in facts_of(device))),
+        Figure("reports of others, which no codec uses", sum(len(fact.reported) for fact in facts_of(device))),
+        Figure("examples that were computed", sum(one.origin == COMPUTED for one in device.examples.values())),
+    )
+    return [figure for figure in figures if figure.number]
+
+
+def _standards(device: Device) -> SectionTable:
+    rows = tuple(
+        (key, fact.place.path, given.name, given.clause, fact.place["standard"])
+        for fact in facts_of(device)
+        for key, given in fact.standard.items()
+    )
+    columns = ("key", "fact", "standard", "clause", "spec")
+    return SectionTable("standards", "What a standard gives", columns, rows)
+
+
+def _reported(device: Device) -> SectionTable:
+    rows = tuple(
+        (
+            fact.place.path,
+            ", ".join(f"{key} {said}" for key, said in one.values.items()),
+            one.by,
+            one.how,
+            one.place["by"],
+        )
+        for fact in facts_of(device)
+        for one in fact.reported
+    )
+    columns = ("fact", "says", "by", "how", "spec")
+    return SectionTable("reported", "What others report", columns, rows, ("warning",) * len(rows))
+
+
+def _computed(device: Device) -> SectionTable:
+    rows = tuple(
+        (one.id, one.title, " ".join(one.notes), one.place["id"])
+        for one in device.examples.values()
+        if one.origin == COMPUTED
+    )
+    return SectionTable(
+        "computed", "What was computed", ("example", "title", "how", "spec"), rows, detail=len(rows) > 20
+    )
 
 
 def _spec(fact: Sourced) -> Cell:

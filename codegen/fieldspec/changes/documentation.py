@@ -62,7 +62,20 @@ def _sentinels(fact: Any) -> dict[int, object]:
 
 
 _FACT: Texts = {
-    **_named("printed_name", "label", "doc", "sources", "notes", "inferred", "unverified", "since", "until", "only"),
+    **_named(
+        "printed_name",
+        "label",
+        "doc",
+        "sources",
+        "notes",
+        "inferred",
+        "standard",
+        "unverified",
+        "since",
+        "until",
+        "only",
+    ),
+    "reported": lambda fact: tuple((one.by, one.how, dict(one.values)) for one in fact.reported),
     "restated": _restated,
 }
 _OF_VALUE: Texts = {**_FACT, "scale": _scale, "sentinels": _sentinels}
@@ -125,6 +138,6 @@ TEXTS: dict[type, Texts] = {
     Limit: _FACT,
     Note: _named("title", "text", "about", "sources"),
     Example: _named("title", "sources", "notes"),
-    Erratum: _named("fact", "printed", "literal", "reason", "confidence", "effect", "proof", "sources"),
+    Erratum: _named("fact", "printed", "literal", "illegible", "reason", "confidence", "effect", "proof", "sources"),
 }
 """By class, the keys of the spec with the function that gives the text from the model."""

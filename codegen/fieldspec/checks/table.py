@@ -38,6 +38,7 @@ from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
+from fieldspec.checks.illegible_inferred import illegible_inferred
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
@@ -58,6 +59,7 @@ from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascen
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
 from fieldspec.checks.printed_names_match import printed_names_match
 from fieldspec.checks.printed_names_whole import printed_names_whole
+from fieldspec.checks.provenance_stated import provenance_stated
 from fieldspec.checks.range_ends_match import range_ends_match
 from fieldspec.checks.range_within_enum import range_within_enum
 from fieldspec.checks.range_within_type import range_within_type
@@ -114,6 +116,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
     ("identifiers_spelled_alike", identifiers_spelled_alike),
+    ("illegible_inferred", illegible_inferred),
     ("inferred_keys_given", inferred_keys_given),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
@@ -134,6 +137,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("parameter_numbers_within_range", parameter_numbers_within_range),
     ("printed_names_match", printed_names_match),
     ("printed_names_whole", printed_names_whole),
+    ("provenance_stated", provenance_stated),
     ("range_ends_match", range_ends_match),
     ("range_within_enum", range_within_enum),
     ("range_within_type", range_within_type),

@@ -9,6 +9,7 @@ from typing import TypeAlias
 from fieldspec.model.fact import Citation, Claim, Fact
 from fieldspec.model.message import Message
 from fieldspec.model.parameter import Parameter
+from fieldspec.model.provenance import PRINTED, REPORTED, STANDARD, Report
 from fieldspec.model.ranges import Ranges, intervals
 from fieldspec.model.value import Value, exact_scale
 
@@ -42,6 +43,10 @@ COLUMNS = (
     "restart",
     "unverified",
     "sources",
+    "provenance",
+    "inferred",
+    "standard",
+    "evidence",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -96,7 +101,7 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row
     cited = tuple(sources)
     if cited:
         text = "; ".join(citation.text() for citation in cited)
-        made.update(section=cited[0].section or None, line=cited[0].line(), sources=text)
+        made.update(section=cited[0].section or None, line=cited[0].line(), sources=text, provenance=PRINTED)
     for key, cell in cells.items():
         if cell is not None and cell != "":
             made[key] = cell
@@ -108,12 +113,32 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
     known: Row = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
-    yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **cells})
+    yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **_implied(fact), **cells})
     for claim in fact.restated:
         yield _restated(kind, value, claim, known, "code" if isinstance(fact, Message | Parameter) else "number")
+    for report in fact.reported:
+        yield _reported(kind, value, report, known)
     for number, sentinel in enumerate(value.sentinels if value else ()):
         path = f"{fact.place.path}/sentinels/{number}"
         yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
+
+
+def _implied(fact: Fact) -> Row:
+    """What the manual does not print of a fact: keys with the reasons, and with the standards that give them."""
+    cells: Row = {}
+    if fact.inferred:
+        cells["inferred"] = dict(fact.inferred)
+    if fact.standard:
+        cells["standard"] = {key: given.text() for key, given in fact.standard.items()}
+        if not fact.sources:
+            cells["provenance"] = STANDARD
+    return cells
+
+
+def _reported(kind: str, value: Value | None, report: Report, known: Row) -> Row:
+    """The row of a report: what makes the fact known, what others say of it, and who. It has no place in the manual."""
+    made = _restated(kind, value, Claim(report.place, (), report.values), known, "number")
+    return {**made, "provenance": REPORTED, "evidence": f"{report.by}: {report.how}"}
 
 
 def of_value(value: Value | None) -> Row:

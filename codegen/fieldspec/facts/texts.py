@@ -9,6 +9,7 @@ from fieldspec.facts.row import Kept, Row, of_fact, row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.lookup import Lookup
+from fieldspec.model.provenance import COMPUTED, INFERRED
 
 
 def texts(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
@@ -54,6 +55,8 @@ def _examples(layout: DeviceLayout) -> Iterator[Row]:
             "label": example.title,
             "direction": example.direction,
         }
+        if example.origin == COMPUTED:
+            cells.update(provenance=COMPUTED, evidence=" ".join(example.notes))
         yield row("example", example.place.path, example.sources, **cells)
 
 
@@ -61,4 +64,7 @@ def _versions(device: Device) -> Iterator[Row]:
     for line in device.lines:
         for version in line.versions:
             path = f"versions/{line.name}/{version.id}"
-            yield row("version", path, version.sources, name=version.id, label=version.title)
+            cells: Row = {"name": version.id, "label": version.title}
+            if version.inferred:
+                cells.update(provenance=INFERRED, evidence=version.inferred)
+            yield row("version", path, version.sources, **cells)

@@ -10,6 +10,7 @@ from fieldspec.layout.message import MessageLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.link import Link
 from fieldspec.model.message import Message
+from fieldspec.model.provenance import STANDARD
 from fieldspec.model.signal import Conversion
 
 _MESSAGE = "message"
@@ -135,7 +136,11 @@ def _link(link: Link) -> Iterator[Row]:
     ):
         if silence is not None:
             cells = {"name": "silence", "min": silence, "unit": unit}
-            yield row("timing", f"{path}/silence/{name}", link.silence_sources or link.sources, **cells)
+            given = link.standard.get("silence")
+            if given is not None and not link.silence_sources:
+                cells.update(provenance=STANDARD, evidence=given.text())
+            sources = link.silence_sources or (() if given is not None else link.sources)
+            yield row("timing", f"{path}/silence/{name}", sources, **cells)
     yield from _stations(link)
     yield from _serial(link)
     for direction in ("request", "response"):

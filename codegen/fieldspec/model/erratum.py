@@ -14,13 +14,17 @@ JUDGEMENT = "judgement"
 
 @dataclass(frozen=True, slots=True)
 class Erratum:
-    """What is printed at a fact, and what is made of it. `proof` names a check, or is `judgement`."""
+    """What is printed at a fact, and what is made of it. `proof` names a check, or is `judgement`.
+
+    `illegible` is `empty` or `garbled` where nothing can be read there, else it is empty.
+    """
 
     id: str
     place: Place
     fact: str
     printed: Mapping[str, object]
     literal: str
+    illegible: str
     reason: str
     confidence: str
     effect: str

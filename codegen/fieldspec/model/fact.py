@@ -7,6 +7,7 @@ from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.model.place import Place
+from fieldspec.model.provenance import Report, Standard
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -44,8 +45,9 @@ class Claim:
 class Fact:
     """The name, the print, the sources and the caveats of a fact.
 
-    `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one version for each
-    line that they are about.
+    `inferred` has the reason, and `standard` the clause, for each key that the manual does not print; `reported` is
+    what others say. `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one
+    version for each line that they are about.
     """
 
     name: str
@@ -56,6 +58,8 @@ class Fact:
     sources: tuple[Citation, ...] = ()
     notes: tuple[str, ...] = ()
     inferred: Mapping[str, str]
+    standard: Mapping[str, Standard]
+    reported: tuple[Report, ...] = ()
     unverified: bool = False
     allowed: Mapping[str, str]
     restated: tuple[Claim, ...] = ()

@@ -21,7 +21,7 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.handling import handled
 from fieldspec.backends.docs.holders import Holder, holders
 from fieldspec.backends.docs.holding import Holding
-from fieldspec.backends.docs.inferences import reasons
+from fieldspec.backends.docs.inferences import given_elsewhere, reasons
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Fact
@@ -63,6 +63,7 @@ class Context:
             yield (styled(f"until {', '.join(fact.until)}", "badge"),)
         if fact.only:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
+        yield from given_elsewhere(fact)
         yield from handled(getattr(fact, "handling", NOTHING_SAID))
         yield from (_note(note) for note in fact.notes)
         yield from self.beside(fact.place)

@@ -1,10 +1,11 @@
-"""What the manual implies and does not print: marks in a table, and their reasons below it."""
+"""What the manual does not print: marks of what it implies, with the reasons; what standards give or others report."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from fieldspec.backends.docs.document import Footnote, Line, Piece, plain, styled
+from fieldspec.backends.docs.document import Footnote, Line, Piece, code, joined, plain, styled
+from fieldspec.model.fact import Fact
 
 # Which cell of a row shows a key of the spec. All other keys are marked at the name.
 CELLS = {
@@ -58,3 +59,17 @@ def reasons(inferred: Mapping[str, str]) -> Iterable[Line]:
 
 def _reason(key: str, reason: str) -> Line:
     return (styled(f"{key} is inferred: ", "strong"), plain(reason))
+
+
+def given_elsewhere(fact: Fact) -> Iterable[Line]:
+    """A line for each key that a standard gives, and for each report, with their marks."""
+    for key, given in fact.standard.items():
+        yield (
+            styled("standard", "badge"),
+            plain(" "),
+            code(key),
+            plain(f" is from {given.text()}; the manual does not print it."),
+        )
+    for report in fact.reported:
+        said = joined((plain(f"{key} "), code(str(value))) for key, value in report.values.items())
+        yield (styled("reported", "badge"), plain(" "), *said, plain(f" by {report.by}: {report.how}"))

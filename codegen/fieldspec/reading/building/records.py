@@ -111,6 +111,8 @@ def _data(entry: Entry, direction: str, kept: Kept) -> Record:
         "notes": (),
         "restated": (),
         "inferred": {},
+        "standard": {},
+        "reported": (),
         "unverified": False,
     }
     fields = rows(entry, f"{entry.path}/{direction}", None, kept, _field, key=direction)

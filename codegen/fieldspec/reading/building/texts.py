@@ -101,6 +101,7 @@ def erratum(entry: Entry) -> Erratum:
         fact=entry.text("fact"),
         printed=free(entry.get("printed")),
         literal=entry.text("literal"),
+        illegible=entry.text("illegible"),
         reason=entry.text("reason"),
         confidence=entry.text("confidence"),
         effect=entry.text("effect"),
