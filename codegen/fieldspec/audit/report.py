@@ -13,6 +13,7 @@ from fieldspec.audit.section import Report, Section
 from fieldspec.audit.sign_off import sign_off
 from fieldspec.audit.sources import sources
 from fieldspec.audit.subject import Subject
+from fieldspec.audit.tasks import tasks
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 
@@ -23,6 +24,7 @@ PARTS: tuple[Callable[[Subject], Section], ...] = (
     addresses,
     polls,
     access,
+    tasks,
     sources,
     sign_off,
 )

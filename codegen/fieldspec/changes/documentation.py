@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import Any, TypeAlias
 
+from fieldspec.classes import attributes
 from fieldspec.model.device import Device, Version, VersionLine
 from fieldspec.model.enum import Enum, Member
 from fieldspec.model.erratum import Erratum
@@ -22,6 +23,10 @@ from fieldspec.model.record import Case, Field, Record
 from fieldspec.model.register import Register, RegisterGroup
 from fieldspec.model.signal import Conversion, Signal
 from fieldspec.model.table import Table
+from fieldspec.model.task import Step, Task
+
+STEP = tuple(name for name in attributes(Step) if name != "place")
+"""What is compared of a step."""
 
 Texts: TypeAlias = Mapping[str, Callable[[Any], Any]]
 
@@ -70,6 +75,7 @@ _FACT: Texts = {
         "notes",
         "inferred",
         "standard",
+        "roles",
         "unverified",
         "since",
         "until",
@@ -136,6 +142,11 @@ TEXTS: dict[type, Texts] = {
         "rows": lambda lookup: tuple((row.cells, row.notes, row.sources, row.only) for row in lookup.rows),
     },
     Limit: _FACT,
+    Task: {
+        **_FACT,
+        **_named("kind", "messages", "not_applicable", "open"),
+        "steps": lambda task: tuple(tuple(getattr(step, name) for name in STEP) for step in task.steps),
+    },
     Note: _named("title", "text", "about", "sources"),
     Example: _named("title", "sources", "notes"),
     Erratum: _named("fact", "printed", "literal", "illegible", "reason", "confidence", "effect", "proof", "sources"),

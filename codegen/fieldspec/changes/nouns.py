@@ -28,6 +28,7 @@ from fieldspec.model.record import Case, Field, Record
 from fieldspec.model.register import Register, RegisterGroup
 from fieldspec.model.signal import Conversion, Signal
 from fieldspec.model.table import Table
+from fieldspec.model.task import Task
 
 PYTHON, C, PLC = "Python", "C", "PLC"
 ALL = (PYTHON, C, PLC)
@@ -93,6 +94,7 @@ _OF_DEVICE: tuple[tuple[type, str], ...] = (
     (Conversion, "conversions"),
     (Lookup, "lookups"),
     (Limit, "limits"),
+    (Task, "tasks"),
     (Note, "notes"),
     (Example, "examples"),
     (Erratum, "errata"),
@@ -157,6 +159,7 @@ NOUNS: dict[type, Noun] = {
     Conversion: Noun("conversion", _B, _S, (PYTHON, C)),
     Lookup: Noun("table to look up", _D, _D),
     Limit: Noun("limit", _B, _B),
+    Task: Noun("task", _D, _D),
     Note: Noun("note", _D, _D),
     Example: Noun("example", _D, _D, key=attrgetter("id")),
     Erratum: Noun("erratum", _D, _D, key=attrgetter("id")),

@@ -26,6 +26,7 @@ from fieldspec.model.parameter import Parameter, Subindex
 from fieldspec.model.place import Place
 from fieldspec.model.record import Case, Field
 from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.task import Task
 
 _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, Subindex)
 """These take the source of what holds them, where a finding says it once; a group need not have one."""
@@ -45,6 +46,10 @@ def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], b
     copied = _copied_as_blocks(device)
     for fact in facts(device):
         needed = not isinstance(fact, _INHERITING) and fact.place.path not in copied
+        if isinstance(fact, Task):
+            needed = bool(fact.steps)  # what is not printed has no place
+            for step in fact.steps:
+                yield f"a step of {fact.name}", step.place, step.sources, False
         yield fact.name, fact.place, fact.sources, needed
         for claim in fact.restated:
             yield fact.name, claim.place, claim.sources, True

@@ -69,6 +69,7 @@ from fieldspec.checks.references_resolve import references_resolve
 from fieldspec.checks.repeat_last import repeat_last
 from fieldspec.checks.replies_agree import replies_agree
 from fieldspec.checks.restatements_agree import restatements_agree
+from fieldspec.checks.roles_unique import roles_unique
 from fieldspec.checks.senses_differ import senses_differ
 from fieldspec.checks.series_regular import series_regular
 from fieldspec.checks.siblings_agree import siblings_agree
@@ -77,7 +78,9 @@ from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
 from fieldspec.checks.spans_match_layout import spans_match_layout
 from fieldspec.checks.states_disjoint import states_disjoint
+from fieldspec.checks.steps_possible import steps_possible
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
+from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.value_within_range import value_within_range
@@ -147,6 +150,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("repeat_last", repeat_last),
     ("replies_agree", replies_agree),
     ("restatements_agree", restatements_agree),
+    ("roles_unique", roles_unique),
     ("senses_differ", senses_differ),
     ("series_regular", series_regular),
     ("siblings_agree", siblings_agree),
@@ -155,7 +159,9 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("sources_present", sources_present),
     ("spans_match_layout", spans_match_layout),
     ("states_disjoint", states_disjoint),
+    ("steps_possible", steps_possible),
     ("subindices_match_elements", subindices_match_elements),
+    ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("value_within_range", value_within_range),

@@ -47,6 +47,7 @@ COLUMNS = (
     "inferred",
     "standard",
     "evidence",
+    "roles",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -125,7 +126,7 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
 
 def _implied(fact: Fact) -> Row:
     """What the manual does not print of a fact: keys with the reasons, and with the standards that give them."""
-    cells: Row = {}
+    cells: Row = {"roles": ", ".join(fact.roles)}
     if fact.inferred:
         cells["inferred"] = dict(fact.inferred)
     if fact.standard:

@@ -1,4 +1,4 @@
-"""The facts that are not on the wire by themselves: look-up tables, limits, notes, examples, versions."""
+"""The facts that are not on the wire by themselves: look-up tables, limits, tasks, notes, examples, versions."""
 
 from __future__ import annotations
 
@@ -10,14 +10,17 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.lookup import Lookup
 from fieldspec.model.provenance import COMPUTED, INFERRED
+from fieldspec.model.task import Task, argument_text, value_text
 
 
 def texts(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
-    """The rows of look-up tables, limits, notes, examples and versions."""
+    """The rows of look-up tables, limits, tasks, notes, examples and versions."""
     device = layout.device
     for lookup in device.lookups:
         yield from kept.rows(lookup, partial(_lookup, lookup))
     yield from _limits(device)
+    for task in device.tasks:
+        yield from _task(task)
     for note in device.notes:
         yield row("note", note.place.path, note.sources, name=note.name, label=note.title)
     yield from _examples(layout)
@@ -41,6 +44,26 @@ def _limits(device: Device) -> Iterator[Row]:
         low = limit.low if limit.value is None else limit.value
         high = limit.high if limit.value is None else limit.value
         yield from of_fact(limit.kind, limit, unit=limit.unit, min=low, max=high, ranges=limit.text)
+
+
+def _task(task: Task) -> Iterator[Row]:
+    """A task, and a row for each of its steps: what is done, with what, and the value or the argument."""
+    yield from of_fact("task", task, label=task.open or task.not_applicable or task.label, ranges=task.kind)
+    for number, step in enumerate(task.steps):
+        value = argument_text(step.argument) if step.argument else step.value
+        cells: Row = {
+            "number": number + 1,
+            "name": step.action,
+            "label": step.target,
+            "ranges": None if value is None else value_text(value),
+            "position": step.timeout,
+        }
+        yield row("step", step.place.path, step.sources, **cells)
+        for field, held in (
+            *step.values.items(),
+            *((key, argument_text(name)) for key, name in step.arguments.items()),
+        ):
+            yield row("step_value", f"{step.place.path}/{field}", step.sources, name=field, ranges=value_text(held))
 
 
 def _examples(layout: DeviceLayout) -> Iterator[Row]:

@@ -22,6 +22,7 @@ from fieldspec.model.record import Record
 from fieldspec.model.register import Register, RegisterGroup
 from fieldspec.model.signal import Conversion, Signal
 from fieldspec.model.table import Table
+from fieldspec.model.task import Task
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +83,7 @@ class Device:
     conversions: Mapping[str, Conversion]
     lookups: tuple[Lookup, ...]
     limits: tuple[Limit, ...]
+    tasks: tuple[Task, ...]
     notes: tuple[Note, ...]
     examples: Mapping[str, Example]
     errata: tuple[Erratum, ...]

@@ -43,7 +43,7 @@ class Claim:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fact:
-    """The name, the print, the sources and the caveats of a fact.
+    """The name, the print, the sources and the caveats of a fact. `roles` are words of the schema.
 
     `inferred` has the reason, and `standard` the clause, for each key that the manual does not print; `reported` is
     what others say. `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one
@@ -60,6 +60,7 @@ class Fact:
     inferred: Mapping[str, str]
     standard: Mapping[str, Standard]
     reported: tuple[Report, ...] = ()
+    roles: tuple[str, ...] = ()
     unverified: bool = False
     allowed: Mapping[str, str]
     restated: tuple[Claim, ...] = ()

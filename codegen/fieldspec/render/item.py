@@ -21,6 +21,7 @@ from fieldspec.model.note import Note
 from fieldspec.model.parameter import Parameter, ParameterSet
 from fieldspec.model.register import Register, RegisterGroup
 from fieldspec.model.signal import Conversion, Signal
+from fieldspec.model.task import Task
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -80,6 +81,7 @@ Item: TypeAlias = (
     | Link
     | Lookup
     | Limit
+    | Task
     | Note
     | Example
     | Erratum
@@ -110,6 +112,7 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
+    yield from device.tasks
     yield from device.notes
     yield from device.examples.values()
     yield from device.errata

@@ -19,6 +19,7 @@ from fieldspec.model.note import Note
 from fieldspec.model.parameter import ParameterSet
 from fieldspec.model.register import Register
 from fieldspec.model.signal import Conversion, Signal
+from fieldspec.model.task import Task, step_text
 from fieldspec.render.item import Coded, Item, Numbered, Shown
 from fieldspec.render.item_texts import Details, erratum_details, example_details, note_details
 from fieldspec.render.values import value_details
@@ -57,6 +58,13 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield "clear", ", ".join(item.state.clear)
         case Link():
             yield from _link(layout, item)
+        case Task():
+            yield "task", item.kind
+            yield "open question", item.open
+            yield "not applicable", item.not_applicable
+            yield "with", ", ".join(item.messages)
+            for number_of_step, step in enumerate(item.steps, 1):
+                yield f"step {number_of_step}", step_text(step)
         case Limit():
             bounds = [str(bound) for bound in (item.low, item.high) if bound is not None]
             count = str(item.value) if item.value is not None else "..".join(bounds)

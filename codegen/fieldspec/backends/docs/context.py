@@ -64,6 +64,8 @@ class Context:
         if fact.only:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
         yield from given_elsewhere(fact)
+        if fact.roles:
+            yield (styled("Role: ", "quiet"), *joined((plain(role),) for role in fact.roles))
         yield from handled(getattr(fact, "handling", NOTHING_SAID))
         yield from (_note(note) for note in fact.notes)
         yield from self.beside(fact.place)

@@ -71,6 +71,7 @@ def _facts(device: Device) -> Iterator[Fact]:
         yield from flags.states
     yield from device.lookups
     yield from device.limits
+    yield from device.tasks
 
 
 def _cases(record: Record) -> Iterator[Fact]:

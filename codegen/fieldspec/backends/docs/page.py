@@ -19,6 +19,7 @@ from fieldspec.backends.docs.places import places
 from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.signals import conversions, signals
 from fieldspec.backends.docs.tables import records, tables
+from fieldspec.backends.docs.tasks import tasks
 from fieldspec.backends.docs.telegrams import telegrams
 from fieldspec.backends.docs.words import words
 from fieldspec.classes import replace
@@ -26,6 +27,7 @@ from fieldspec.layout.device import DeviceLayout
 
 SECTIONS = (
     identity,
+    tasks,
     links,
     registers,
     tables,

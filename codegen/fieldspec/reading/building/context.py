@@ -247,6 +247,7 @@ _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
     "unverified": ("unverified", Entry.flag, False),
     "allow": ("allowed", Entry.reasons, {}),
     "restated": ("restated", Entry.claims, ()),
+    "roles": ("roles", Entry.texts, ()),
     "since": ("since", Entry.texts, ()),
     "until": ("until", Entry.texts, ()),
     "only": ("only", Entry.texts, ()),

@@ -8,7 +8,7 @@ from typing import TypeVar, cast
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
 from fieldspec.model.register import RegisterGroup
-from fieldspec.reading.building import links, records, registers, signals, texts, words
+from fieldspec.reading.building import links, records, registers, signals, tasks, texts, words
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.keeping import Kept, listed
 from fieldspec.reading.nodes import Mapping, Scalar, mappings
@@ -53,6 +53,7 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
             conversions=_by_name(root, "conversions", lambda entry: signals.conversion(entry, types), {}),
             lookups=tuple(_by_name(root, "lookups", texts.lookup, kept).values()),
             limits=tuple(_by_name(root, "limits", texts.limit, kept).values()),
+            tasks=tuple(_by_name(root, "tasks", tasks.task, kept).values()),
             notes=tuple(_by_name(root, "notes", texts.note, kept).values()),
             examples=_by_name(root, "examples", texts.example, kept, "id"),
             errata=tuple(_by_name(root, "errata", texts.erratum, kept, "id").values()),

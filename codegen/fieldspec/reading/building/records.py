@@ -113,6 +113,7 @@ def _data(entry: Entry, direction: str, kept: Kept) -> Record:
         "inferred": {},
         "standard": {},
         "reported": (),
+        "roles": (),
         "unverified": False,
     }
     fields = rows(entry, f"{entry.path}/{direction}", None, kept, _field, key=direction)

@@ -1,0 +1,118 @@
+"""What people do with the device: a table of all tasks, and the steps of each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import Context, cited, sources
+from fieldspec.backends.docs.document import (
+    Block,
+    Column,
+    Facts,
+    Line,
+    Paragraph,
+    Piece,
+    Row,
+    Section,
+    cell,
+    code,
+    joined,
+    plain,
+    styled,
+    table,
+)
+from fieldspec.backends.docs.inferences import reasons
+from fieldspec.model.operand import Operands
+from fieldspec.model.task import Step, Task, argument_text, value_text
+
+OVERVIEW = (
+    Column("Task", kept=True),
+    Column("How", "wide", kept=True),
+    Column("Source", "source"),
+)
+STEPS = (
+    Column("Step", "number", kept=True),
+    Column("Do", kept=True),
+    Column("With", kept=True),
+    Column("Value"),
+    Column("At most"),
+    Column("Meaning", "wide"),
+    Column("Source", "source"),
+)
+INTRODUCTION = (
+    "Each task as the steps that the manual prints. A task without steps says why the device has none, or which "
+    "question the manual leaves open. What stands in angle brackets is chosen by whoever does the task."
+)
+
+
+def tasks(context: Context) -> Section:
+    """All tasks of the device."""
+    held = context.device.tasks
+    if not held:
+        return Section("tasks", (plain("Tasks"),))
+    operands = Operands(context.device)
+    overview = table("Tasks", OVERVIEW, [_overview(context, task) for task in held])
+    inner = tuple(_task(context, task, operands) for task in held if task.steps)
+    return Section("tasks", (plain("Tasks"),), (Paragraph((plain(INTRODUCTION),)), overview), inner)
+
+
+def _overview(context: Context, task: Task) -> Row:
+    path = task.place.path
+    if task.steps:
+        ways: Line = (plain(f"{len(task.steps)} steps" if len(task.steps) > 1 else "1 step", f"#{path}"),)
+        if task.messages:
+            ways = (*ways, plain(" with "), *joined((code(name, f"#messages/{name}"),) for name in task.messages))
+        return Row((cell(code(task.name)), cell(ways), sources(task)))
+    mark = styled("open question", "open") if task.open else styled("not applicable", "badge")
+    said: Line = (mark, plain(f" {task.open or task.not_applicable}"))
+    return Row((cell(code(task.name)), cell(said, *context.about(task)), sources(task)), path)
+
+
+def _task(context: Context, task: Task, operands: Operands) -> Section:
+    blocks: list[Block] = [Paragraph(line) for line in context.about(task)]
+    if task.messages:
+        with_messages = joined((code(name, f"#messages/{name}"),) for name in task.messages)
+        blocks.append(Facts((("With", (with_messages,)),)))
+    rows = [_step(number, step, task, operands) for number, step in enumerate(task.steps, 1)]
+    blocks.append(table(f"Steps of {task.name}", STEPS, rows))
+    blocks += [Paragraph(line, "note") for line in reasons(task.inferred)]
+    return Section(task.place.path, (code(task.name),), tuple(blocks))
+
+
+def _step(number: int, step: Step, task: Task, operands: Operands) -> Row:
+    value: list[Line] = []
+    if step.argument:
+        value.append((plain(argument_text(step.argument)),))
+    elif step.value is not None:
+        value.append((code(value_text(step.value)),))
+    value += [(code(name), plain(" = "), code(value_text(held))) for name, held in step.values.items()]
+    value += [(code(name), plain(f" = {argument_text(held)}")) for name, held in step.arguments.items()]
+    return Row(
+        (
+            cell(str(number)),
+            cell(step.action),
+            cell(*_targets(step, task, operands)),
+            cell(*value),
+            cell(code(step.timeout, f"#{step.timeout}")) if step.timeout else cell(),
+            cell(step.doc),
+            cell(cited(step.sources)),
+        )
+    )
+
+
+def _targets(step: Step, task: Task, operands: Operands) -> Iterator[Line]:
+    """What a step acts on: the role, and the fact that has it, in each message that differs."""
+    if "/" not in step.target:
+        yield (plain(step.target),)
+    seen: set[Piece] = set()
+    for message in task.messages or ("",):
+        for operand in operands.target(step.target, message):
+            shown = code(_short(operand.path, message), f"#{operand.fact.place.path}")
+            if shown not in seen:
+                seen.add(shown)
+                yield (shown,)
+
+
+def _short(path: str, message: str) -> str:
+    """The path of an operand; in a message without the message, which the task names already."""
+    return path.split("/", 3)[-1].replace("/", ".") if message else path
