@@ -33,7 +33,7 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 
 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
-    for what, place, sources, needed in _cited(device):
+    for what, place, sources, needed in cited_places(device):
         if not sources and needed:
             text = f"nothing says where the manual prints {what}"
             yield finding("sources_present", place, "source", text, "give `source: <section> L<line>`")
@@ -41,7 +41,7 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
             yield from _wrong(device, what, place, citation)
 
 
-def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
+def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
     """Everything that has sources: what it is, where it stands, the sources, whether there must be some."""
     copied = _copied_as_blocks(device)
     for fact in facts(device):

@@ -1742,7 +1742,7 @@ class ExceptionRecord(_Record):
 
         exception_code (錯誤碼): ExceptionCode | int, 1..3.
 
-    Source: 8.3 L1748-1752.
+    Source: 8.3 L1750-1752.
     """
 
     __slots__ = ("_held_exception_code",)
