@@ -16,7 +16,7 @@ from fieldspec.reading.building.context import citations
 from fieldspec.reading.nodes import Node, Scalar, children
 from fieldspec.reading.project import DeviceSpec
 
-_OUR_WORDS = ("cause", "remedy", "task", "step", "step_value")
+_OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")
 _NO_CITATIONS = frozenset(
     ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
 )

@@ -141,13 +141,16 @@ TEXTS: dict[type, Texts] = {
         **_named("title", "kind", "columns"),
         "rows": lambda lookup: tuple((row.cells, row.notes, row.sources, row.only) for row in lookup.rows),
     },
-    Limit: _FACT,
+    Limit: {**_FACT, **_named("sum_of", "within")},
     Task: {
         **_FACT,
         **_named("kind", "messages", "not_applicable", "open"),
         "steps": lambda task: tuple(tuple(getattr(step, name) for name in STEP) for step in task.steps),
     },
-    Note: _named("title", "text", "about", "sources"),
+    Note: {
+        **_named("title", "text", "about", "sources"),
+        "statements": lambda note: tuple((one.subject, one.says, one.text, one.sources) for one in note.statements),
+    },
     Example: _named("title", "sources", "notes"),
     Erratum: _named("fact", "printed", "literal", "illegible", "reason", "confidence", "effect", "proof", "sources"),
 }

@@ -44,6 +44,7 @@ from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
 from fieldspec.checks.limits_ordered import limits_ordered
+from fieldspec.checks.limits_within import limits_within
 from fieldspec.checks.links_complete import links_complete
 from fieldspec.checks.lookups_agree import lookups_agree
 from fieldspec.checks.lookups_regular import lookups_regular
@@ -77,6 +78,7 @@ from fieldspec.checks.signals_placed import signals_placed
 from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
 from fieldspec.checks.spans_match_layout import spans_match_layout
+from fieldspec.checks.statements_agree import statements_agree
 from fieldspec.checks.states_disjoint import states_disjoint
 from fieldspec.checks.steps_possible import steps_possible
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
@@ -125,6 +127,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
     ("limits_ordered", limits_ordered),
+    ("limits_within", limits_within),
     ("links_complete", links_complete),
     ("lookups_agree", lookups_agree),
     ("lookups_regular", lookups_regular),
@@ -158,6 +161,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("sources_ascending", sources_ascending),
     ("sources_present", sources_present),
     ("spans_match_layout", spans_match_layout),
+    ("statements_agree", statements_agree),
     ("states_disjoint", states_disjoint),
     ("steps_possible", steps_possible),
     ("subindices_match_elements", subindices_match_elements),

@@ -23,6 +23,8 @@ def texts(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
         yield from _task(task)
     for note in device.notes:
         yield row("note", note.place.path, note.sources, name=note.name, label=note.title)
+        for one in note.statements:
+            yield row("statement", one.place.path, one.sources, name=one.subject, ranges=one.says, label=one.text)
     yield from _examples(layout)
     yield from _versions(device)
 

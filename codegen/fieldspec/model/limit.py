@@ -10,7 +10,10 @@ from fieldspec.model.fact import Fact
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limit(Fact):
-    """A timing, a maximum, a supply: a value, bounds, or a text."""
+    """A timing, a maximum, a supply: a value, bounds, or a text.
+
+    `sum_of` are the paths of the limits that add up to this one, `within` is that of one that it may not exceed.
+    """
 
     kind: str
     value: Decimal | None
@@ -18,3 +21,10 @@ class Limit(Fact):
     high: Decimal | None
     text: str
     unit: str
+    sum_of: tuple[str, ...]
+    within: str
+
+    @property
+    def most(self) -> Decimal | None:
+        """The greatest value, None where none is given."""
+        return self.high if self.high is not None else self.value

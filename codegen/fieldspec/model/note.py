@@ -8,12 +8,24 @@ from fieldspec.model.place import Place
 
 
 @dataclass(frozen=True, slots=True)
+class Statement:
+    """What one place of the manual states of a subject: that it is so `always`, `sometimes` or `never`."""
+
+    place: Place
+    subject: str
+    says: str
+    text: str
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Note:
-    """A caveat, and the paths of the facts that it is about."""
+    """A caveat, the paths of the facts that it is about, and what places of the manual state of its subjects."""
 
     name: str
     place: Place
     title: str
     text: str
     about: tuple[str, ...]
+    statements: tuple[Statement, ...]
     sources: tuple[Citation, ...]

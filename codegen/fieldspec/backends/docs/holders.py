@@ -10,11 +10,11 @@ from fieldspec.model.example import Example
 from fieldspec.model.fact import Claim, Fact
 from fieldspec.model.link import Stations
 from fieldspec.model.lookup import Row
-from fieldspec.model.note import Note
+from fieldspec.model.note import Note, Statement
 from fieldspec.model.record import Record
 from fieldspec.model.table import PrintedElement
 
-Holder: TypeAlias = Fact | Claim | Example | Note | Stations | PrintedElement | Row
+Holder: TypeAlias = Fact | Claim | Example | Note | Statement | Stations | PrintedElement | Row
 
 
 def holders(device: Device) -> dict[str, Holder]:
@@ -33,7 +33,9 @@ def _all(device: Device) -> Iterator[Holder]:
         yield from table.elements
     for lookup in device.lookups:
         yield from lookup.rows
-    yield from device.notes
+    for note in device.notes:
+        yield note
+        yield from note.statements
     yield from device.examples.values()
 
 

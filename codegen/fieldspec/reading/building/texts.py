@@ -7,7 +7,7 @@ from fieldspec.model.erratum import Erratum
 from fieldspec.model.example import Example
 from fieldspec.model.limit import Limit
 from fieldspec.model.lookup import Column, Lookup, Row
-from fieldspec.model.note import Note
+from fieldspec.model.note import Note, Statement
 from fieldspec.reading.building.context import Entry, free
 from fieldspec.reading.nodes import Scalar, Sequence
 
@@ -48,6 +48,8 @@ def limit(entry: Entry) -> Limit:
         high=entry.decimal("max"),
         text=entry.text("text"),
         unit=entry.text("unit"),
+        sum_of=entry.texts("sum_of"),
+        within=entry.text("within"),
     )
 
 
@@ -59,6 +61,12 @@ def note(entry: Entry) -> Note:
         title=entry.text("title"),
         text=entry.text("text"),
         about=entry.texts("about"),
+        statements=tuple(
+            Statement(
+                inner.place(), inner.text("subject"), inner.text("says"), inner.text("text"), inner.citations("source")
+            )
+            for inner in entry.entries("statements", "")
+        ),
         sources=entry.sources,
     )
 
