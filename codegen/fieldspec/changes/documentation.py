@@ -89,7 +89,7 @@ _PRINTED_ADDRESS = ("decimal", "words")
 
 TEXTS: dict[type, Texts] = {
     Device: _named("name", "vendor", "title", "doc", "manual"),
-    VersionLine: _named("title"),
+    VersionLine: _named("title", "like", "inferred"),
     Version: _named("title", "doc", "inferred", "sources"),
     Link: {
         **_FACT,

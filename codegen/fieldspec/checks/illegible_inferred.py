@@ -15,6 +15,7 @@ from fieldspec.checks.finding import finding, label
 from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
 
 
 def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
@@ -24,8 +25,13 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
     by_path = {fact.place.path: fact for fact in facts(device)}
     for erratum in illegible:
         fact = by_path.get(erratum.fact.partition("/restated/")[0])
-        if fact is not None and not fact.inferred and (fact.doc or fact.notes):
+        if fact is not None and not fact.inferred and _read(fact):
             text = f"the print is {erratum.illegible}, and nothing of {fact.name} is inferred"
-            there = label(fact.place, "doc" if "doc" in fact.place else "notes", "read into the print")
+            there = label(fact.place, _read(fact), "read into the print")
             help = "give the reason under `inferred`"
             yield finding("illegible_inferred", erratum.place, "illegible", text, help, there)
+
+
+def _read(fact: Fact) -> str:
+    """The key under which something was read into the print of a fact, or nothing."""
+    return next((key for key in ("doc", "causes", "remedies", "notes") if key in fact.place), "")

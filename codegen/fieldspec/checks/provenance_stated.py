@@ -31,6 +31,11 @@ def provenance_stated(device: Device) -> Iterator[Diagnostic]:
             yield from _inferred(fact)
             yield from _standard(fact)
             yield from _reported(fact)
+    for line in device.lines:
+        if line.like and not line.inferred.strip():
+            text = f"nothing says why the line {line.name} is like {line.like}"
+            help = "give the reason under `inferred` of the line"
+            yield finding(_RULE, device.place, "id", text, help)
     for example in device.examples.values():
         if example.origin == COMPUTED and "source" in example.place:
             text = f"{example.id} is computed and cites the manual, which does not print it"

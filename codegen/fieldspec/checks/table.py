@@ -60,6 +60,7 @@ from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascen
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
 from fieldspec.checks.printed_names_match import printed_names_match
 from fieldspec.checks.printed_names_whole import printed_names_whole
+from fieldspec.checks.priorities_decide import priorities_decide
 from fieldspec.checks.provenance_stated import provenance_stated
 from fieldspec.checks.range_ends_match import range_ends_match
 from fieldspec.checks.range_within_enum import range_within_enum
@@ -143,6 +144,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("parameter_numbers_within_range", parameter_numbers_within_range),
     ("printed_names_match", printed_names_match),
     ("printed_names_whole", printed_names_whole),
+    ("priorities_decide", priorities_decide),
     ("provenance_stated", provenance_stated),
     ("range_ends_match", range_ends_match),
     ("range_within_enum", range_within_enum),

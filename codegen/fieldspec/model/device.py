@@ -50,11 +50,16 @@ class Version:
 
 @dataclass(frozen=True, slots=True)
 class VersionLine:
-    """Versions that follow one another, the oldest first. Outputs are written for those of the built line."""
+    """Versions that follow one another, the oldest first. Outputs are written for those of the built line.
+
+    `like` is the line whose bounds hold for this one too, or empty; `inferred` is why.
+    """
 
     name: str
     title: str
     builds: bool
+    like: str
+    inferred: str
     versions: tuple[Version, ...]
 
 

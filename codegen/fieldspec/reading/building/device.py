@@ -127,4 +127,11 @@ def _line(entry: Entry) -> VersionLine:
         Version(inner.text("id"), inner.text("title"), inner.text("doc"), inner.text("inferred"), inner.sources)
         for inner in entry.entries("members", "id")
     )
-    return VersionLine(entry.text("line"), entry.text("title"), entry.flag("builds"), members)
+    return VersionLine(
+        entry.text("line"),
+        entry.text("title"),
+        entry.flag("builds"),
+        entry.text("like"),
+        entry.text("inferred"),
+        members,
+    )

@@ -527,6 +527,9 @@ class FaultCode(_IntEnum):
         Cause: A parameter was written that takes effect after a restart. Switch the control supply
             off and on.
 
+    Inferred (causes): The printed sentence makes no sense as it stands; label and remedy give its
+    meaning.
+
     Source: 8.2 L1515.
     """
 
@@ -554,6 +557,8 @@ class FaultCode(_IntEnum):
 
         Cause: A motion was commanded while the signal LOCK was on. Switch LOCK off, then command.
         Cause: The signal LOCK came on during a motion. Switch LOCK off, then command.
+
+    Inferred (causes): The printed sentence asks for what its remedy forbids; it is read as the cause.
 
     Source: 8.2 L1515.
     """
