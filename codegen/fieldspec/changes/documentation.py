@@ -141,7 +141,7 @@ TEXTS: dict[type, Texts] = {
         **_named("title", "kind", "columns"),
         "rows": lambda lookup: tuple((row.cells, row.notes, row.sources, row.only) for row in lookup.rows),
     },
-    Limit: {**_FACT, **_named("sum_of", "within")},
+    Limit: {**_FACT, **_named("sum_of", "within", "transmits")},
     Task: {
         **_FACT,
         **_named("kind", "messages", "not_applicable", "open"),

@@ -13,6 +13,7 @@ class Limit(Fact):
     """A timing, a maximum, a supply: a value, bounds, or a text.
 
     `sum_of` are the paths of the limits that add up to this one, `within` is that of one that it may not exceed.
+    `transmits` is the direction of the longest frame that goes over the line after it, or empty.
     """
 
     kind: str
@@ -23,6 +24,7 @@ class Limit(Fact):
     unit: str
     sum_of: tuple[str, ...]
     within: str
+    transmits: str
 
     @property
     def most(self) -> Decimal | None:

@@ -135,6 +135,8 @@ def _limit_lines(limit: Limit) -> Iterator[str]:
         yield limit.text
     if limit.sum_of:
         yield f"the sum of {', '.join(_short(path) for path in limit.sum_of)}"
+    if limit.transmits:
+        yield f"before the longest {limit.transmits}"
     if limit.within:
         yield f"within {_short(limit.within)}"
 

@@ -50,6 +50,7 @@ def limit(entry: Entry) -> Limit:
         unit=entry.text("unit"),
         sum_of=entry.texts("sum_of"),
         within=entry.text("within"),
+        transmits=entry.text("transmits"),
     )
 
 
