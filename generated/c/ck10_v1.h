@@ -8802,6 +8802,7 @@ static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, u
 /**
  * Printed as CmdPos 命令位置.
  * Read only. 2 words must be accessed in one request.
+ * Note: No unit is printed; the positions of points are in pulses (2.7 L575).
  * Source: 2.1 L256
  */
 #define CK10_REG_COMMAND_POSITION_ADDRESS 0x03ECu
@@ -8848,6 +8849,7 @@ static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *ou
  * How far the actual position is from the commanded one.
  * Printed as PosError 位置錯誤.
  * Read only. 2 words must be accessed in one request.
+ * Note: No unit is printed; the positions of points are in pulses (2.7 L575).
  * Source: 2.1 L258
  */
 #define CK10_REG_POSITION_ERROR_ADDRESS 0x03F0u

@@ -20,6 +20,7 @@ from fieldspec.audit.sourcing import (
     sourced,
 )
 from fieldspec.audit.subject import Subject
+from fieldspec.audit.unsaid import empty_cells, without_unit
 from fieldspec.checks.walking import facts as facts_of
 from fieldspec.model.device import Device
 from fieldspec.model.provenance import COMPUTED
@@ -57,6 +58,8 @@ def sources(subject: Subject) -> Section:
         _standards(subject.device),
         _reported(subject.device),
         _computed(subject.device),
+        _without_unit(subject.device),
+        _empty_cells(subject),
         _listed("one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""),
         _agreeing([fact for fact in facts if fact.standing == AGREEING]),
     )
@@ -161,6 +164,28 @@ def _computed(device: Device) -> SectionTable:
     return SectionTable(
         "computed", "What was computed", ("example", "title", "how", "spec"), rows, detail=len(rows) > 20
     )
+
+
+def _without_unit(device: Device) -> SectionTable:
+    """Numbers that the print leaves without a unit, and the spec without a word about it."""
+    rows = tuple(
+        (fact.place.path, fact.sources[0] if fact.sources else None, fact.place["name"])
+        for fact in without_unit(device)
+    )
+    title = "Numbers of which nothing says what they count"
+    return SectionTable(
+        "without_unit", title, ("fact", "source", "spec"), rows, ("warning",) * len(rows), detail=len(rows) > 20
+    )
+
+
+def _empty_cells(subject: Subject) -> SectionTable:
+    """Facts whose row has an empty cell, which somebody has filled without saying so."""
+    index = subject.manual or subject.recorded
+    found = empty_cells(subject.device, index) if index is not None else ()
+    rows = tuple((one.fact.place.path, one.print, one.fact.sources[0], one.fact.place["name"]) for one in found)
+    title = "Facts with an empty cell in their row, and nothing inferred"
+    columns = ("fact", "row", "source", "spec")
+    return SectionTable("empty_cells", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
 
 
 def _spec(fact: Sourced) -> Cell:

@@ -7211,6 +7211,8 @@ COMMAND_POSITION: _Final = _Register("command_position", 0x03EC, 2, _Number(">i"
 
 0x03EC, 2 words, read only, i32, all words in one request.
 
+Note: No unit is printed; the positions of points are in pulses (2.7 L575).
+
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
 
@@ -7234,6 +7236,8 @@ POSITION_ERROR: _Final = _Register("position_error", 0x03F0, 2, _Number(">i"), "
 How far the actual position is from the commanded one.
 
 0x03F0, 2 words, read only, i32, all words in one request.
+
+Note: No unit is printed; the positions of points are in pulses (2.7 L575).
 
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
