@@ -11,7 +11,7 @@ from fieldspec.audit.section import Section
 from fieldspec.audit.sources import sources
 from fieldspec.audit.subject import Subject
 from fieldspec.audit.tasks import tasks
-from fieldspec.audit.unsaid import empty_cells, without_unit
+from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.model.operand import Operands
 from fieldspec.reading.project import DeviceSpec
 from laid_out import MADE_UP, SPECS, laid_at, newest
@@ -75,6 +75,14 @@ def test_an_empty_cell_that_somebody_has_filled_is_listed(key: str, expected: li
     assert [one.fact.name for one in empty_cells(model, index)] == expected
 
 
+@pytest.mark.parametrize(("label", "expected"), [("Speed limit", []), ("Speedlimit", []), ("Torque", ["speed"])])
+def test_a_label_that_does_not_stand_on_the_cited_line_is_listed(label: str, expected: list[str]) -> None:
+    row = f"      - {{at: 1, name: speed, type: u16, label: {label}, source: L1}}\n"
+    text = f"registers:\n  - group: all\n    section: '1'\n    rows:\n{row}"
+    model = subject(gadget(text)).device
+    assert [fact.name for fact in labels_elsewhere(model, "1 | Speed limit |\n2 | Torque\n")] == expected
+
+
 @pytest.mark.parametrize(
     ("keys", "expected"),
     [
@@ -86,11 +94,6 @@ def test_an_empty_cell_that_somebody_has_filled_is_listed(key: str, expected: li
     ],
 )
 def test_a_number_of_which_nothing_says_what_it_counts_is_listed(keys: str, expected: list[str]) -> None:
-    row = f"      - {{at: 1, name: speed, type: u16, source: L1{keys}}}
-"
-    text = f"registers:
-  - group: all
-    section: '1'
-    rows:
-{row}"
+    row = f"      - {{at: 1, name: speed, type: u16, source: L1{keys}}}\n"
+    text = f"registers:\n  - group: all\n    section: '1'\n    rows:\n{row}"
     assert [fact.name for fact in without_unit(subject(gadget(text)).device)] == expected

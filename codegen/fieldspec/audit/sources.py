@@ -20,7 +20,7 @@ from fieldspec.audit.sourcing import (
     sourced,
 )
 from fieldspec.audit.subject import Subject
-from fieldspec.audit.unsaid import empty_cells, without_unit
+from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.checks.walking import facts as facts_of
 from fieldspec.model.device import Device
 from fieldspec.model.provenance import COMPUTED
@@ -60,6 +60,7 @@ def sources(subject: Subject) -> Section:
         _computed(subject.device),
         _without_unit(subject.device),
         _empty_cells(subject),
+        _labels_elsewhere(subject),
         _listed("one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""),
         _agreeing([fact for fact in facts if fact.standing == AGREEING]),
     )
@@ -176,6 +177,17 @@ def _without_unit(device: Device) -> SectionTable:
     return SectionTable(
         "without_unit", title, ("fact", "source", "spec"), rows, ("warning",) * len(rows), detail=len(rows) > 20
     )
+
+
+def _labels_elsewhere(subject: Subject) -> SectionTable:
+    """Labels that are not on the lines that their facts cite; none where the text itself is not at hand."""
+    manual = subject.manual
+    same = manual is not None and manual.offset == 0 and manual.sha256 == subject.device.manual.sha256
+    found = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
+    rows = tuple((fact.place.path, fact.label, fact.sources[0], fact.place["label"]) for fact in found)
+    title = "Labels that do not stand where their facts are cited"
+    columns = ("fact", "label", "source", "spec")
+    return SectionTable("labels_elsewhere", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
 
 
 def _empty_cells(subject: Subject) -> SectionTable:

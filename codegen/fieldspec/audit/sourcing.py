@@ -9,6 +9,7 @@ from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.model.place import Place
+from fieldspec.model.task import Task
 
 NO_SECTION = "no section"
 
@@ -73,6 +74,8 @@ def sourced(device: Device) -> list[Sourced]:
     held: dict[str, tuple[Citation, ...]] = {}
     found = []
     for fact in facts(device):
+        if isinstance(fact, Task) and not fact.steps:
+            continue  # a question, or a reason, is printed nowhere
         path = fact.place.path
         own = fact.sources
         sources = own or held.get(path.rpartition("/")[0], ())

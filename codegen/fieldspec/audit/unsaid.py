@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterator
 
 from fieldspec.audit.manual_index import ManualIndex
@@ -14,6 +15,7 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.flags import Bit
 from fieldspec.model.link import Part
 from fieldspec.model.primitive import Kind
+from fieldspec.model.record import Field
 from fieldspec.model.register import Register
 
 
@@ -42,6 +44,31 @@ def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
             inside = range(told[0], told[-1]) if told else range(0)
             if _explained(fact) and not fact.inferred and any(not cells[at] and at in filled for at in inside):
                 yield EmptyCell(fact, row)
+
+
+def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:
+    """Facts whose label is on none of the lines that they cite. `text` is the manual's; blanks do not count."""
+    lines = [_plain(line) for line in text.split("\n")]
+    corrected: dict[str, list[str]] = {}
+    for erratum in device.errata:
+        prints = (erratum.literal, str(erratum.printed.get("label", "")))
+        corrected.setdefault(erratum.fact, []).extend(_plain(one) for one in prints if one)
+    for fact in facts(device):
+        if not fact.label or "label" not in fact.place or "source" not in fact.place:
+            continue
+        if isinstance(fact, Field) and fact.signal:
+            continue  # the label is that of the signal
+        cited = "".join(
+            line for source in fact.sources for first, last in source.lines for line in lines[first - 1 : last]
+        )
+        prints = (_plain(fact.label), *corrected.get(fact.place.path, ()))
+        if not any(one in cited for one in prints):
+            yield fact
+
+
+def _plain(text: str) -> str:
+    """Text without blanks, bars between cells and forms of one character."""
+    return "".join(unicodedata.normalize("NFKC", text).replace("|", "").split())
 
 
 def _row(fact: Fact, index: ManualIndex) -> str:
