@@ -13,6 +13,8 @@ ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
 _MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
+_TEXT = re.compile(r"^<!-- text: ([a-z]+) -->$", re.MULTILINE)
+"""Stands for a section that is long enough for a file of its own."""
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -27,7 +29,9 @@ _KINDS = {
 
 def manual() -> str:
     """The manual as Markdown. The template says where the keys of which part of the schema stand."""
-    text = resources.files(__name__.rpartition(".")[0]).joinpath("language.md").read_text("utf-8")
+    folder = resources.files(__name__.rpartition(".")[0])
+    text = folder.joinpath("language.md").read_text("utf-8")
+    text = _TEXT.sub(lambda mark: folder.joinpath(f"{mark[1]}.md").read_text("utf-8").rstrip("\n"), text)
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
 
 
