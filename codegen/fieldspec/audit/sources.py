@@ -132,9 +132,9 @@ def _elsewhere_figures(device: Device) -> list[Figure]:
 
 def _standards(device: Device) -> SectionTable:
     rows = tuple(
-        (key, fact.place.path, given.name, given.clause, fact.place["standard"])
+        (key, fact.place.path, standard.name, standard.clause, fact.place["standard"])
         for fact in facts_of(device)
-        for key, given in fact.standard.items()
+        for key, standard in fact.standard.items()
     )
     columns = ("key", "fact", "standard", "clause", "spec")
     return SectionTable("standards", "What a standard gives", columns, rows)
@@ -183,8 +183,8 @@ def _labels_elsewhere(subject: Subject) -> SectionTable:
     """Labels that are not on the lines that their facts cite; none where the text itself is not at hand."""
     manual = subject.manual
     same = manual is not None and manual.offset == 0 and manual.sha256 == subject.device.manual.sha256
-    found = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
-    rows = tuple((fact.place.path, fact.label, fact.sources[0], fact.place["label"]) for fact in found)
+    elsewhere = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
+    rows = tuple((fact.place.path, fact.label, fact.sources[0], fact.place["label"]) for fact in elsewhere)
     title = "Labels that do not stand where their facts are cited"
     columns = ("fact", "label", "source", "spec")
     return SectionTable("labels_elsewhere", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
@@ -193,8 +193,8 @@ def _labels_elsewhere(subject: Subject) -> SectionTable:
 def _empty_cells(subject: Subject) -> SectionTable:
     """Facts whose row has an empty cell, which somebody has filled without saying so."""
     index = subject.manual or subject.recorded
-    found = empty_cells(subject.device, index) if index is not None else ()
-    rows = tuple((one.fact.place.path, one.print, one.fact.sources[0], one.fact.place["name"]) for one in found)
+    cells = empty_cells(subject.device, index) if index is not None else ()
+    rows = tuple((cell.fact.place.path, cell.print, cell.fact.sources[0], cell.fact.place["name"]) for cell in cells)
     title = "Facts with an empty cell in their row, and nothing inferred"
     columns = ("fact", "row", "source", "spec")
     return SectionTable("empty_cells", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)

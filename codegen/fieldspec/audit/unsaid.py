@@ -40,8 +40,8 @@ def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
         widest = max(len(cells) for _, _, cells in rows)
         filled = {at for at in range(widest) if any(at < len(cells) and cells[at] for _, _, cells in rows)}
         for fact, row, cells in rows:
-            told = [at for at, cell in enumerate(cells) if cell]
-            inside = range(told[0], told[-1]) if told else range(0)
+            filled_at = [at for at, cell in enumerate(cells) if cell]
+            inside = range(filled_at[0], filled_at[-1]) if filled_at else range(0)
             if _explained(fact) and not fact.inferred and any(not cells[at] and at in filled for at in inside):
                 yield EmptyCell(fact, row)
 
@@ -62,7 +62,7 @@ def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:
             line for source in fact.sources for first, last in source.lines for line in lines[first - 1 : last]
         )
         prints = (_plain(fact.label), *corrected.get(fact.place.path, ()))
-        if not any(one in cited for one in prints):
+        if not any(text in cited for text in prints):
             yield fact
 
 

@@ -52,8 +52,8 @@ def _inferred(fact: Fact) -> Iterator[Diagnostic]:
 
 
 def _standard(fact: Fact) -> Iterator[Diagnostic]:
-    for key, given in fact.standard.items():
-        for what, text in (("name", given.name), ("clause", given.clause)):
+    for key, standard in fact.standard.items():
+        for what, text in (("name", standard.name), ("clause", standard.clause)):
             if not text.strip():
                 text = f"the standard for `{key}` of {fact.name} has no {what}"
                 yield finding(_RULE, fact.place, "standard", text, f"give its {what}")

@@ -22,10 +22,10 @@ from fieldspec.model.note import Statement
 def statements_agree(device: Device) -> Iterator[Diagnostic]:
     first: dict[str, Statement] = {}
     for note in device.notes:
-        for one in note.statements:
-            before = first.setdefault(one.subject, one)
-            if before.says != one.says:
-                text = f"{one.subject} is so {before.says} in one place, and {one.says} in another"
+        for statement in note.statements:
+            before = first.setdefault(statement.subject, statement)
+            if before.says != statement.says:
+                text = f"{statement.subject} is so {before.says} in one place, and {statement.says} in another"
                 there = label(before.place, "says", "the first one")
                 help = "state what is right, and write an erratum for the place that prints something else"
-                yield finding("statements_agree", one.place, "says", text, help, there)
+                yield finding("statements_agree", statement.place, "says", text, help, there)

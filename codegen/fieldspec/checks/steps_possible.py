@@ -114,13 +114,13 @@ def _valued(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic
 
 def _refused(device: Device, operand: Operand, value: object) -> str:
     """Why an operand cannot have a value, or nothing."""
-    bit, held = operand.bit, operand.value
+    bit, content = operand.bit, operand.value
     if isinstance(value, bool):
-        return "" if (bit and bit.width == 1) or (held and held.type.name.startswith("bool")) else "it is no bit"
-    enum = device.enums.get(bit.enum if bit else held.enum if held else "")
+        return "" if (bit and bit.width == 1) or (content and content.type.name.startswith("bool")) else "it is no bit"
+    enum = device.enums.get(bit.enum if bit else content.enum if content else "")
     if isinstance(value, str):
         names = [member.name for member in enum.members] if enum else []
-        names += [sentinel.name for sentinel in held.sentinels] if held else []
+        names += [sentinel.name for sentinel in content.sentinels] if content else []
         return "" if value in names else f"there is no value with this name, {near(value, names)}"
     if not isinstance(value, int):
         return "counts are whole"
@@ -128,7 +128,7 @@ def _refused(device: Device, operand: Operand, value: object) -> str:
         return "" if 0 <= value < 1 << bit.width else f"the bits go to {(1 << bit.width) - 1}"
     if enum is not None and not enum.open and value not in {member.value for member in enum.members}:
         return f"{enum.name} has no such value"
-    ranges = held.ranges if held is not None else None
+    ranges = content.ranges if content is not None else None
     return "" if ranges is None or value in ranges else f"it goes over {ranges.text()}"
 
 

@@ -130,7 +130,7 @@ def _implied(fact: Fact) -> Row:
     if fact.inferred:
         cells["inferred"] = dict(fact.inferred)
     if fact.standard:
-        cells["standard"] = {key: given.text() for key, given in fact.standard.items()}
+        cells["standard"] = {key: standard.text() for key, standard in fact.standard.items()}
         if not fact.sources:
             cells["provenance"] = STANDARD
     return cells
@@ -138,8 +138,8 @@ def _implied(fact: Fact) -> Row:
 
 def _reported(kind: str, value: Value | None, report: Report, known: Row) -> Row:
     """The row of a report: what makes the fact known, what others say of it, and who. It has no place in the manual."""
-    made = _restated(kind, value, Claim(report.place, (), report.values), known, "number")
-    return {**made, "provenance": REPORTED, "evidence": f"{report.by}: {report.how}"}
+    cells = _restated(kind, value, Claim(report.place, (), report.values), known, "number")
+    return {**cells, "provenance": REPORTED, "evidence": f"{report.by}: {report.how}"}
 
 
 def of_value(value: Value | None) -> Row:

@@ -61,11 +61,11 @@ def _task(task: Task) -> Iterator[Row]:
             "position": step.timeout,
         }
         yield row("step", step.place.path, step.sources, **cells)
-        for field, held in (
+        for field, content in (
             *step.values.items(),
             *((key, argument_text(name)) for key, name in step.arguments.items()),
         ):
-            yield row("step_value", f"{step.place.path}/{field}", step.sources, name=field, ranges=value_text(held))
+            yield row("step_value", f"{step.place.path}/{field}", step.sources, name=field, ranges=value_text(content))
 
 
 def _examples(layout: DeviceLayout) -> Iterator[Row]:

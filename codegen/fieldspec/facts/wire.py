@@ -136,10 +136,10 @@ def _link(link: Link) -> Iterator[Row]:
     ):
         if silence is not None:
             cells = {"name": "silence", "min": silence, "unit": unit}
-            given = link.standard.get("silence")
-            if given is not None and not link.silence_sources:
-                cells.update(provenance=STANDARD, evidence=given.text())
-            sources = link.silence_sources or (() if given is not None else link.sources)
+            standard = link.standard.get("silence")
+            if standard is not None and not link.silence_sources:
+                cells.update(provenance=STANDARD, evidence=standard.text())
+            sources = link.silence_sources or (() if standard is not None else link.sources)
             yield row("timing", f"{path}/silence/{name}", sources, **cells)
     yield from _stations(link)
     yield from _serial(link)

@@ -46,8 +46,8 @@ def operands(device: Device) -> Iterator[Operand]:
     for register in device.registers():
         if not register.copy_of and not register.reserved:
             yield from _valued(device, REGISTERS, register, register.value, register.roles, register.access)
-    for held in device.parameters.values():
-        for parameter in held.parameters:
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
             if parameter.reserved:
                 continue
             yield from _valued(device, PARAMETERS, parameter, parameter.value, parameter.roles, parameter.access)
@@ -108,10 +108,10 @@ class Operands:
 
     def with_role(self, role: str, message: str = "") -> list[Operand]:
         """The operands with a role: in a cyclic message by its name, or else outside of records and messages."""
-        held = self._by_role.get(role, [])
+        candidates = self._by_role.get(role, [])
         if message:
-            return [operand for operand in held if operand.scope == f"messages/{message}"]
-        return [operand for operand in held if "/" not in operand.scope]
+            return [operand for operand in candidates if operand.scope == f"messages/{message}"]
+        return [operand for operand in candidates if "/" not in operand.scope]
 
     def target(self, target: str, message: str = "") -> list[Operand]:
         """The operands that the target of a step means: one where all is well."""

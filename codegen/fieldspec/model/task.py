@@ -37,8 +37,8 @@ def step_text(step: Step) -> str:
     text = f"{step.action} {step.target}"
     if step.argument or step.value is not None:
         text += f" = {argument_text(step.argument) if step.argument else value_text(step.value)}"
-    fields = [f"{name} = {value_text(held)}" for name, held in step.values.items()]
-    fields += [f"{name} = {argument_text(held)}" for name, held in step.arguments.items()]
+    fields = [f"{name} = {value_text(value)}" for name, value in step.values.items()]
+    fields += [f"{name} = {argument_text(argument)}" for name, argument in step.arguments.items()]
     if fields:
         text += f" with {', '.join(fields)}"
     return f"{text}, at most {step.timeout}" if step.timeout else text

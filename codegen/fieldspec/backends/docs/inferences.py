@@ -63,12 +63,12 @@ def _reason(key: str, reason: str) -> Line:
 
 def given_elsewhere(fact: Fact) -> Iterable[Line]:
     """A line for each key that a standard gives, and for each report, with their marks."""
-    for key, given in fact.standard.items():
+    for key, standard in fact.standard.items():
         yield (
             styled("standard", "badge"),
             plain(" "),
             code(key),
-            plain(f" is from {given.text()}; the manual does not print it."),
+            plain(f" is from {standard.text()}; the manual does not print it."),
         )
     for report in fact.reported:
         said = joined((plain(f"{key} "), code(str(value))) for key, value in report.values.items())

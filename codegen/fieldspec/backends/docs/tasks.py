@@ -47,12 +47,12 @@ INTRODUCTION = (
 
 def tasks(context: Context) -> Section:
     """All tasks of the device."""
-    held = context.device.tasks
-    if not held:
+    all_tasks = context.device.tasks
+    if not all_tasks:
         return Section("tasks", (plain("Tasks"),))
     operands = Operands(context.device)
-    overview = table("Tasks", OVERVIEW, [_overview(context, task) for task in held])
-    inner = tuple(_task(context, task, operands) for task in held if task.steps)
+    overview = table("Tasks", OVERVIEW, [_overview(context, task) for task in all_tasks])
+    inner = tuple(_task(context, task, operands) for task in all_tasks if task.steps)
     return Section("tasks", (plain("Tasks"),), (Paragraph((plain(INTRODUCTION),)), overview), inner)
 
 
@@ -80,19 +80,19 @@ def _task(context: Context, task: Task, operands: Operands) -> Section:
 
 
 def _step(number: int, step: Step, task: Task, operands: Operands) -> Row:
-    value: list[Line] = []
+    values: list[Line] = []
     if step.argument:
-        value.append((plain(argument_text(step.argument)),))
+        values.append((plain(argument_text(step.argument)),))
     elif step.value is not None:
-        value.append((code(value_text(step.value)),))
-    value += [(code(name), plain(" = "), code(value_text(held))) for name, held in step.values.items()]
-    value += [(code(name), plain(f" = {argument_text(held)}")) for name, held in step.arguments.items()]
+        values.append((code(value_text(step.value)),))
+    values += [(code(name), plain(" = "), code(value_text(held))) for name, held in step.values.items()]
+    values += [(code(name), plain(f" = {argument_text(argument)}")) for name, argument in step.arguments.items()]
     return Row(
         (
             cell(str(number)),
             cell(step.action),
             cell(*_targets(step, task, operands)),
-            cell(*value),
+            cell(*values),
             cell(code(step.timeout, f"#{step.timeout}")) if step.timeout else cell(),
             cell(step.doc),
             cell(cited(step.sources)),

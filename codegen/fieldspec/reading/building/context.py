@@ -213,14 +213,14 @@ class Entry:
 
     def standards(self, key: str) -> dict[str, Standard]:
         """The standards that give keys of a fact; those of the defaults come first, the own keys win."""
-        given: dict[str, Standard] = {}
+        standards: dict[str, Standard] = {}
         for holder in (self.defaults, self.node):
             node = holder.values.get(key) if holder is not None else None
             for name, inner in node.values.items() if isinstance(node, Mapping) else ():
                 if isinstance(inner, Mapping):
                     entry = Entry(inner, f"{self.path}/{key}/{name}", self.found)
-                    given[name] = Standard(entry.text("name"), entry.text("clause"))
-        return given
+                    standards[name] = Standard(entry.text("name"), entry.text("clause"))
+        return standards
 
     def reports(self, key: str) -> tuple[Report, ...]:
         """What others report of a fact."""

@@ -14,7 +14,7 @@ def link(entry: Entry) -> Link:
     error, silence, names = entry.entry("error"), entry.entry("silence"), entry.entry("direction_names")
     arguments = entry.fact()
     if silence and silence.get("source"):  # what the manual prints is no longer from the standard
-        arguments["standard"] = {key: given for key, given in arguments["standard"].items() if key != "silence"}
+        arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
     return Link(
         **arguments,
         title=entry.text("title"),

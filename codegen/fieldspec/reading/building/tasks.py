@@ -9,11 +9,11 @@ from fieldspec.reading.nodes import Mapping, Scalar
 
 def task(entry: Entry) -> Task:
     """A task: steps, or a reason why there are none."""
-    given = [key for key in ("steps", "not_applicable", "open") if entry.get(key)]
-    if len(given) != 1:
-        said = "nothing says how it is done" if not given else f"it has `{given[0]}` and `{given[1]}`"
+    answers = [key for key in ("steps", "not_applicable", "open") if entry.get(key)]
+    if len(answers) != 1:
+        said = "nothing says how it is done" if not answers else f"it has `{answers[0]}` and `{answers[1]}`"
         help = "give one of `steps`, `not_applicable` and `open`"
-        entry.refuse("wrong_form", given[-1] if given else "task", f"of the task, {said}", help)
+        entry.refuse("wrong_form", answers[-1] if answers else "task", f"of the task, {said}", help)
     return Task(
         **entry.fact(),
         kind=entry.text("task"),
@@ -39,7 +39,7 @@ def _step(entry: Entry) -> Step:
         value=entry.value("value"),
         argument=entry.text("argument"),
         values=free(entry.get("values")),
-        arguments={key: held.text for key, held in arguments.items() if isinstance(held, Scalar)},
+        arguments={key: node.text for key, node in arguments.items() if isinstance(node, Scalar)},
         timeout=entry.text("timeout"),
         doc=entry.text("doc"),
         sources=entry.sources,
