@@ -21,7 +21,7 @@ from fieldspec.backends.docs.document import (
 from fieldspec.backends.docs.handling import handled
 from fieldspec.backends.docs.holders import Holder, holders
 from fieldspec.backends.docs.holding import Holding
-from fieldspec.backends.docs.inferences import given_elsewhere, reasons
+from fieldspec.backends.docs.inferences import provenance_lines, reasons
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation, Fact
@@ -63,7 +63,7 @@ class Context:
             yield (styled(f"until {', '.join(fact.until)}", "badge"),)
         if fact.only:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
-        yield from given_elsewhere(fact)
+        yield from provenance_lines(fact)
         if fact.roles:
             yield (styled("Role: ", "quiet"), *joined((plain(role),) for role in fact.roles))
         yield from handled(getattr(fact, "handling", NOTHING_SAID))

@@ -61,7 +61,7 @@ def _reason(key: str, reason: str) -> Line:
     return (styled(f"{key} is inferred: ", "strong"), plain(reason))
 
 
-def given_elsewhere(fact: Fact) -> Iterable[Line]:
+def provenance_lines(fact: Fact) -> Iterable[Line]:
     """A line for each key that a standard gives, and for each report, with their marks."""
     for key, standard in fact.standard.items():
         yield (
