@@ -15,7 +15,7 @@ from dataclasses import replace
 
 from fieldspec.changes import changes
 from fieldspec.model.device import Device
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Register
 from fieldspec.reading.project import read
 
 SPEC = """

@@ -34,7 +34,7 @@ def spec() -> bytes:
 def write_generated(folder: Path) -> str:
     """Writes the package of that device, and gives the name of its module."""
     project = load({"large/device.yaml": spec()})
-    assert not project.found, project.found[0].message
+    assert not project.findings, project.findings[0].message
     for path, text in outputs([layouts(project.devices["large"])], ["python"]).items():
         place = folder / Path(path).relative_to("python")
         place.parent.mkdir(parents=True, exist_ok=True)

@@ -96,7 +96,7 @@ def main(counts: list[int]) -> None:
     for count in counts:
         with timed(f"{count} registers, {VERSIONS} versions in files: read", count):
             project = read(files(count))
-        for finding in project.found[:3]:
+        for finding in project.findings[:3]:
             print(finding.code, finding.message)
         spec = project.devices["large"]
         compared(spec, spec.versions(), count)

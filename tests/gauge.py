@@ -5,9 +5,8 @@ from __future__ import annotations
 import hashlib
 
 from fieldspec.audit.coverage import coverage
-from fieldspec.audit.manual_index import ManualIndex, index_of
-from fieldspec.audit.section import Section
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.manual_lines import ManualIndex, index_of
+from fieldspec.audit.section import Section, Subject
 from fieldspec.facts import rows
 from fieldspec.layout.device import device_layout
 from fieldspec.reading.project import DeviceSpec, read
@@ -130,7 +129,7 @@ def files(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> dic
 def spec(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> DeviceSpec:
     """The spec of the gauge, about a manual."""
     found = read({path: text.encode() for path, text in files(device, audit, manual).items()})
-    assert [finding.message for finding in found.found] == []
+    assert [finding.message for finding in found.findings] == []
     return found.devices["gauge"]
 
 

@@ -18,7 +18,7 @@ from fieldspec.backends.python.backend import PACKAGE, files, shared
 from fieldspec.backends.python.naming import module_name, package_name
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 from fieldspec.names import Name
 from fieldspec.reference import CodecError
 from laid_out import MADE_UP, SPECS, layouts
@@ -113,13 +113,13 @@ def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values
     chosen = record.of_number(values[by.name]) if by is not None else None
     fields = (chosen or record).fields
     held = {field.name: _made(module, layout, field, values[field.name]) for field in fields if field.name in values}
-    if by is not None and chosen is not None and chosen.fields[-1].listed:
+    if by is not None and chosen is not None and chosen.fields[-1].is_list:
         held[chosen.fields[-1].name] = tuple(held[chosen.fields[-1].name])
     return record_class(module, record)(*(held[field.name] for field in stored(record)))
 
 
 def _made(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
-    if field.listed:
+    if field.is_list:
         return [_one(module, layout, field, item) for item in held]
     return _one(module, layout, field, held)
 
@@ -148,7 +148,7 @@ def raws(message: Any, record: RecordLayout) -> dict[str, Any]:
         held = getattr(message, name)
         if field.record is None:
             found[field.name] = raw(held)
-        elif field.listed:
+        elif field.is_list:
             found[field.name] = [raws(item, field.record) for item in held]
         else:
             found[field.name] = raws(held, field.record)
@@ -162,7 +162,7 @@ def only_stored(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, An
         held = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [only_stored(inner, item) for item in held] if field.listed else only_stored(inner, held)
+            held = [only_stored(inner, item) for item in held] if field.is_list else only_stored(inner, held)
         found[field.name] = held
     return found
 

@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
 
@@ -50,7 +49,7 @@ def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout)
 
 def _field(layout: DeviceLayout, field: FieldLayout) -> st.SearchStrategy[Any]:
     one = values_of(layout, field.record) if field.record else _value(layout, field.value)
-    if not field.listed:
+    if not field.is_list:
         return one
     repeat = field.field.repeat
     least, most = (repeat.low, repeat.high) if repeat else (field.count or 0, field.count or 0)
@@ -70,7 +69,10 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
         fitting_bytes = st.binary(min_size=value.size, max_size=value.size)
         return st.one_of(fitting_bytes, fitting_bytes, fitting_bytes, st.binary(max_size=value.size + 1))
     if kind is Kind.FLOAT:
-        return st.floats(width=32)
+        fitting_floats = [st.floats(a, b, width=32) for a, b in value.ranges.intervals] if value.ranges else []
+        absent = [float("nan") if sentinel.is_nan else float(sentinel.value) for sentinel in value.sentinels]
+        sentinels = [st.sampled_from(absent)] if absent else []
+        return st.one_of(*fitting_floats * 4, *sentinels, st.floats(width=32))
     if kind is Kind.BOOLEAN:
         return st.one_of(st.booleans(), st.booleans(), st.booleans(), st.integers(-1, 2))
     low, high = value.type.low, value.type.high

@@ -33,7 +33,7 @@ def project(text: str = "", **others: str) -> Project:
 def gadget(text: str, **others: str) -> DeviceSpec:
     """The device of such a project, which has no findings."""
     read_from = project(text, **others)
-    assert codes(read_from.found) == []
+    assert codes(read_from.findings) == []
     return read_from.devices["gadget"]
 
 

@@ -12,6 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from fieldspec.pipeline import checked
+from reading import project
+
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "add-a-device.md"
 RUN = "$ fieldspec "
@@ -37,6 +40,11 @@ def run(command: str, folder: Path) -> str:
     ran = subprocess.run([sys.executable, "-m", "fieldspec", *words], cwd=folder, capture_output=True, encoding="utf-8")
     assert ran.stderr == ""
     return ran.stdout
+
+
+def test_the_frames_of_its_own_are_right() -> None:
+    (frames,) = (text for text in block("yaml", PAGE.read_text("utf-8")) if text.startswith("links:\n  - name: bus"))
+    assert [finding.message for finding in checked(project(frames))] == []
 
 
 @pytest.fixture

@@ -15,15 +15,13 @@ from pathlib import Path
 import pytest
 
 from fieldspec.audit.accounting import OPEN, Accounts, accounts
-from fieldspec.audit.alignment import Aligned, aligned, unmoved
 from fieldspec.audit.citations import Judged, judged
-from fieldspec.audit.cited import Cited, OnLine, cited
 from fieldspec.audit.coverage import coverage
-from fieldspec.audit.manual_index import NAME, ManualIndex, index_of, parsed, written
+from fieldspec.audit.line_facts import Cited, OnLine, cited
+from fieldspec.audit.manual_lines import NAME, Aligned, ManualIndex, aligned, index_of, index_text, parsed, unmoved
 from fieldspec.audit.plan import Plan, plan
-from fieldspec.audit.section import Section
-from fieldspec.audit.subject import Subject
-from fieldspec.facts import Row, rows
+from fieldspec.audit.section import Section, Subject
+from fieldspec.facts import FactRow, rows
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import DeviceSpec, read
 
@@ -51,7 +49,7 @@ def layouts(device: str) -> tuple[DeviceLayout, ...]:
 
 
 @cache
-def facts(device: str) -> tuple[list[Row], ...]:
+def facts(device: str) -> tuple[list[FactRow], ...]:
     """The facts of all its versions."""
     return tuple(map(rows, layouts(device)))
 
@@ -145,7 +143,7 @@ def test_a_fact_that_is_gone_is_noticed(device: str) -> None:
 @pytest.mark.parametrize("device", DEVICES)
 def test_the_index_is_that_of_the_manual(device: str) -> None:
     index = index_of("manual", text(device))
-    assert written(index, device) == (SPECS / device / NAME).read_text("utf-8")
+    assert index_text(index, device) == (SPECS / device / NAME).read_text("utf-8")
     assert index.sha256 == layouts(device)[-1].device.manual.sha256
 
 

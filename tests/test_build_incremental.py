@@ -12,7 +12,7 @@ import pytest
 
 from fieldspec import pipeline
 from fieldspec.cli import main
-from fieldspec.commands import caching, compiler, fresh, working
+from fieldspec.commands import caching, fresh, working
 
 SPECS = Path(__file__).resolve().parent / "specs"
 OUTPUTS = "vectors,c"
@@ -179,7 +179,7 @@ def test_a_file_that_is_not_as_it_was_built_is_made_again(place: Place, spoil: C
 
 
 def test_with_another_compiler_everything_is_made(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiler, "identity", lambda: "another")
+    monkeypatch.setattr(caching, "identity", lambda: "another")
     assert place.build() == 0
     assert sorted(place.made) == place.of(*place.devices)
     assert place.build() == 0
@@ -189,7 +189,7 @@ def test_with_another_compiler_everything_is_made(place: Place, monkeypatch: pyt
 def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     before = place.record.read_bytes()
     turns = iter(range(100))
-    monkeypatch.setattr(compiler, "state", lambda parts: str(next(turns)))
+    monkeypatch.setattr(caching, "state", lambda parts: str(next(turns)))
     replaced(place.spec, "name: Gadget", "name: Gidget")
     assert place.build() == 0
     assert sorted(place.made) == place.of("gadget")
@@ -197,13 +197,13 @@ def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monke
 
 
 def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    names = {Path(path).name for path in compiler._files(compiler._PACKAGE)}
+    names = {Path(path).name for path in caching._files(caching._PACKAGE)}
     assert {"cli.py", "page.html.in", "page.css", "spec.schema.json", "_frames.py"} <= names
     assert not any(name.endswith(".pyc") for name in names)
-    assert all("info" in compiler._version(*one) for one in compiler.LIBRARIES.items())
-    first = compiler.identity()
-    monkeypatch.setattr(compiler, "_version", lambda module, distribution: "2.0")
-    assert compiler.identity() != first
+    assert all("info" in caching._version(*one) for one in caching.LIBRARIES.items())
+    first = caching.identity()
+    monkeypatch.setattr(caching, "_version", lambda module, distribution: "2.0")
+    assert caching.identity() != first
 
 
 @pytest.mark.parametrize(
@@ -363,13 +363,13 @@ def test_processes_make_what_one_makes(place: Place, tmp_path: Path, monkeypatch
 def test_caches_are_data_that_nobody_executes(place: Place) -> None:
     digest, _, text = place.record.read_bytes().partition(b"\n")
     assert caching.checksum(text).encode() == digest
-    assert json.loads(text)["compiler"] == compiler.identity()
+    assert json.loads(text)["compiler"] == caching.identity()
     assert oct(place.record.stat().st_mode & 0o177) == "0o0"
 
 
 def test_only_the_newest_notes_are_kept(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(caching, "MOST", 3)
     for number in range(5):
-        caching.keep("test", str(number), b"%d" % number)
+        caching.store("test", str(number), b"%d" % number)
         os.utime(caching._path("test", str(number)), ns=(number, number))
-    assert [caching.kept("test", str(number)) for number in range(5)] == [None, None, b"2", b"3", b"4"]
+    assert [caching.cached("test", str(number)) for number in range(5)] == [None, None, b"2", b"3", b"4"]

@@ -15,7 +15,12 @@ from fieldspec.render.capabilities import COLUMNS, capabilities, page
 PAGE = Path(__file__).parent.parent / "docs" / "plc-capabilities.md"
 CASES = Path(__file__).parent / "cases"
 
-REFUSALS = {"wide_lists": "plc_numbers_fit", "text_lists": "plc_arrays_flat", "images": "plc_images_exact"}
+REFUSALS = {
+    "wide_lists": "plc_numbers_fit",
+    "text_lists": "plc_arrays_flat",
+    "images": "plc_images_exact",
+    "absent_reals": "plc_reals_present",
+}
 """Constructs that some output refuses by a rule, and whose failing case needs them."""
 
 

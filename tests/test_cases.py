@@ -14,10 +14,10 @@ from pathlib import Path
 import pytest
 
 from fieldspec.audit.coverage import coverage
-from fieldspec.audit.dump import compared, judged
-from fieldspec.audit.manual_index import index_of
-from fieldspec.audit.sign_off import sign_off
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.manual_lines import index_of
+from fieldspec.audit.register_dump import compared, judged
+from fieldspec.audit.review import sign_off
+from fieldspec.audit.section import Subject
 from fieldspec.backends import OUTPUTS
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.facts import rows

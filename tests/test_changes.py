@@ -31,7 +31,7 @@ def devices(folder: Path) -> tuple[Device, Device]:
         files = {"gadget/device.yaml": CASES / "device.yaml", "gadget/common.yaml": folder / "common.yaml"}
         files |= {f"gadget/{side}_{path.name}": path for path in sorted((folder / side).glob("*.yaml"))}
         project = read({path: file.read_bytes() for path, file in files.items() if file.exists()})
-        assert [finding.message for finding in project.found] == []
+        assert [finding.message for finding in project.findings] == []
         spec = project.devices["gadget"]
         device, found = spec.at(spec.versions()[-1])
         assert [finding.message for finding in found] == []

@@ -16,7 +16,7 @@ from fieldspec.model.device import Device
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Scalar
 from fieldspec.reading.project import read
-from fieldspec.render.changes import Difference, Found, hurts
+from fieldspec.render.changes import AcceptedChange, Difference, hurts
 from mutations import MUTATIONS, mappings, put, scalar
 
 ROOT = Path(__file__).parent
@@ -33,7 +33,7 @@ def trees() -> dict[str, tuple[Mapping, str]]:
     for folder in (ROOT.parent / "specs", ROOT / "specs"):
         files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.yaml"))}
         project = read(files)
-        broken = {finding.span.file.path.partition("/")[0] for finding in project.found}
+        broken = {finding.span.file.path.partition("/")[0] for finding in project.findings}
         for name, spec in project.devices.items():
             if name not in broken:
                 found[name] = spec.tree_at(spec.versions()[-1]), spec.versions()[-1]
@@ -47,7 +47,7 @@ def device(name: str) -> Device:
 
 
 def difference(found: list[Change]) -> list[Difference]:
-    return [Difference("old", "new", tuple(map(Found, found)))]
+    return [Difference("old", "new", tuple(map(AcceptedChange, found)))]
 
 
 @cache

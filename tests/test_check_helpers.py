@@ -7,9 +7,9 @@ from itertools import combinations, pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.checks.finding import longest_ascent, missing, near, shown
-from fieldspec.checks.occupied import free, merged
-from fieldspec.model.ranges import Ranges
+from fieldspec.checks.addresses import free, merged
+from fieldspec.checks.finding import enumeration, longest_ascent, missing, near
+from fieldspec.model.value import Ranges
 
 small = st.integers(min_value=-8, max_value=24)
 interval = st.tuples(small, small).map(sorted).map(tuple)
@@ -50,9 +50,9 @@ def test_longest_ascent_leaves_out_as_few_as_possible(listed: list[int]) -> None
 
 
 def test_long_lists_are_cut() -> None:
-    assert shown(["a"]) == "a"
-    assert shown("abc") == "a, b and c"
-    assert shown("abcdefgh") == "a, b, c, d, e and 3 more"
+    assert enumeration(["a"]) == "a"
+    assert enumeration("abc") == "a, b and c"
+    assert enumeration("abcdefgh") == "a, b, c, d, e and 3 more"
 
 
 def test_hint_does_not_depend_on_the_order_of_a_set() -> None:

@@ -20,7 +20,7 @@ from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, children
 from fieldspec.reading.project import read
 from fieldspec.reading.scalars import violations_at
 from fieldspec.reading.versions import Lines, selected
-from fieldspec.reference.device import codec
+from fieldspec.reference.frames import codec
 
 TESTS = Path(__file__).parent
 NUMBERS = (0, 1, 2, 7, 16, 255, 256, 65535, 65536, 2**31, 2**63, 10**18, -1, -(2**31))
@@ -54,7 +54,7 @@ def trees() -> tuple[Mapping, ...]:
             inside = path.relative_to(folder).as_posix()
             files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
         project = read(files)
-        if not project.found:
+        if not project.findings:
             found += [spec.tree for spec in project.devices.values()]
     assert len(found) > 50
     return tuple(found)

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from command_line import SPECS, CommandLine
 from fieldspec.lists.comparison import compared
 from fieldspec.lists.item import items
-from fieldspec.lists.listed import listing
+from fieldspec.lists.listing import listing
 from fieldspec.lists.text_sheet import text_sheet
 from laid_out import newest
 from reading import DEVICE

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from command_line import MADE_UP, SPECS, CommandLine
-from fieldspec.model.example import Example
+from fieldspec.explain.readings import FrameOptions, read
+from fieldspec.model.texts import Example
 from laid_out import newest
 
 EXAMPLES = newest(MADE_UP, "widget").device.examples
@@ -255,3 +256,13 @@ def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, encoding="utf-8")
     assert LAZY & set(ran.stdout.splitlines()[-1].split()) == set()
+
+
+@pytest.mark.parametrize("name", ["widget", "ck10", "esc11", "hiwin-e", "tc100"])
+def test_a_frame_of_an_example_is_explained_as_an_example(name: str) -> None:
+    layout = newest(MADE_UP if name == "widget" else SPECS, name)
+    good = [example for example in layout.device.examples.values() if not example.refused]
+    readings = {(e.frame, e.link, e.direction, e.message, e.error) for e in good}
+    for example in good:
+        held = read(layout, example.frame, FrameOptions()).explanation
+        assert (held.frame, held.link, held.direction, held.message, held.error) in readings, example.id

@@ -16,9 +16,8 @@ from typing import Any
 import pytest
 
 from command_line import MADE_UP, CommandLine
-from fieldspec.commands.decode import LONGEST_LINE, Log
-from fieldspec.commands.frame_printer import FramePrinter
-from fieldspec.commands.given import Given
+from fieldspec.commands.decode import LONGEST_LINE, FramePrinter, Log
+from fieldspec.explain.readings import FrameOptions
 from laid_out import newest
 
 READ = "01 03 10 00 00 02 C0 CB"
@@ -226,7 +225,7 @@ def test_memory_does_not_grow_with_the_log() -> None:
     log = Weighed(f"{READ}\n{ANSWER}\n".encode() * 60, (20, 120))
     with open(os.devnull, "w", encoding="utf-8") as nothing, redirect_stdout(nothing):
         tracemalloc.start()
-        Log(layout, Given(), None, FramePrinter(layout, "text")).explain(log)
+        Log(layout, FrameOptions(), None, FramePrinter(layout, "text")).explain(log)
         tracemalloc.stop()
     early, late = log.weights
     assert late - early < 2000

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
-from fieldspec.model.example import Example
+from command_line import MADE_UP, SPECS, CommandLine
+from fieldspec.model.texts import Example
 from laid_out import newest
 
 WIDGET = newest(MADE_UP, "widget")
@@ -17,6 +17,11 @@ PACKET = ["--link", "packet", "address=7", "sequence=1"]
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
     return CommandLine(capsys, monkeypatch, MADE_UP)
+
+
+@pytest.fixture
+def run_on_devices(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
+    return CommandLine(capsys, monkeypatch, SPECS)
 
 
 def written(value: object, name: str = "") -> list[str]:
@@ -126,3 +131,87 @@ def test_a_message_of_a_later_version_is_unknown_to_an_earlier_one(run: CommandL
     assert run("encode", "widget@2.0", "write_one", *values).code == 0
     found = run("encode", "widget@before-2.0", "write_one", *values)
     assert (found.code, found.err) == (2, "fieldspec: there is no message write_one; did you mean write_all?\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["write_one", *PACKET, "number=2", "value=0xFFFE"], "value (home) is -2: wrong: should be one of -1, 0, 1"),
+        (["write_register", "station=1", "address=limit", "value=0"], "limit is 0: wrong: should be -10..-1, 1..10"),
+        ([*WRITE, "values=0x000F 0xFFFF"], "target is 10485.75 mm: wrong: should be -9999.99..9999.99 mm"),
+    ],
+)
+def test_a_value_beyond_its_parameter_or_register_is_refused(run: CommandLine, arguments: list[str], said: str) -> None:
+    found = run("encode", "widget", *arguments)
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["write_register", "address=0x4E26", "value=1"], "flash_points[0].acceleration_time at 0x4E26 can only be"),
+        (["write_registers", "address=0x4E26", "values=1,2"], "flash_points[0].acceleration_time at 0x4E26 can only"),
+        (["write_registers", "address=0x4E1F", "values=1,2"], "flash_points[0].position at 0x4E20 can only be read"),
+        (["write_register", "address=model_id", "value=1"], "model_id at 0x0834 can only be read"),
+    ],
+)
+def test_what_can_only_be_read_is_not_written(run_on_devices: CommandLine, arguments: list[str], said: str) -> None:
+    found = run_on_devices("encode", "ck10", *arguments, "station=1")
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+def test_a_sentinel_may_be_written_to_a_register(run: CommandLine) -> None:
+    found = run("encode", "widget", "write_register", "station=1", "address=limit", "value=0x7FFF")
+    assert found.lines == ["01 06 20 03 7F FF 12 7A"]
+
+
+def test_a_quantity_whose_count_is_a_sentinel_is_refused(run: CommandLine) -> None:
+    found = run("encode", "widget", "set_everything", "station=3", "everything.half=655.35mm")
+    assert (found.code, found.out) == (2, "")
+    assert "everything.half: `655.35mm` would be the count 65535, which stands for ignored" in found.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "frame"),
+    [
+        ([*WRITE, "values=-1.00mm"], "10 10 20 01 00 02 04 FF FF FF 9C BA 23"),
+        ([*WRITE, "values=-1.00 mm, ignored"], "10 10 20 01 00 03 06 FF FF FF 9C 7F FF B0 C5"),
+        (["write_register", "station=16", "address=lamp", "value=blue"], "10 06 20 00 00 05 41 48"),
+    ],
+)
+def test_registers_are_written_in_their_units_and_by_name(run: CommandLine, arguments: list[str], frame: str) -> None:
+    assert run("encode", "widget", *arguments).lines == [frame]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (
+            ["write_register", "station=16", "address=target", "value=1mm"],
+            "1mm takes 2 words, and write_register writes",
+        ),
+        ([*WRITE, "values=99999.99mm"], "target is 9999999, not in -999999..999999"),
+        (["write_registers", "station=16", "address=0x4000", "values=1mm"], "no register or field of words begins at"),
+    ],
+)
+def test_a_quantity_that_no_register_takes_is_refused(run: CommandLine, arguments: list[str], said: str) -> None:
+    found = run("encode", "widget", *arguments)
+    assert (found.code, found.out) == (2, "")
+    assert said in found.err
+
+
+def test_a_register_of_another_space_is_refused(run: CommandLine) -> None:
+    found = run("encode", "meter", "read_holding_registers", "station=1", "address=voltage", "word_count=1")
+    assert (found.code, found.out) == (2, "")
+    assert "voltage lies in input_registers, and read_holding_registers reads holding_registers" in found.err
+    found = run("encode", "meter", "read_input_registers", "station=1", "address=voltage", "word_count=1")
+    assert found.lines == ["01 04 00 00 00 01 31 CA"]
+
+
+def test_what_can_only_be_read_is_read_and_echoed(run_on_devices: CommandLine) -> None:
+    run = run_on_devices
+    assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
+    echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]
+    assert run("encode", "ck10", *echo).code == 0

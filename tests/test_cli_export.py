@@ -14,7 +14,7 @@ import openpyxl
 import pytest
 
 from command_line import MADE_UP, SPECS, CommandLine
-from fieldspec.lists.exported import COLUMNS, as_csv, as_json, as_xlsx
+from fieldspec.lists.export import COLUMNS, as_csv, as_json, as_xlsx
 from fieldspec.lists.item import Item, items
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.lists.workbook import workbook_sheet

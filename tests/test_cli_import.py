@@ -12,10 +12,9 @@ from hypothesis import strategies as st
 
 from command_line import SPECS, CommandLine
 from fieldspec.diagnostics import Severity
-from fieldspec.lists.listed import listing
-from fieldspec.lists.naming import named, snake
+from fieldspec.lists.listing import listing
 from fieldspec.lists.sheet import ListError
-from fieldspec.lists.skeleton import Origin, skeleton
+from fieldspec.lists.skeleton import Origin, named, skeleton, snake
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.pipeline import checked, load
 

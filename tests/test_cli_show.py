@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from command_line import MADE_UP, CommandLine
-from fieldspec.render.drawing import drawn
+from fieldspec.render.blocks import drawn
 from fieldspec.render.item import handles, items
 from laid_out import newest
 

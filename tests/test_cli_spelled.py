@@ -8,8 +8,7 @@ from contextlib import suppress
 import pytest
 
 from fieldspec.commands.decode import LONGEST_LINE
-from fieldspec.commands.logged import Logged, logged
-from fieldspec.commands.spelled import Unreadable
+from fieldspec.explain.log import LogLine, Unreadable, log_line
 from laid_out import MADE_UP, newest
 
 LINKS = [laid.link for laid in newest(MADE_UP, "widget").links.values()]
@@ -96,7 +95,7 @@ RESPONSES = [
     ],
 )
 def test_bytes_are_read_however_they_are_spelled(text: str, direction: str) -> None:
-    assert logged(text, LINKS) == Logged(BYTES, direction)
+    assert log_line(text, LINKS) == LogLine(BYTES, direction)
 
 
 @pytest.mark.parametrize(
@@ -116,7 +115,7 @@ def test_bytes_are_read_however_they_are_spelled(text: str, direction: str) -> N
     ],
 )
 def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
-    found = logged(text, LINKS)
+    found = log_line(text, LINKS)
     assert found is not None
     assert (found.frame, found.remarks) == (CHARACTERS, ())
 
@@ -131,13 +130,15 @@ def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
     ],
 )
 def test_an_end_mark_that_the_text_lacks_is_added_and_said(text: str, lacks: str) -> None:
-    found = logged(text, LINKS)
-    assert found == Logged(CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",))
+    found = log_line(text, LINKS)
+    assert found == LogLine(
+        CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",)
+    )
 
 
 @pytest.mark.parametrize("text", ["", " \t\n", "# a comment", "   // a comment", "\r\n"])
 def test_blank_lines_and_comments_hold_no_frame(text: str) -> None:
-    assert logged(text, LINKS) is None
+    assert log_line(text, LINKS) is None
 
 
 @pytest.mark.parametrize(
@@ -145,7 +146,7 @@ def test_blank_lines_and_comments_hold_no_frame(text: str) -> None:
     [("RX:", "response"), ("> 2026/01/31 12:00:01.000123  length=8 from=0 to=7", "request")],
 )
 def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: str) -> None:
-    assert logged(text, LINKS) == Logged(b"", direction)
+    assert log_line(text, LINKS) == LogLine(b"", direction)
 
 
 @pytest.mark.parametrize(
@@ -161,7 +162,7 @@ def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: s
 )
 def test_what_cannot_be_read_is_said(text: str, why: str) -> None:
     with pytest.raises(Unreadable) as refused:
-        logged(text, LINKS)
+        log_line(text, LINKS)
     assert str(refused.value) == why
 
 
@@ -173,5 +174,5 @@ def test_no_line_takes_long(piece: str) -> None:
     start = time.process_time()
     for text in (line, f"{line}!", f":{line}", f"01 {line}?"):
         with suppress(Unreadable):
-            logged(text, LINKS)
+            log_line(text, LINKS)
     assert time.process_time() - start < 5

@@ -9,7 +9,7 @@ import pytest
 
 from command_line import MADE_UP, CommandLine
 from fieldspec.cli import main
-from fieldspec.model.example import Example
+from fieldspec.model.texts import Example
 from laid_out import newest
 from test_cli_encode import written
 

@@ -75,7 +75,7 @@ def test_a_resolved_spec_is_the_device_at_that_version(
             done = ran(capsys, root, "resolve", f"{name}@{laid.device.version}")
             assert done.code == 0
             project = read({f"{name}/device.yaml": done.out.encode()})
-            assert not has_errors(project.found), (name, project.found[0].message)
+            assert not has_errors(project.findings), (name, project.findings[0].message)
             device, found = project.devices[name].at(laid.device.version)
             assert not has_errors(found)
             assert device_layout(device).identity == laid.identity

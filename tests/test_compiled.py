@@ -15,20 +15,19 @@ from typing import Any
 import pytest
 
 from command_line import MADE_UP, SPECS
-from fieldspec.checks.laying_out import LAYING_OUT
+from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
-from fieldspec.commands import caching, compiled, compiler, frozen, sources
-from fieldspec.commands.specs import laid
-from fieldspec.model.fact import Citation, Claim
-from fieldspec.model.place import Place
+from fieldspec.commands import caching, compiled, layout_json, sources
+from fieldspec.commands.specs import layout_of
+from fieldspec.model.fact import Citation, Claim, Place
 from fieldspec.reading import project
 from fieldspec.source import SourceFile, Span
 
 NOWHERE = Span(SourceFile("x", ""), 0, 0)
 BROKEN = sorted(
     file.parent
-    for check in LAYING_OUT
+    for check in LAYOUT_CONDITIONS
     for file in Path(__file__).parent.joinpath("cases", check).glob("failing*/device.yaml")
 )
 DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in sources.devices(folder)]
@@ -85,18 +84,18 @@ def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) ->
     files = sources.files(folder, frozenset([device]))
     spec = project.read(files, frozenset([device])).devices[device]
     for version in {spec.versions()[0], spec.versions()[-1]}:
-        layout = laid(spec, version)
-        thawed = frozen.thawed(frozen.frozen(layout), lambda path: SourceFile(path, files[path].decode()))
+        layout = layout_of(spec, version)
+        thawed = layout_json.from_json(layout_json.to_json(layout), lambda path: SourceFile(path, files[path].decode()))
         assert alike(thawed, layout, set())
 
 
 def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alike() -> None:
     citations = [(3, 17), (4, 20)]
     held = [Citation("8.2", (lines,)) for lines in citations]
-    content = frozen.frozen(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
+    content = layout_json.to_json(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
 
     def new() -> tuple[Citation, ...]:
-        found: tuple[Citation, ...] = frozen.thawed(content, lambda path: NOWHERE.file).sources
+        found: tuple[Citation, ...] = layout_json.from_json(content, lambda path: NOWHERE.file).sources
         return found
 
     assert new()[0] == held[0]
@@ -130,7 +129,7 @@ def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys
 
 def test_with_another_compiler_a_spec_is_read_again(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert shown(MADE_UP) == 0
-    monkeypatch.setattr(compiler, "state", lambda: "another")
+    monkeypatch.setattr(caching, "state", lambda: "another")
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
         shown(MADE_UP)
@@ -140,13 +139,13 @@ def test_the_state_of_the_compiler_changes_with_each_of_its_files(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     package = tmp_path / "fieldspec"
-    shutil.copytree(compiler._PACKAGE, package)
-    monkeypatch.setattr(compiler, "_PACKAGE", str(package))
-    states = {compiler.state()}
+    shutil.copytree(caching._PACKAGE, package)
+    monkeypatch.setattr(caching, "_PACKAGE", str(package))
+    states = {caching.state()}
     for name in ("layout/record.py", "schema/spec.schema.json", "source.py"):
         with (package / name).open("a", encoding="utf-8") as file:
             file.write("\n")
-        states.add(compiler.state())
+        states.add(caching.state())
     assert len(states) == 4
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fieldspec import checks
-from fieldspec.model.erratum import JUDGEMENT
+from fieldspec.model.texts import JUDGEMENT
 from fieldspec.proofs.errata import put_back
 from fieldspec.proofs.running import errata_proofs
 from fieldspec.reading.project import DeviceSpec, read

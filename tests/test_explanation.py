@@ -10,13 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fieldspec.explain.explanation import Explanation, ExplanationRow, closest, explained, recognised
+from fieldspec.explain.values import decimal_text
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explaining.worded import decimal_text
-from fieldspec.layout.explanation import Explanation, Row, closest, explained, recognised
-from fieldspec.model.example import Example
+from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
-from fieldspec.reference.checksums import ALGORITHMS
-from fieldspec.reference.frames import Decoded
+from fieldspec.reference.frames import ALGORITHMS, Decoded
 from laid_out import MADE_UP, all_layouts, newest
 
 LAYOUTS = all_layouts()
@@ -41,7 +40,7 @@ def of(name: str, laid: DeviceLayout = WIDGET) -> Explanation:
     return of_example(laid, laid.device.examples[name])
 
 
-def row(found: Explanation, path: str) -> Row:
+def row(found: Explanation, path: str) -> ExplanationRow:
     (one,) = [held for held in (*found.rows, *found.registers) if held.path == path]
     return one
 
@@ -119,11 +118,13 @@ def mended(laid: DeviceLayout, example: Example, frame: bytes) -> bytes:
         data = codec(laid).links[example.link].parts(frame)
     except CodecError:
         return frame
-    if check is None or len(data) + check.offset < 0:
+    shape = link.frame(example.direction)
+    if check is None or len(data) < shape.head_size + shape.tail_size:
         return frame
-    at = len(data) + check.offset
+    at = check.at(len(data))
     order: Literal["big", "little"] = "big" if check.order == "big" else "little"
-    data = data[:at] + ALGORITHMS[check.algorithm](data[:at]).to_bytes(check.size, order) + data[at + check.size :]
+    number = ALGORITHMS[check.algorithm](data[check.start : check.stop])
+    data = data[:at] + number.to_bytes(check.size, order) + data[at + check.size :]
     inner = data if link.link.encoding == "binary" else data.hex().upper().encode()
     return link.link.start + inner + link.link.end
 
@@ -370,3 +371,18 @@ def test_two_frames_in_a_row_are_told_apart_by_length_and_check() -> None:
     assert found.message == "stop"
     assert found.reasons == ("wrong_length",)
     assert found.rows[-1].raw == frame
+
+
+def test_registers_of_the_space_that_the_message_reads_are_explained() -> None:
+    meter = newest(MADE_UP, "meter")
+    assert [held.path for held in of("voltage", meter).registers] == ["voltage"]
+    assert [held.path for held in of("station", meter).registers] == ["station"]
+    assert of("read-coils", meter).registers == ()
+
+
+def test_a_float_is_judged_by_its_range_and_a_nan_is_named() -> None:
+    probe = newest(MADE_UP, "probe")
+    absent = row(explained(probe, "packet", "request", bytes.fromhex("01 00 00 C0 7F 40")), "limit")
+    assert (absent.value, absent.verdict, [one.name for one in absent.meanings]) == ("", "", ["no_limit"])
+    beyond = row(explained(probe, "packet", "request", bytes.fromhex("01 00 80 96 43 5A")), "limit")
+    assert (beyond.value, beyond.verdict) == ("301.0 mm", "wrong: should be 0..300 mm")

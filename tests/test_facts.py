@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.facts import COLUMNS, Row, rows
+from fieldspec.facts import COLUMNS, FactRow, rows
 from fieldspec.layout.device import device_layout
 from fieldspec.reading.project import read
 
@@ -20,14 +20,14 @@ DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 
 
 @lru_cache(maxsize=8)
-def facts(folder: Path, device: str) -> tuple[Row, ...]:
+def facts(folder: Path, device: str) -> tuple[FactRow, ...]:
     """The facts of a device at its newest version."""
     files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.glob("*/*.yaml"))}
     spec = read(files, frozenset({device})).devices[device]
     return tuple(rows(device_layout(spec.at(spec.versions()[-1])[0])))
 
 
-def fact(path: str) -> Row:
+def fact(path: str) -> FactRow:
     """The row of the made-up device that has a path."""
     (found,) = (row for row in facts(MADE_UP, "glider-x") if row["path"] == path)
     return found

@@ -13,9 +13,9 @@ import pytest
 from fieldspec.backends.hmi.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.lists.packing import packed
-from fieldspec.model.enum import Enum
+from fieldspec.model.enums import Enum
 from fieldspec.names import Name, stem
-from fieldspec.plc.texts import KINDS
+from fieldspec.plc.enums import KINDS
 from fieldspec.spreadsheet import Workbook
 from laid_out import MADE_UP, SPECS, laid_at, layouts, newest
 from reading import gadget

@@ -26,7 +26,19 @@ TESTS = sorted((ROOT / "tests").glob("*.py"))
 
 LONGEST_FILE = 400
 BACK_ENDS_IMPORT = {
-    *("backends", "classes", "changes", "diagnostics", "layout", "model", "names", "plc", "reserved", "spreadsheet"),
+    *(
+        "backends",
+        "classes",
+        "changes",
+        "diagnostics",
+        "explain",
+        "layout",
+        "model",
+        "names",
+        "plc",
+        "reserved",
+        "spreadsheet",
+    ),
 }
 
 # Where alone a library is imported: folders end with a slash.
@@ -48,7 +60,7 @@ HOMES = {
     "platform": (),
     "getpass": (),
     "datetime": ("lists/packing.py",),  # workbooks have one that is the same in all of them
-    "time": ("commands/watching.py", "commands/signing.py"),  # a review has the day on which it is recorded
+    "time": ("commands/build.py", "commands/signing.py"),  # a review has the day on which it is recorded
     "random": (),
     "uuid": ("backends/twincat/",),  # identifiers made of names: the same in every build
     "pickle": (),

@@ -13,11 +13,10 @@ from typing import Any
 
 import pytest
 
-from fieldspec.backends.kv.areas import Area, areas
+from fieldspec.backends.kv.areas import Area, PlacedValue, areas
 from fieldspec.backends.kv.backend import files
 from fieldspec.backends.kv.dialect import KV
-from fieldspec.backends.kv.held import Held
-from fieldspec.backends.vectors.view import vector
+from fieldspec.backends.vectors.backend import vector
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout
 from fieldspec.reference.records import value_construct
@@ -108,12 +107,12 @@ def test_the_bits_of_the_map_are_those_that_the_reference_writes(layout: DeviceL
     chance = random.Random(layout.identity)
     found = {(row["area"], row["name"], row["case"]): row for row in rows_of(layout)}
     for area in areas(layout):
-        for held in area.held:
+        for held in area.values:
             if held.value is not None and held.value.type.letter != "s":
                 check_element(found[area.name, held.title, held.case], area, held, chance)
 
 
-def check_element(row: Row, area: Area, held: Held, chance: random.Random) -> None:
+def check_element(row: Row, area: Area, held: PlacedValue, chance: random.Random) -> None:
     raw = chance.getrandbits(8 * held.size)
     assert held.value is not None
     letter = held.value.type.letter
@@ -141,7 +140,7 @@ def test_flags_have_rows_for_their_bits(layout: DeviceLayout) -> None:
     chance = random.Random(1)
     checked = 0
     for area in areas(layout):
-        for held in area.held:
+        for held in area.values:
             flags = layout.device.flags.get(held.value.flags) if held.value and held.value.flags else None
             for bit in flags.bits if flags else ():
                 words = [chance.getrandbits(16) for _ in range(held.start + held.size + 1)]
@@ -189,7 +188,7 @@ def test_every_word_that_holds_something_has_one_short_comment_in_ascii(layout: 
     wanted = {
         KV.device(base[area.name] + byte // area.unit)
         for area in areas(layout)
-        for held in area.held
+        for held in area.values
         for _, start in held.names()
         for byte in range(start, start + held.size)
     }

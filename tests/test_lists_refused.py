@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from command_line import SPECS, CommandLine
-from fieldspec.commands.lists import sheet
+from fieldspec.commands.list_files import sheet
 from fieldspec.lists import sheet as limits
 from fieldspec.lists import text_sheet, workbook
-from fieldspec.lists.listed import listing
+from fieldspec.lists.listing import listing
 from fieldspec.lists.sheet import ListError
 
 LIST = "地址,名称\n0x2000,位置\n"

@@ -6,8 +6,8 @@ import pytest
 
 from fieldspec.classes import attributes, replace
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.cache import cached
 from fieldspec.plc.dialects import DIALECTS, STRUCTURED
-from fieldspec.plc.kept import kept
 from fieldspec.plc.structured.program import program, refusals
 from laid_out import MADE_UP, laid_at, newest
 from reading import gadget
@@ -22,7 +22,7 @@ enums:
 def test_what_is_kept_is_of_the_layout_that_was_asked_for_last() -> None:
     asked: list[DeviceLayout] = []
 
-    @kept
+    @cached
     def number(layout: DeviceLayout) -> int:
         asked.append(layout)
         return len(asked)

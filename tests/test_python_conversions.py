@@ -11,7 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.signal import Conversion
+from fieldspec.model.value import Conversion
 from laid_out import MADE_UP, all_layouts, newest
 from made_python import codec_error, made
 

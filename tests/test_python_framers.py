@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.layout.checksums import CHECKSUMS
+from fieldspec.layout.frame import CHECKSUMS
 from laid_out import MADE_UP, SPECS, newest
 from made_python import link_of, made
 

@@ -9,11 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import PartLayout
-from fieldspec.layout.meaning import body_of, raw_values
-from fieldspec.model.example import Example
+from fieldspec.layout.frame import CHECKSUMS, PartLayout
+from fieldspec.layout.values import body_of, raw_values
+from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
 from laid_out import all_layouts
 from made_python import built, class_of, codec_error, link_of, made, only_stored, outcome, raw, raws, record_class
@@ -78,7 +77,7 @@ KEYWORDS = {"return"}
 
 def given_part(part: PartLayout) -> bool:
     """Whether a part of the head is neither of a special kind nor always the same."""
-    return part.role == "plain" and part.value is not None and part.value.const is None
+    return part.role == "plain" and part.is_argument
 
 
 def head_value(module: Any, part: Any, held: int) -> Any:
@@ -158,6 +157,20 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     assert actual == outcome(lambda: meant_by(layout, link, direction, asked, frame))
 
 
+@pytest.mark.parametrize("name", LAID_OUT)
+def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: str) -> None:
+    layout = LAID_OUT[name]
+    shapes = {(one.link, one.direction, one.message, len(one.frame)): one for one in layout.device.examples.values()}
+    for example in shapes.values():
+        coded = layout.links[example.link].frame(example.direction).role("code") is not None
+        message = "" if coded and example.direction == "request" else example.message
+        for at, byte in enumerate(example.frame):
+            for other in (byte ^ 1, byte ^ 0x80, 7):
+                frame = example.frame[:at] + bytes([other]) + example.frame[at + 1 :]
+                asked = (layout, example.link, example.direction, message, frame)
+                assert outcome(lambda: made_of(*asked)) == outcome(lambda: meant_by(*asked)), frame.hex(" ")  # noqa: B023
+
+
 def made_of(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
     """What the generated codec finds in a frame: whether it is a refusal, the code, the head, the body."""
     decoded = decode(layout, link, direction, message, frame)
@@ -178,7 +191,7 @@ def meant_by(layout: DeviceLayout, link: str, direction: str, message: str, fram
     code = head.pop(coded.name) if coded else None
     for part in layout.links[link].frame(direction).head:
         if part.role == "plain" and not given_part(part):
-            del head[part.name]
+            head.pop(part.name, None)
     assert decoded.body is not None
     return decoded.error, code, head, only_stored(decoded.body, decoded.values)
 
@@ -194,13 +207,15 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
     length, check = shape.role("length"), shape.check
     if len(data) < shape.head_size + shape.tail_size:
         return frame
-    if length is not None:
+    units = length.number(len(data)) if length is not None else None
+    if length is not None and units is not None:
         order = "big" if length.order == "big" else "little"
-        data[length.offset : length.offset + length.size] = (len(data) % 256**length.size).to_bytes(length.size, order)
+        data[length.offset : length.offset + length.size] = units.to_bytes(length.size, order)
     if check is not None:
-        at = len(data) - check.size
+        at = check.at(len(data))
         order = "big" if check.order == "big" else "little"
-        data[at:] = CHECKSUMS[check.algorithm](bytes(data[:at])).to_bytes(check.size, order)
+        number = CHECKSUMS[check.algorithm](bytes(data[check.start : check.stop]))
+        data[at : at + check.size] = number.to_bytes(check.size, order)
     marks = layout.links[link].link
     inner = bytes(data).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(data)
     return marks.start + inner + marks.end

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fieldspec.layout.checksums import CHECKSUMS
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import CHECKSUMS
 from fieldspec.reference import DeviceCodec, codec
 from laid_out import MADE_UP, newest
 from made_python import built, codec_error, made, outcome, package

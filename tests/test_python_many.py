@@ -187,3 +187,10 @@ def test_counts_become_values_in_the_unit() -> None:
 def test_records_of_different_lengths_are_refused() -> None:
     with pytest.raises(TypeError, match="the length of ExchangeRequest varies"):
         MANY.decode_many(WIDGET.ExchangeRequest, b"")
+
+
+def test_a_sentinel_becomes_no_number_in_a_column_in_the_unit() -> None:
+    counts = numpy.array([0, 150, 0xFFFF], "u2")
+    held = MANY.in_unit(WIDGET.Everything, "half", counts)
+    assert numpy.isnan(held).tolist() == [False, False, True]
+    assert held[:2].tolist() == [0.0, 1.5]

@@ -13,8 +13,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fieldspec.backends.python.units import in_unit, quantity, ratio
-from fieldspec.layout.checksums import CHECKSUMS
+from fieldspec.backends.python.quantities import in_unit, quantity, ratio
+from fieldspec.layout.frame import CHECKSUMS
 from laid_out import MADE_UP, SPECS, layouts, newest
 from made_python import codec_error, made, package, runtime
 

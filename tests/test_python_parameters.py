@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.primitive import Kind
+from fieldspec.model.registers import Parameter, ParameterSet
+from fieldspec.model.value import Kind
 from laid_out import MADE_UP, SPECS, all_layouts, layouts, newest
 from made_python import codec_error, made, package
 
@@ -49,12 +49,13 @@ def facts(parameter: Any) -> dict[str, Any]:
 def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
     """The same of the spec."""
     value, number = row.value, row.number + place
-    full = value.ranges is None or value.ranges.intervals == ((value.type.low, value.type.high),)
+    ranges = value.written_ranges
+    full = ranges is None or ranges.intervals == ((value.type.low, value.type.high),)
     narrow = value.type.kind is Kind.INTEGER and value.const is None and not full
     plain = not (value.enum or value.flags or value.const is not None)
     return {
         "name": row.name if row.count == 1 else f"{row.name}[{place}]",
-        "printed_name": row.printed_name if row.printed_name and row.count == 1 else held.written(number),
+        "printed_name": row.printed_name if row.printed_name and row.count == 1 else held.number_text(number),
         "number": number,
         "wire_number": held.base + number,
         "set": held.name,
@@ -68,7 +69,7 @@ def facts_of(row: Parameter, held: ParameterSet, place: int) -> dict[str, Any]:
         "messages": row.messages,
         "only": row.only,
         "reserved": row.reserved,
-        "ranges": value.ranges.intervals if narrow and value.ranges else (),
+        "ranges": ranges.intervals if narrow and ranges else (),
     }
 
 
@@ -138,7 +139,7 @@ def test_parameters_are_attributes_of_their_set() -> None:
 
 def test_rows_are_made_when_one_is_asked_for() -> None:
     module = made(layouts(MADE_UP)["glider-x"][0])
-    assert object.__getattribute__(module.servo, "_index") == {} or len(module.servo) == 2
+    assert object.__getattribute__(module.servo, "_index") == {} or len(module.servo) == 3
     fresh = type(module.servo)("servo", module._servo_rows, base=0x2000)
     assert object.__getattribute__(fresh, "_index") == {}
     assert fresh[0x317].name == "reference_speed"
@@ -213,10 +214,18 @@ def test_the_elements_of_an_array_have_meanings_of_their_own() -> None:
     assert identification.subindex(5) is None
     assert pnu.read_values(identification, read("UNSIGNED16", 0xAAA, 110)) == [0xAAA, 110]
     assert pnu.read_value(identification, read("UNSIGNED16", 110), 1) == 110
+    assert pnu.read_value(identification, read("UNSIGNED16", 1)) == 1
     with pytest.raises(CodecError) as caught:
-        pnu.read_value(identification, read("UNSIGNED16", 1))
-    assert caught.value.reason == "wrong_const"
-    assert "identification.maker" in caught.value.detail
+        pnu.write_values_request(identification, [1, 110])
+    assert caught.value.reason in ("wrong_const", "read_only")
+
+
+def test_what_may_be_written_may_be_less_than_what_is_read() -> None:
+    assert pnu.read_value(servo.INITIALIZATION, read("UNSIGNED16", 32)) == 32
+    assert pnu.write_request(servo.INITIALIZATION, 1).values == (1,)
+    with pytest.raises(CodecError) as caught:
+        pnu.write_request(servo.INITIALIZATION, 32)
+    assert caught.value.reason == "out_of_range"
 
 
 def test_a_request_that_writes_has_the_format_of_its_parameter() -> None:

@@ -64,6 +64,8 @@ def test_a_register_holds_its_value_in_its_bytes(register: Any, data: str, value
         (WIDGET.LIMIT, 0, "out_of_range"),
         (WIDGET.LAMP, 9, "unknown_value"),
         (WIDGET.START, 2, "wrong_const"),
+        (WIDGET.PAINT, 2, "unknown_value"),
+        (WIDGET.INITIALIZATION, 4, "out_of_range"),
         (WIDGET.MOVING, 2, "out_of_range"),
         (WIDGET.SERIAL_NUMBER, "thirteen chars", "wrong_length"),
         (WIDGET.SERIAL_NUMBER, "é", "unknown_value"),
@@ -84,7 +86,6 @@ def test_a_register_refuses_what_it_cannot_hold(register: Any, value: Any, reaso
     [
         (WIDGET.LAMP, "0009", "unknown_value"),
         (WIDGET.MOVING, "0002", "unknown_value"),
-        (WIDGET.START, "0000", "wrong_const"),
         (WIDGET.POSITION, "0000", "incomplete"),
         (WIDGET.POSITION, "0000000000", "wrong_length"),
         (WIDGET.SERIAL_NUMBER, "FF" * 12, "unknown_value"),
@@ -94,6 +95,36 @@ def test_a_register_refuses_bytes_that_mean_nothing(register: Any, data: str, re
     with pytest.raises(CodecError) as caught:
         register.decode(bytes.fromhex(data))
     assert caught.value.reason == reason
+
+
+@pytest.mark.parametrize(
+    ("register", "data", "value"),
+    [
+        (WIDGET.START, "0000", 0),
+        (WIDGET.START, "0001", 1),
+        (WIDGET.START, "FFFF", 0xFFFF),
+        (WIDGET.PAINT, "0001", 1),
+        (WIDGET.PAINT, "0002", 2),
+        (WIDGET.INITIALIZATION, "0010", 16),
+    ],
+)
+def test_what_starts_an_action_reads_as_the_device_answers(register: Any, data: str, value: int) -> None:
+    assert register.decode(bytes.fromhex(data)) == value
+
+
+def test_a_table_with_a_field_that_can_only_be_read_is_not_written_as_a_whole() -> None:
+    slot = WIDGET.slots[1].decode(bytes.fromhex("0003 0001"))
+    assert (slot.level, slot.reached) == (3, 1)
+    with pytest.raises(CodecError) as caught:
+        WIDGET.slots.write_requests(1, WIDGET.Slot(level=5, reached=0))
+    assert caught.value.reason == "read_only"
+
+
+def test_the_range_of_writing_of_a_field_binds_what_is_encoded() -> None:
+    assert WIDGET.Slot(level=5, reached=0).encode() == bytes.fromhex("0005 0000")
+    with pytest.raises(CodecError) as caught:
+        WIDGET.Slot(level=3, reached=0).encode()
+    assert (caught.value.reason, "0, 5..9" in caught.value.detail) == ("out_of_range", True)
 
 
 def test_a_register_knows_its_facts() -> None:
@@ -294,3 +325,21 @@ def test_the_parameters_of_a_manual_are_written_by_its_message() -> None:
     request = ESC11.parameters.write_request(ESC11.parameters[1], 100)
     assert request == ESC11.WriteParameterRequest(1, 100)
     assert len(ESC11.parameters) == 32
+
+
+def test_a_sentinel_of_a_record_is_no_quantity() -> None:
+    example = newest(MADE_UP, "widget").device.examples["everything-ascii"]
+    held = WIDGET.Everything.decode(bytes.fromhex(example.frame[5:-4].decode()))
+    assert (held.half, held.half_mm) == (0xFFFF, None)
+    held.half_mm = 1.5
+    assert (held.half, held.half_mm) == (150, 1.5)
+    with pytest.raises(CodecError, match="out_of_range"):
+        held.half_mm = 655.35
+
+
+def test_a_sentinel_of_a_register_is_no_quantity() -> None:
+    assert (WIDGET.LIMIT.in_unit(0x7FFF), WIDGET.LIMIT.in_unit(5)) == (None, 5.0)
+    speed = TC100.MOTION_SPEED
+    assert (speed.in_unit(0), speed.in_unit(50)) == (None, 50.0)
+    with pytest.raises(CodecError, match="whose count 0 stands for"):
+        speed.from_unit(0.0)

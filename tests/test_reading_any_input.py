@@ -43,7 +43,7 @@ WORDS = st.sampled_from([*MARKS, *ESCAPES, *KEYS])
 def read_whole(files: dict[str, bytes]) -> Project:
     """Reads files and every version of their devices; whatever is found can be shown."""
     found = read(files)
-    findings = list(found.found)
+    findings = list(found.findings)
     for spec in found.devices.values():
         for version in [*spec.versions(), "no such version"]:
             findings += spec.at(version)[1]
@@ -124,6 +124,6 @@ def test_any_spec_that_fits_the_schema_is_read() -> None:
         text = any_spec.spec(seed)
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         found = read_whole(files)
-        assert set(codes(found.found)) <= {"version_unknown", "version_twice", "references_resolve"}, f"seed {seed}"
+        assert set(codes(found.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, f"seed {seed}"
         built += "gadget" in found.devices
     assert built > SEEDS / 2

@@ -141,7 +141,7 @@ def test_numbers_of_members_are_the_members_of_another_enum() -> None:
 )
 def test_a_reference_to_what_is_not_there_is_found(text: str, message: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    found = project(clean.removeprefix(DEVICE)).found
+    found = project(clean.removeprefix(DEVICE)).findings
     assert (found[0].code, found[0].message) == ("references_resolve", message)
     assert pointed_at(found[0].span) == clean[start:end]
 

@@ -50,7 +50,7 @@ def project(base: str = BASE, **files: str) -> Project:
 def at(version: str, base: str = BASE, **files: str) -> Device:
     """The device at a version; nothing is found."""
     made = project(base, **files)
-    assert codes(made.found) == []
+    assert codes(made.findings) == []
     device, found = made.devices["gadget"].at(version)
     assert codes(found) == []
     return device
@@ -147,7 +147,7 @@ WRONG = {
 @pytest.mark.parametrize("text", WRONG)
 def test_what_does_not_fit_the_base_is_found(text: str) -> None:
     clean, start, end = unmarked(overlay(text))
-    found = project(v2_1=clean).found
+    found = project(v2_1=clean).findings
     assert codes(found) == [WRONG[text]]
     assert pointed_at(found[0].span) == clean[start:end]
     assert found[0].span.file.path == "gadget/versions/2.1.yaml"
@@ -155,7 +155,7 @@ def test_what_does_not_fit_the_base_is_found(text: str) -> None:
 
 def test_an_old_value_that_the_base_has_not_is_shown_in_both_places() -> None:
     text = overlay("changes: [{fact: registers/speed, set: {range: {was: 1..99, is: 1..120}}, reason: x}]")
-    label = project(v2_1=text).found[0].labels[0]
+    label = project(v2_1=text).findings[0].labels[0]
     assert (label.span.file.path, pointed_at(label.span)) == ("gadget/device.yaml", "1..100")
 
 
@@ -181,20 +181,20 @@ ORDERS: dict[str, tuple[dict[str, str], list[str]]] = {
 @pytest.mark.parametrize("name", ORDERS)
 def test_versions_that_do_not_follow_each_other_are_found(name: str) -> None:
     files, expected = ORDERS[name]
-    assert codes(project(**files).found) == expected
+    assert codes(project(**files).findings) == expected
 
 
 def test_a_version_of_another_line_says_behind_which_one_it_stands() -> None:
     text = 'overlay: {id: "V1b", line: hardware, based_on: "2.0", after: V1}'
     made = project(vV1b=text)
-    assert codes(made.found) == []
+    assert codes(made.findings) == []
     assert [version.id for version in made.devices["gadget"].at("2.0")[0].lines[1].versions] == ["V1", "V1b", "V2"]
 
 
 @pytest.mark.parametrize("section", ["overlay", "adds", "changes", "removes", "renames"])
 def test_what_belongs_into_the_file_of_a_version_is_found_elsewhere(section: str) -> None:
     held = '{id: "2.1", line: firmware, based_on: "2.0"}' if section == "overlay" else "[]"
-    assert codes(project(BASE + f"{section}: {held}\n").found) == ["unknown_key"]
+    assert codes(project(BASE + f"{section}: {held}\n").findings) == ["unknown_key"]
 
 
 TWICE = BASE.replace(
@@ -214,7 +214,7 @@ def test_an_entry_is_about_the_fact_that_its_base_has_where_there_are_several_of
 
 def test_a_thing_that_only_another_version_has_cannot_be_changed() -> None:
     text = overlay("removes: [{fact: registers/late, reason: Gone.}]", "1.1", "1.0")
-    assert codes(project(v1_1=text).found) == ["overlay_fact_missing"]
+    assert codes(project(v1_1=text).findings) == ["overlay_fact_missing"]
 
 
 def test_a_version_of_another_line_keeps_what_all_versions_have() -> None:
@@ -222,7 +222,7 @@ def test_a_version_of_another_line_keeps_what_all_versions_have() -> None:
         "changes: [{fact: registers/speed, set: {unit: {was: ~, is: rpm}}, reason: Known now.}]"
     )
     made = project(vV3=text)
-    assert codes(made.found) == []
+    assert codes(made.findings) == []
     device, _ = made.devices["gadget"].at("2.0+V3")
     assert device.register("late") is not None
 

@@ -56,13 +56,13 @@ def test_lists_of_several_files_are_joined_in_the_order_of_their_names() -> None
 def test_files_that_are_no_specs_are_passed_over() -> None:
     files = {"gadget/device.yaml": DEVICE, "gadget/notes.txt": "\t", "README.md": "\t", "gadget/old/a.yaml": "\t"}
     read_from = read({path: text.encode() for path, text in files.items()})
-    assert codes(read_from.found) == []
+    assert codes(read_from.findings) == []
     assert list(read_from.devices) == ["gadget"]
 
 
 def test_a_section_that_is_no_list_stands_in_one_file() -> None:
     clean, start, _ = unmarked(f"«device»: {{id: gadget, name: Other, vendor: Maker, manual: {MANUAL}}}\n")
-    (found,) = project("", gadget_other=clean).found
+    (found,) = project("", gadget_other=clean).findings
     assert (found.code, found.span.file.path, found.span.start) == ("section_twice", "gadget/other.yaml", start)
     assert [(label.span.file.path, pointed_at(label.span)) for label in found.labels] == [
         ("gadget/device.yaml", "device")
@@ -71,7 +71,7 @@ def test_a_section_that_is_no_list_stands_in_one_file() -> None:
 
 def test_a_folder_needs_the_section_device() -> None:
     read_from = read({"gadget/a.yaml": b"notes: [{name: n, text: t}]\n", "gizmo/device.yaml": DEVICE.encode()})
-    assert [(finding.code, finding.span.file.path) for finding in read_from.found] == [
+    assert [(finding.code, finding.span.file.path) for finding in read_from.findings] == [
         ("device_section", "gadget/a.yaml"),
         ("id_matches_path", "gizmo/device.yaml"),
     ]
@@ -79,8 +79,8 @@ def test_a_folder_needs_the_section_device() -> None:
 
 def test_two_devices_with_one_id_are_a_finding_at_the_second_with_a_label_at_the_first() -> None:
     read_from = read({"gadget/device.yaml": DEVICE.encode(), "gizmo/device.yaml": DEVICE.encode()})
-    assert sorted(codes(read_from.found)) == ["device_id_unique", "id_matches_path"]
-    found = next(finding for finding in read_from.found if finding.code == "device_id_unique")
+    assert sorted(codes(read_from.findings)) == ["device_id_unique", "id_matches_path"]
+    found = next(finding for finding in read_from.findings if finding.code == "device_id_unique")
     assert found.span.file.path == "gizmo/device.yaml"
     assert [label.span.file.path for label in found.labels] == ["gadget/device.yaml"]
     assert pointed_at(found.span) == pointed_at(found.labels[0].span) == "gadget"
@@ -96,7 +96,7 @@ def test_only_the_devices_that_are_asked_for_are_read() -> None:
     gizmo = DEVICE.replace("id: gadget", "id: gizmo")
     files = {"gadget/device.yaml": b"\t", "gizmo/device.yaml": gizmo.encode(), "protocols/wire.yaml": b"\t"}
     read_from = read(files, frozenset(["gizmo"]))
-    assert (list(read_from.devices), read_from.found) == (["gizmo"], [])
+    assert (list(read_from.devices), read_from.findings) == (["gizmo"], [])
 
 
 @pytest.mark.parametrize(
@@ -110,13 +110,13 @@ def test_only_the_devices_that_are_asked_for_are_read() -> None:
 )
 def test_a_wrong_use_is_found_where_it_is(text: str, others: dict[str, str], code: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = project(clean.removeprefix(DEVICE), **others).found
+    (found,) = project(clean.removeprefix(DEVICE), **others).findings
     assert (found.code, found.span.start, found.span.end) == (code, start, end)
     assert found.help
 
 
 def test_a_missing_protocol_has_a_hint() -> None:
-    (found,) = project("uses: [{protocol: wires}]\n", protocols_wire=WIRE).found
+    (found,) = project("uses: [{protocol: wires}]\n", protocols_wire=WIRE).findings
     assert found.help == "did you mean `wire`?"
 
 
@@ -133,20 +133,20 @@ def test_protocols_that_use_each_other_in_a_circle_are_a_finding(others: dict[st
         path: f"protocol: {{id: {path[-1]}, title: P}}\nuses: [{', '.join(f'{{protocol: {name}}}' for name in uses)}]\n"
         for path, uses in others.items()
     }
-    (found,) = project("uses: [{protocol: a}]\n", **files).found
+    (found,) = project("uses: [{protocol: a}]\n", **files).findings
     assert found.code == "import_cycle"
     assert found.message.endswith(chain)
     assert pointed_at(found.span) == chain[-1]
 
 
 def test_a_protocol_that_no_device_uses_is_read_too() -> None:
-    found = project("", protocols_wire="protocol: {id: wire, title: P}\nlinkz: []\n").found
+    found = project("", protocols_wire="protocol: {id: wire, title: P}\nlinkz: []\n").findings
     assert codes(found) == ["unknown_key"]
 
 
 @pytest.mark.parametrize("text", ["links: []\n", "protocol: {id: wire, title: P}\ndevice: 1\n"])
 def test_a_protocol_is_no_device(text: str) -> None:
-    assert project("uses: [{protocol: wire}]\n", protocols_wire=text).found
+    assert project("uses: [{protocol: wire}]\n", protocols_wire=text).findings
 
 
 def test_a_device_takes_all_of_a_protocol() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence
+from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence
 from fieldspec.reading.project import read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
@@ -93,7 +93,7 @@ def scalars(node: Node) -> list[Scalar]:
 
 
 @pytest.mark.parametrize(("scalar", "kind", "meant"), CASES)
-def test_a_scalar_means_what_its_place_wants(scalar: str, kind: str, meant: Plain) -> None:
+def test_a_scalar_means_what_its_place_wants(scalar: str, kind: str, meant: ScalarValue) -> None:
     text, code = PLACES[kind]
     clean, start, end = unmarked(text.replace("«»", f"«{scalar}»"))
     file, _ = decoded("a.yaml", clean.encode())
@@ -165,14 +165,14 @@ WIDE = {
 @pytest.mark.parametrize(("code", "text", "help"), FINDINGS.values(), ids=FINDINGS)
 def test_a_finding_says_what_would_be_right(code: str, text: str, help: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = read({"gadget/device.yaml": clean.encode()}).found
+    (found,) = read({"gadget/device.yaml": clean.encode()}).findings
     assert (found.code, pointed_at(found.span)) == (code, clean[start:end])
     assert found.span.start == start
     assert help in found.help
 
 
 def test_a_long_text_is_not_quoted_whole() -> None:
-    (found,) = project(ROW.format(f"words: {'x' * 100_000}")).found
+    (found,) = project(ROW.format(f"words: {'x' * 100_000}")).findings
     assert len(found.message) < 200
 
 
@@ -182,7 +182,7 @@ def test_a_long_text_is_not_quoted_whole() -> None:
 def test_the_caret_is_under_the_culprit(code: str, text: str, help: str, before: str, beside: str, ends: str) -> None:
     text = text.replace("name: b, type", f"name: b, {beside}type")
     clean, start, end = unmarked((DEVICE + before + text).replace("\n", ends))
-    found = read({"gadget/device.yaml": clean.encode()}).found
+    found = read({"gadget/device.yaml": clean.encode()}).findings
     (finding,) = (one for one in found if one.code == code)
     lines = rendered([finding]).splitlines()
     source, marks = lines[1], lines[2]
@@ -196,7 +196,7 @@ def test_the_caret_is_under_the_culprit(code: str, text: str, help: str, before:
 def test_every_finding_of_every_file_is_given_in_one_run() -> None:
     found = project(
         "registrs: []\n", gadget_b="enums: 5\n", gadget_a="a: 1\na: 2\n", protocols_wire="protocol: 1\n"
-    ).found
+    ).findings
     assert [(finding.span.file.path, finding.code) for finding in found] == [
         ("gadget/device.yaml", "unknown_key"),
         ("gadget/a.yaml", "duplicate_key"),

@@ -163,12 +163,12 @@ def test_a_version_keeps_what_is_known_of_it() -> None:
 )
 def test_a_version_that_is_not_declared_is_a_finding(text: str, code: str) -> None:
     clean, start, end = unmarked(DEVICE + LINES + text)
-    (found,) = project(clean.removeprefix(DEVICE)).found
+    (found,) = project(clean.removeprefix(DEVICE)).findings
     assert (found.code, found.span.start, found.span.end) == (code, start, end)
 
 
 def test_a_version_that_is_not_declared_has_a_hint() -> None:
-    (found,) = project(LINES + 'limits: [{name: x, since: "1.6"}]\n').found
+    (found,) = project(LINES + 'limits: [{name: x, since: "1.6"}]\n').findings
     assert found.help == "did you mean `1.5`?"
 
 
@@ -181,18 +181,18 @@ def test_a_version_that_is_not_declared_has_a_hint() -> None:
 )
 def test_versions_are_declared_once(text: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = project(clean.removeprefix(DEVICE)).found
+    (found,) = project(clean.removeprefix(DEVICE)).findings
     assert (found.code, found.span.start, found.span.end) == ("version_twice", start, end)
 
 
 def test_keys_that_are_a_users_own_are_not_taken_for_versions() -> None:
     text = "examples: [{id: a, link: b, direction: request, frame: '00', values: {since: 5, until: on}}]\n"
-    assert codes(project(text).found) == []
+    assert codes(project(text).findings) == []
 
 
 def test_a_label_at_an_unquoted_version_says_what_is_wrong() -> None:
     clean, start, _ = unmarked(DEVICE + LINES + "limits: [{name: x, since: «1.50»}]\n")
-    (found,) = project(clean.removeprefix(DEVICE)).found
+    (found,) = project(clean.removeprefix(DEVICE)).findings
     assert (found.code, found.span.start, pointed_at(found.span)) == ("version_unknown", start, "1.50")
 
 
@@ -204,7 +204,7 @@ versions:
   - {line: three, like: oen, members: [{id: "3.0"}, {id: "3.1"}]}
   - {line: four, like: two, members: [{id: "4.0"}]}
 """
-    found = project(text).found
+    found = project(text).findings
     assert [(one.code, one.message.rpartition(" ")[2]) for one in found] == [
         ("version_unknown", "`oen`"),
         ("version_unknown", "`two`"),

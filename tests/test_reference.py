@@ -9,8 +9,8 @@ from pymodbus.pdu import DecodePDU
 from pymodbus.pdu.other_message import ReportDeviceIdResponse
 
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.meaning import raw_values
-from fieldspec.model.example import Example
+from fieldspec.layout.values import raw_values
+from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
 from laid_out import MADE_UP, SPECS, all_layouts, newest
 

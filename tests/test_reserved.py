@@ -23,14 +23,14 @@ from fieldspec.reserved import TARGETS
     ],
 )
 def test_reserved_words_are_escaped(target: str, name: str, spelled: str) -> None:
-    assert TARGETS[target].spelled(name) == spelled
+    assert TARGETS[target].legal_name(name) == spelled
 
 
 @pytest.mark.parametrize("target", ["python", "c"])
 def test_escaped_words_are_no_names_of_specs(target: str) -> None:
     legal = re.compile(schema()["$defs"]["name"]["pattern"])
     for word in TARGETS[target].words:
-        assert not legal.search(TARGETS[target].spelled(word))
+        assert not legal.search(TARGETS[target].legal_name(word))
 
 
 @pytest.mark.parametrize("target", TARGETS)

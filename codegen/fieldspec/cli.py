@@ -113,7 +113,7 @@ class _Verb(_Parser):
         if self.get_default("words") is not None:
             self._learn(args)
             if {"-h", "--help"} & {*args}:
-                told = import_module("fieldspec.commands.words").told(args)
+                told = import_module("fieldspec.commands.device_help").device_help(args)
                 self.epilog = told or self.epilog
         try:
             return self.parse_known_intermixed_args(args, namespace)

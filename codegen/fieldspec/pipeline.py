@@ -8,8 +8,8 @@ from fieldspec.backends import OUTPUTS, Files
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.proofs.equal_lines import equal_versions
 from fieldspec.proofs.running import Outcome, proven
-from fieldspec.proofs.twins import twins
 from fieldspec.reading.project import DeviceSpec, Project, read
 
 
@@ -21,7 +21,7 @@ def load(files: Mapping[str, bytes], only: frozenset[str] = frozenset()) -> Proj
 def checked(project: Project) -> list[Diagnostic]:
     """All findings of all files and devices, in order."""
     found = [finding for spec in project.devices.values() for finding in findings(spec)]
-    return in_order([*project.found, *found])
+    return in_order([*project.findings, *found])
 
 
 def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
@@ -33,9 +33,9 @@ def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
         made, shared = ran.layouts, ran.shared
     else:
         made = {version: device_layout(spec.at(version)[0]) for version in spec.versions()}
-        shared = twins(spec, {version: layout.identity for version, layout in made.items()})
+        shared = equal_versions(spec, {version: layout.identity for version, layout in made.items()})
     return [
-        replace(made[version], twins=tuple(one for one, other in shared.items() if other == version))
+        replace(made[version], equal_versions=tuple(one for one, other in shared.items() if other == version))
         for version in spec.versions()
     ]
 

@@ -72,7 +72,7 @@ class Target:
     folds: bool
     escape: str
 
-    def spelled(self, text: str) -> str:
+    def legal_name(self, text: str) -> str:
         """The text as the target accepts it."""
         word = text.lower() if self.folds else text
         return self.escape.format(text) if word in self.words else text

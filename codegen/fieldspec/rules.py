@@ -126,8 +126,9 @@ def _rules() -> Iterator[Rule]:
 
 
 def _text(function: object) -> str:
-    """The docstring of the module that is named after a function."""
-    return sys.modules[function.__module__].__doc__ or ""
+    """The docstring of a rule's function, or of the module that is named after it."""
+    documentation = sys.modules[function.__module__].__doc__ or ""
+    return documentation if _PARTS[-1] in documentation else function.__doc__ or ""
 
 
 def _parsed(code: str, stage: str, text: str) -> Rule:

@@ -41,12 +41,12 @@ def csv_text(rows: Iterable[Sequence[Cell]], line_end: str = "\r\n") -> str:
     """Rows as RFC 4180 has them: commas, quotes where they are needed, doubled within. Texts become one line each."""
     made = io.StringIO()
     writer = csv.writer(made, lineterminator=line_end)
-    shown = _Shown()
+    shown = _CellTexts()
     writer.writerows([shown[cell] if isinstance(cell, str) else cell for cell in row] for row in rows)
     return made.getvalue()
 
 
-class _Shown(dict[str, str]):
+class _CellTexts(dict[str, str]):
     """Texts as cells have them, each worked out once, since most of a table's texts are in several of its rows."""
 
     def __missing__(self, text: str) -> str:

@@ -2851,9 +2851,6 @@ static inline ck10_codec_status ck10_reg_target_position_or_distance_encode(int3
 static inline ck10_codec_status ck10_reg_start_move_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
-    if (!ck10_move_kind_known((int64_t)*out)) {
-        return CK10_ERR_UNKNOWN_VALUE;
-    }
     return CK10_OK;
 }
 
@@ -2978,11 +2975,9 @@ static inline ck10_codec_status ck10_reg_jog_direction_encode(uint16_t value, ui
 #define CK10_REG_START_JOG_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_start_jog_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_start_jog_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3222,11 +3217,9 @@ static inline ck10_codec_status ck10_reg_push_end_position_encode(int32_t value,
 #define CK10_REG_START_PUSH_MOTION_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_start_push_motion_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_start_push_motion_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3248,11 +3241,9 @@ static inline ck10_codec_status ck10_reg_start_push_motion_encode(uint8_t *out)
 #define CK10_REG_START_HOMING_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_start_homing_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_start_homing_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3278,9 +3269,6 @@ static inline ck10_codec_status ck10_reg_start_homing_encode(uint8_t *out)
 static inline ck10_codec_status ck10_reg_stop_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
-    if (!ck10_stop_kind_known((int64_t)*out)) {
-        return CK10_ERR_UNKNOWN_VALUE;
-    }
     return CK10_OK;
 }
 
@@ -3329,11 +3317,9 @@ static inline ck10_codec_status ck10_reg_servo_encode(uint16_t value, uint8_t *o
 #define CK10_REG_CLEAR_POSITION_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_clear_position_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_clear_position_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3355,11 +3341,9 @@ static inline ck10_codec_status ck10_reg_clear_position_encode(uint8_t *out)
 #define CK10_REG_RESET_ALARM_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_reset_alarm_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_reset_alarm_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3382,11 +3366,9 @@ static inline ck10_codec_status ck10_reg_reset_alarm_encode(uint8_t *out)
 #define CK10_REG_SAVE_POINT_TABLE_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_save_point_table_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_save_point_table_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3436,9 +3418,6 @@ static inline ck10_codec_status ck10_reg_start_point_encode(uint16_t value, uint
 static inline ck10_codec_status ck10_reg_run_point_table_decode(const uint8_t *in, uint16_t *out)
 {
     *out = ck10_load_u16_be(in);
-    if (!ck10_point_table_command_known((int64_t)*out)) {
-        return CK10_ERR_UNKNOWN_VALUE;
-    }
     return CK10_OK;
 }
 
@@ -3463,11 +3442,9 @@ static inline ck10_codec_status ck10_reg_run_point_table_encode(uint16_t value, 
 #define CK10_REG_SAVE_ALL_PARAMETERS_VALUE 1u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_save_all_parameters_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_save_all_parameters_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 1u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -3618,11 +3595,9 @@ static inline ck10_codec_status ck10_reg_compare_active_encode(bool value, uint8
 #define CK10_REG_MODEL_ID_VALUE 104u
 
 /** Reads its value from the 4 bytes of its words. */
-static inline ck10_codec_status ck10_reg_model_id_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_model_id_decode(const uint8_t *in, uint32_t *out)
 {
-    if (ck10_load_u32_be(in) != 104u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u32_be(in);
     return CK10_OK;
 }
 
@@ -3644,11 +3619,9 @@ static inline ck10_codec_status ck10_reg_model_id_encode(uint8_t *out)
 #define CK10_REG_HARDWARE_TYPE_VALUE 31u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_hardware_type_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_hardware_type_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 31u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 
@@ -9532,11 +9505,9 @@ static inline ck10_codec_status ck10_reg_user_output_8_encode(uint16_t value, ui
 #define CK10_REG_CLEAR_ALARM_HISTORY_VALUE 65535u
 
 /** Reads its value from the 2 bytes of its words. */
-static inline ck10_codec_status ck10_reg_clear_alarm_history_decode(const uint8_t *in)
+static inline ck10_codec_status ck10_reg_clear_alarm_history_decode(const uint8_t *in, uint16_t *out)
 {
-    if (ck10_load_u16_be(in) != 65535u) {
-        return CK10_ERR_WRONG_CONST;
-    }
+    *out = ck10_load_u16_be(in);
     return CK10_OK;
 }
 

@@ -2542,11 +2542,14 @@ static void test_48(void)
 static void test_49(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_start_jog_encode(bytes) == CK10_OK, "start_jog");
     expect(same_bytes(bytes, "\000\001", 2u), "start_jog bytes");
-    expect(ck10_reg_start_jog_decode(bytes) == CK10_OK, "start_jog");
-    bytes[0] ^= 1;
-    expect(ck10_reg_start_jog_decode(bytes) == CK10_ERR_WRONG_CONST, "start_jog wrong");
+    expect(ck10_reg_start_jog_decode(bytes, &out) == CK10_OK, "start_jog");
+    expect(out == 1u, "start_jog");
+    expect(ck10_reg_start_jog_decode(other, &out) == CK10_OK, "start_jog 0");
+    expect(out == 0u, "start_jog 0");
 }
 
 static void test_50(void)
@@ -2715,21 +2718,27 @@ static void test_58(void)
 static void test_59(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_start_push_motion_encode(bytes) == CK10_OK, "start_push_motion");
     expect(same_bytes(bytes, "\000\001", 2u), "start_push_motion bytes");
-    expect(ck10_reg_start_push_motion_decode(bytes) == CK10_OK, "start_push_motion");
-    bytes[0] ^= 1;
-    expect(ck10_reg_start_push_motion_decode(bytes) == CK10_ERR_WRONG_CONST, "start_push_motion wrong");
+    expect(ck10_reg_start_push_motion_decode(bytes, &out) == CK10_OK, "start_push_motion");
+    expect(out == 1u, "start_push_motion");
+    expect(ck10_reg_start_push_motion_decode(other, &out) == CK10_OK, "start_push_motion 0");
+    expect(out == 0u, "start_push_motion 0");
 }
 
 static void test_60(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_start_homing_encode(bytes) == CK10_OK, "start_homing");
     expect(same_bytes(bytes, "\000\001", 2u), "start_homing bytes");
-    expect(ck10_reg_start_homing_decode(bytes) == CK10_OK, "start_homing");
-    bytes[0] ^= 1;
-    expect(ck10_reg_start_homing_decode(bytes) == CK10_ERR_WRONG_CONST, "start_homing wrong");
+    expect(ck10_reg_start_homing_decode(bytes, &out) == CK10_OK, "start_homing");
+    expect(out == 1u, "start_homing");
+    expect(ck10_reg_start_homing_decode(other, &out) == CK10_OK, "start_homing 0");
+    expect(out == 0u, "start_homing 0");
 }
 
 static void test_61(void)
@@ -2769,31 +2778,40 @@ static void test_62(void)
 static void test_63(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_clear_position_encode(bytes) == CK10_OK, "clear_position");
     expect(same_bytes(bytes, "\000\001", 2u), "clear_position bytes");
-    expect(ck10_reg_clear_position_decode(bytes) == CK10_OK, "clear_position");
-    bytes[0] ^= 1;
-    expect(ck10_reg_clear_position_decode(bytes) == CK10_ERR_WRONG_CONST, "clear_position wrong");
+    expect(ck10_reg_clear_position_decode(bytes, &out) == CK10_OK, "clear_position");
+    expect(out == 1u, "clear_position");
+    expect(ck10_reg_clear_position_decode(other, &out) == CK10_OK, "clear_position 0");
+    expect(out == 0u, "clear_position 0");
 }
 
 static void test_64(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_reset_alarm_encode(bytes) == CK10_OK, "reset_alarm");
     expect(same_bytes(bytes, "\000\001", 2u), "reset_alarm bytes");
-    expect(ck10_reg_reset_alarm_decode(bytes) == CK10_OK, "reset_alarm");
-    bytes[0] ^= 1;
-    expect(ck10_reg_reset_alarm_decode(bytes) == CK10_ERR_WRONG_CONST, "reset_alarm wrong");
+    expect(ck10_reg_reset_alarm_decode(bytes, &out) == CK10_OK, "reset_alarm");
+    expect(out == 1u, "reset_alarm");
+    expect(ck10_reg_reset_alarm_decode(other, &out) == CK10_OK, "reset_alarm 0");
+    expect(out == 0u, "reset_alarm 0");
 }
 
 static void test_65(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_save_point_table_encode(bytes) == CK10_OK, "save_point_table");
     expect(same_bytes(bytes, "\000\001", 2u), "save_point_table bytes");
-    expect(ck10_reg_save_point_table_decode(bytes) == CK10_OK, "save_point_table");
-    bytes[0] ^= 1;
-    expect(ck10_reg_save_point_table_decode(bytes) == CK10_ERR_WRONG_CONST, "save_point_table wrong");
+    expect(ck10_reg_save_point_table_decode(bytes, &out) == CK10_OK, "save_point_table");
+    expect(out == 1u, "save_point_table");
+    expect(ck10_reg_save_point_table_decode(other, &out) == CK10_OK, "save_point_table 0");
+    expect(out == 0u, "save_point_table 0");
 }
 
 static void test_66(void)
@@ -2838,11 +2856,14 @@ static void test_67(void)
 static void test_68(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_save_all_parameters_encode(bytes) == CK10_OK, "save_all_parameters");
     expect(same_bytes(bytes, "\000\001", 2u), "save_all_parameters bytes");
-    expect(ck10_reg_save_all_parameters_decode(bytes) == CK10_OK, "save_all_parameters");
-    bytes[0] ^= 1;
-    expect(ck10_reg_save_all_parameters_decode(bytes) == CK10_ERR_WRONG_CONST, "save_all_parameters wrong");
+    expect(ck10_reg_save_all_parameters_decode(bytes, &out) == CK10_OK, "save_all_parameters");
+    expect(out == 1u, "save_all_parameters");
+    expect(ck10_reg_save_all_parameters_decode(other, &out) == CK10_OK, "save_all_parameters 0");
+    expect(out == 0u, "save_all_parameters 0");
 }
 
 static void test_69(void)
@@ -2904,21 +2925,27 @@ static void test_71(void)
 static void test_72(void)
 {
     uint8_t bytes[4];
+    uint32_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00, 0x00, 0x00};
     expect(ck10_reg_model_id_encode(bytes) == CK10_OK, "model_id");
     expect(same_bytes(bytes, "\000\000\000\150", 4u), "model_id bytes");
-    expect(ck10_reg_model_id_decode(bytes) == CK10_OK, "model_id");
-    bytes[0] ^= 1;
-    expect(ck10_reg_model_id_decode(bytes) == CK10_ERR_WRONG_CONST, "model_id wrong");
+    expect(ck10_reg_model_id_decode(bytes, &out) == CK10_OK, "model_id");
+    expect(out == 104u, "model_id");
+    expect(ck10_reg_model_id_decode(other, &out) == CK10_OK, "model_id 0");
+    expect(out == 0u, "model_id 0");
 }
 
 static void test_73(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_hardware_type_encode(bytes) == CK10_OK, "hardware_type");
     expect(same_bytes(bytes, "\000\037", 2u), "hardware_type bytes");
-    expect(ck10_reg_hardware_type_decode(bytes) == CK10_OK, "hardware_type");
-    bytes[0] ^= 1;
-    expect(ck10_reg_hardware_type_decode(bytes) == CK10_ERR_WRONG_CONST, "hardware_type wrong");
+    expect(ck10_reg_hardware_type_decode(bytes, &out) == CK10_OK, "hardware_type");
+    expect(out == 31u, "hardware_type");
+    expect(ck10_reg_hardware_type_decode(other, &out) == CK10_OK, "hardware_type 0");
+    expect(out == 0u, "hardware_type 0");
 }
 
 static void test_74(void)
@@ -6446,11 +6473,14 @@ static void test_269(void)
 static void test_270(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(ck10_reg_clear_alarm_history_encode(bytes) == CK10_OK, "clear_alarm_history");
     expect(same_bytes(bytes, "\377\377", 2u), "clear_alarm_history bytes");
-    expect(ck10_reg_clear_alarm_history_decode(bytes) == CK10_OK, "clear_alarm_history");
-    bytes[0] ^= 1;
-    expect(ck10_reg_clear_alarm_history_decode(bytes) == CK10_ERR_WRONG_CONST, "clear_alarm_history wrong");
+    expect(ck10_reg_clear_alarm_history_decode(bytes, &out) == CK10_OK, "clear_alarm_history");
+    expect(out == 65535u, "clear_alarm_history");
+    expect(ck10_reg_clear_alarm_history_decode(other, &out) == CK10_OK, "clear_alarm_history 0");
+    expect(out == 0u, "clear_alarm_history 0");
 }
 
 static void test_271(void)

@@ -9,16 +9,16 @@
  * version that was known when this was generated.
  *
  * HIWIN_E_SELECT_BEFORE_2_8_16: hiwin_e_before_2_8_16.h, identity 4dbe16b352e3dda8
- * HIWIN_E_SELECT_V2_8_16: hiwin_e_v2_8_16.h, identity 4d1f169d42c20f7a
- * HIWIN_E_SELECT_BEFORE_3_12_5: hiwin_e_v2_8_16.h, identity 4d1f169d42c20f7a
- * HIWIN_E_SELECT_V2_12_5: hiwin_e_v2_12_5.h, identity 0f5db24411d30f10
- * HIWIN_E_SELECT_V3_12_5: hiwin_e_v2_12_5.h, identity 0f5db24411d30f10
- * HIWIN_E_SELECT_BEFORE_4_14_4: hiwin_e_v2_12_5.h, identity 0f5db24411d30f10
- * HIWIN_E_SELECT_V2_14_4: hiwin_e_v2_14_4.h, identity 777c777c5fb7dd16
- * HIWIN_E_SELECT_V3_14_4: hiwin_e_v2_14_4.h, identity 777c777c5fb7dd16
- * HIWIN_E_SELECT_V4_14_4: hiwin_e_v2_14_4.h, identity 777c777c5fb7dd16
+ * HIWIN_E_SELECT_V2_8_16: hiwin_e_v2_8_16.h, identity ac11a21ebaed8850
+ * HIWIN_E_SELECT_BEFORE_3_12_5: hiwin_e_v2_8_16.h, identity ac11a21ebaed8850
+ * HIWIN_E_SELECT_V2_12_5: hiwin_e_v2_12_5.h, identity b35f43c8ff45f060
+ * HIWIN_E_SELECT_V3_12_5: hiwin_e_v2_12_5.h, identity b35f43c8ff45f060
+ * HIWIN_E_SELECT_BEFORE_4_14_4: hiwin_e_v2_12_5.h, identity b35f43c8ff45f060
+ * HIWIN_E_SELECT_V2_14_4: hiwin_e_v2_14_4.h, identity be1caeb3d1067d6f
+ * HIWIN_E_SELECT_V3_14_4: hiwin_e_v2_14_4.h, identity be1caeb3d1067d6f
+ * HIWIN_E_SELECT_V4_14_4: hiwin_e_v2_14_4.h, identity be1caeb3d1067d6f
  *
- * Generated; do not edit. Identity: 777c777c5fb7dd16
+ * Generated; do not edit. Identity: be1caeb3d1067d6f
  */
 #define HIWIN_E_SELECT_BEFORE_2_8_16 1
 #define HIWIN_E_SELECT_V2_8_16 2

@@ -6499,9 +6499,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
         uint16_t *out)
 {
     *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_gantry_parameter_command_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -7105,9 +7102,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_4_
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_drive_reset_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -7139,9 +7133,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_parameter_save_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -7547,11 +7538,10 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_MANUFACTURER_VALUE 2730u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(const uint8_t *in)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(const uint8_t *in,
+        uint16_t *out)
 {
-    if (hiwin_e_load_u16_be(in) != 2730u) {
-        return HIWIN_E_ERR_WRONG_CONST;
-    }
+    *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
@@ -7571,11 +7561,10 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_UNIT_TYPE_VALUE 5u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(const uint8_t *in)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(const uint8_t *in,
+        uint16_t *out)
 {
-    if (hiwin_e_load_u16_be(in) != 5u) {
-        return HIWIN_E_ERR_WRONG_CONST;
-    }
+    *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
@@ -7669,11 +7658,10 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_OBJECT_COUNT_VALUE 1u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(const uint8_t *in)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(const uint8_t *in,
+        uint16_t *out)
 {
-    if (hiwin_e_load_u16_be(in) != 1u) {
-        return HIWIN_E_ERR_WRONG_CONST;
-    }
+    *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 

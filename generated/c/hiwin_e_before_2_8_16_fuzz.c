@@ -95,12 +95,25 @@ static void hold(bool so)
         hold(encode(value, out) == HIWIN_E_OK && memcmp(out, data, held) == 0); \
     } while (0)
 
-/* A constant: what is written is what is read. */
-#define CONSTANT(decode, encode, held, length) \
+/* A constant: what is written can be read, and so can what else the device answers. */
+#define CONSTANT(type, decode, encode, length) \
     do { \
+        type value; \
         uint8_t out[length]; \
-        hold(encode(out) == HIWIN_E_OK && decode(out) == HIWIN_E_OK); \
-        hold(size < (length) || (decode(data) == HIWIN_E_OK) == (memcmp(out, data, held) == 0)); \
+        hold(encode(out) == HIWIN_E_OK && decode(out, &value) == HIWIN_E_OK); \
+        hold(size < (length) || decode(data, &value) != HIWIN_E_ERR_WRONG_CONST); \
+    } while (0)
+
+/* What starts an action: the device answers anything, and what may be written is read as it was. */
+#define TRIGGER(type, decode, encode, held, length) \
+    do { \
+        type value; \
+        uint8_t out[length]; \
+        if (size < (length)) { \
+            break; \
+        } \
+        hold(decode(data, &value) == HIWIN_E_OK); \
+        hold(encode(value, out) != HIWIN_E_OK || memcmp(out, data, held) == 0); \
     } while (0)
 
 /* Any quantity is refused or becomes a count, and a count becomes itself again where the reference is a usual one. */
@@ -470,7 +483,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, hiwin_e_par_drive_parameters_position_trigger_array_index_decode, hiwin_e_par_drive_parameters_position_trigger_array_index_encode, 2u, 2u);
         break;
     case 61:
-        VALUE(uint16_t, hiwin_e_par_drive_parameters_position_trigger_array_control_decode, hiwin_e_par_drive_parameters_position_trigger_array_control_encode, 2u, 2u);
+        TRIGGER(uint16_t, hiwin_e_par_drive_parameters_position_trigger_array_control_decode, hiwin_e_par_drive_parameters_position_trigger_array_control_encode, 2u, 2u);
         break;
     case 62:
         VALUE(uint16_t, hiwin_e_par_drive_parameters_position_trigger_error_decode, hiwin_e_par_drive_parameters_position_trigger_error_encode, 2u, 2u);
@@ -497,7 +510,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(int16_t, hiwin_e_par_drive_parameters_gantry_parameter_type_decode, hiwin_e_par_drive_parameters_gantry_parameter_type_encode, 2u, 2u);
         break;
     case 70:
-        VALUE(uint16_t, hiwin_e_par_drive_parameters_gantry_parameter_command_decode, hiwin_e_par_drive_parameters_gantry_parameter_command_encode, 2u, 2u);
+        TRIGGER(uint16_t, hiwin_e_par_drive_parameters_gantry_parameter_command_decode, hiwin_e_par_drive_parameters_gantry_parameter_command_encode, 2u, 2u);
         break;
     case 71:
         VALUE(int16_t, hiwin_e_par_drive_parameters_gantry_parameter_status_decode, hiwin_e_par_drive_parameters_gantry_parameter_status_encode, 2u, 2u);
@@ -566,10 +579,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(float, hiwin_e_par_drive_parameters_general_float_4_decode, hiwin_e_par_drive_parameters_general_float_4_encode, 4u, 4u);
         break;
     case 93:
-        VALUE(int16_t, hiwin_e_par_drive_parameters_drive_reset_decode, hiwin_e_par_drive_parameters_drive_reset_encode, 2u, 2u);
+        TRIGGER(int16_t, hiwin_e_par_drive_parameters_drive_reset_decode, hiwin_e_par_drive_parameters_drive_reset_encode, 2u, 2u);
         break;
     case 94:
-        VALUE(int16_t, hiwin_e_par_drive_parameters_parameter_save_decode, hiwin_e_par_drive_parameters_parameter_save_encode, 2u, 2u);
+        TRIGGER(int16_t, hiwin_e_par_drive_parameters_parameter_save_decode, hiwin_e_par_drive_parameters_parameter_save_encode, 2u, 2u);
         break;
     case 95:
         VALUE(int16_t, hiwin_e_par_drive_parameters_mastership_decode, hiwin_e_par_drive_parameters_mastership_encode, 2u, 2u);
@@ -614,10 +627,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_decode, hiwin_e_par_profidrive_parameters_drive_identification_encode, 2u, 2u);
         break;
     case 109:
-        CONSTANT(hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode, hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_encode, 2u, 2u);
+        CONSTANT(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode, hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_encode, 2u);
         break;
     case 110:
-        CONSTANT(hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode, hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_encode, 2u, 2u);
+        CONSTANT(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode, hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_encode, 2u);
         break;
     case 111:
         VALUE(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_firmware_version_decode, hiwin_e_par_profidrive_parameters_drive_identification_firmware_version_encode, 2u, 2u);
@@ -629,7 +642,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         VALUE(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_firmware_day_and_month_decode, hiwin_e_par_profidrive_parameters_drive_identification_firmware_day_and_month_encode, 2u, 2u);
         break;
     case 114:
-        CONSTANT(hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode, hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_encode, 2u, 2u);
+        CONSTANT(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode, hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_encode, 2u);
         break;
     case 115:
         VALUE(uint16_t, hiwin_e_par_profidrive_parameters_drive_identification_minor_firmware_version_decode, hiwin_e_par_profidrive_parameters_drive_identification_minor_firmware_version_encode, 2u, 2u);

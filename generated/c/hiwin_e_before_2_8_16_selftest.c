@@ -6642,21 +6642,27 @@ static void test_227(void)
 static void test_228(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_encode(bytes) == HIWIN_E_OK, "profidrive_parameters.drive_identification.manufacturer");
     expect(same_bytes(bytes, "\012\252", 2u), "profidrive_parameters.drive_identification.manufacturer bytes");
-    expect(hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(bytes) == HIWIN_E_OK, "profidrive_parameters.drive_identification.manufacturer");
-    bytes[0] ^= 1;
-    expect(hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(bytes) == HIWIN_E_ERR_WRONG_CONST, "profidrive_parameters.drive_identification.manufacturer wrong");
+    expect(hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(bytes, &out) == HIWIN_E_OK, "profidrive_parameters.drive_identification.manufacturer");
+    expect(out == 2730u, "profidrive_parameters.drive_identification.manufacturer");
+    expect(hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(other, &out) == HIWIN_E_OK, "profidrive_parameters.drive_identification.manufacturer 0");
+    expect(out == 0u, "profidrive_parameters.drive_identification.manufacturer 0");
 }
 
 static void test_229(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_encode(bytes) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_unit_type");
     expect(same_bytes(bytes, "\000\005", 2u), "profidrive_parameters.drive_identification.drive_unit_type bytes");
-    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(bytes) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_unit_type");
-    bytes[0] ^= 1;
-    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(bytes) == HIWIN_E_ERR_WRONG_CONST, "profidrive_parameters.drive_identification.drive_unit_type wrong");
+    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(bytes, &out) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_unit_type");
+    expect(out == 5u, "profidrive_parameters.drive_identification.drive_unit_type");
+    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(other, &out) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_unit_type 0");
+    expect(out == 0u, "profidrive_parameters.drive_identification.drive_unit_type 0");
 }
 
 static void test_230(void)
@@ -6713,11 +6719,14 @@ static void test_232(void)
 static void test_233(void)
 {
     uint8_t bytes[2];
+    uint16_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00};
     expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_encode(bytes) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_object_count");
     expect(same_bytes(bytes, "\000\001", 2u), "profidrive_parameters.drive_identification.drive_object_count bytes");
-    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(bytes) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_object_count");
-    bytes[0] ^= 1;
-    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(bytes) == HIWIN_E_ERR_WRONG_CONST, "profidrive_parameters.drive_identification.drive_object_count wrong");
+    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(bytes, &out) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_object_count");
+    expect(out == 1u, "profidrive_parameters.drive_identification.drive_object_count");
+    expect(hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(other, &out) == HIWIN_E_OK, "profidrive_parameters.drive_identification.drive_object_count 0");
+    expect(out == 0u, "profidrive_parameters.drive_identification.drive_object_count 0");
 }
 
 static void test_234(void)

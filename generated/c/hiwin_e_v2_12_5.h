@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.12.5
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: 0f5db24411d30f10
+ * Identity: b35f43c8ff45f060
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, freestanding too: any order of bytes, any alignment, an int of
  * 16 bits or more. Headers from this generator are checked by gcc, clang and cppcheck; their self-tests run on x86-64, AArch64,
@@ -30,7 +30,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.12.5"
-#define HIWIN_E_IDENTITY "0f5db24411d30f10"
+#define HIWIN_E_IDENTITY "b35f43c8ff45f060"
 
 /* ---- Compilers and machines ---- */
 
@@ -6645,9 +6645,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
         uint16_t *out)
 {
     *out = hiwin_e_load_u16_be(in);
-    if (!hiwin_e_gantry_parameter_command_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -6893,22 +6890,21 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_operation_warnin
  * be off.
  * Printed as 3200h Absolute encoder initialization.
  * 3200h of drive_parameters. Read and write.
- * Range: 0..2, 4, 16, 32. See absolute_encoder_initialization.
- * Note: Only 0 and 1 may be written (L1167); the others are states.
+ * Range: 0..2, 4, 16, 32. May be written: 0..1. See absolute_encoder_initialization.
+ * Note: Only 0 and 1 may be written (L1167); the others are states that the drive sets.
  * Source: 4.2 L1167-1175, 1228
  */
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_NUMBER 0x3200u
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_MIN 0
 #define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_MAX 32
+#define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_WRITE_MIN 0
+#define HIWIN_E_PAR_DRIVE_PARAMETERS_ABSOLUTE_ENCODER_INITIALIZATION_WRITE_MAX 1
 
 /** Reads its value. */
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder_initialization_decode(const uint8_t *in,
         int32_t *out)
 {
     *out = hiwin_e_signed_32(hiwin_e_load_u32_be(in));
-    if (!hiwin_e_absolute_encoder_initialization_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -6919,7 +6915,7 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_absolute_encoder
     if (!hiwin_e_absolute_encoder_initialization_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!((value >= 0 && value <= 2) || (value == 4) || (value == 16) || (value == 32))) {
+    if (!(value >= 0 && value <= 1)) {
         return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u32_be(out, (uint32_t)value);
@@ -7289,9 +7285,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_general_float_4_
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_drive_reset_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -7323,9 +7316,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
 static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_decode(const uint8_t *in, int16_t *out)
 {
     *out = hiwin_e_signed_16(hiwin_e_load_u16_be(in));
-    if (!hiwin_e_parameter_save_known((int64_t)*out)) {
-        return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
     return HIWIN_E_OK;
 }
 
@@ -7755,11 +7745,10 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_MANUFACTURER_VALUE 2730u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(const uint8_t *in)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_manufacturer_decode(const uint8_t *in,
+        uint16_t *out)
 {
-    if (hiwin_e_load_u16_be(in) != 2730u) {
-        return HIWIN_E_ERR_WRONG_CONST;
-    }
+    *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
@@ -7779,11 +7768,10 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_UNIT_TYPE_VALUE 5u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(const uint8_t *in)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_unit_type_decode(const uint8_t *in,
+        uint16_t *out)
 {
-    if (hiwin_e_load_u16_be(in) != 5u) {
-        return HIWIN_E_ERR_WRONG_CONST;
-    }
+    *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 
@@ -7877,11 +7865,10 @@ static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_ident
 #define HIWIN_E_PAR_PROFIDRIVE_PARAMETERS_DRIVE_IDENTIFICATION_DRIVE_OBJECT_COUNT_VALUE 1u
 
 /** Reads its value. */
-static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(const uint8_t *in)
+static inline hiwin_e_codec_status hiwin_e_par_profidrive_parameters_drive_identification_drive_object_count_decode(const uint8_t *in,
+        uint16_t *out)
 {
-    if (hiwin_e_load_u16_be(in) != 1u) {
-        return HIWIN_E_ERR_WRONG_CONST;
-    }
+    *out = hiwin_e_load_u16_be(in);
     return HIWIN_E_OK;
 }
 

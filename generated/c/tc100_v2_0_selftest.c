@@ -1790,11 +1790,14 @@ static void test_66(void)
 static void test_67(void)
 {
     uint8_t bytes[8];
+    uint64_t out = 0;
+    static const uint8_t other[] = {0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00};
     expect(tc100_reg_write_enable_key_encode(bytes) == TC100_OK, "write_enable_key");
     expect(same_bytes(bytes, "\114\166\060\061\124\171\126\147", 8u), "write_enable_key bytes");
-    expect(tc100_reg_write_enable_key_decode(bytes) == TC100_OK, "write_enable_key");
-    bytes[0] ^= 1;
-    expect(tc100_reg_write_enable_key_decode(bytes) == TC100_ERR_WRONG_CONST, "write_enable_key wrong");
+    expect(tc100_reg_write_enable_key_decode(bytes, &out) == TC100_OK, "write_enable_key");
+    expect(out == UINT64_C(5509644182563149415), "write_enable_key");
+    expect(tc100_reg_write_enable_key_decode(other, &out) == TC100_OK, "write_enable_key 0");
+    expect(out == UINT64_C(0), "write_enable_key 0");
 }
 
 static void test_68(void)

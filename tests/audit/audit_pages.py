@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from fieldspec.audit.manual_index import NAME, parsed
+from fieldspec.audit.manual_lines import NAME, parsed
 from fieldspec.pipeline import output
 from fieldspec.reading.project import DeviceSpec, read
 from fieldspec.render.audit_pages import pages

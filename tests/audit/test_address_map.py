@@ -88,7 +88,7 @@ def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
         + row(1, "b", "type: u16")
     )
     held = space(text)
-    assert [run.own for run in held.blocks[0].runs] == [True, False, True]
+    assert [run.is_device_specific for run in held.blocks[0].runs] == [True, False, True]
     assert held.count("used") == 3
 
 
@@ -139,8 +139,9 @@ def test_the_runs_of_a_block_follow_one_another_without_a_hole(laid) -> None:  #
 def test_a_request_reads_up_to_the_limit_and_divides_no_value() -> None:
     made = polled(row(0, "a", "count: 9") + row(9, "wide", "type: u32") + row(11, "b"))
     assert blocks(made) == [(0, 9), (9, 3)]
-    assert made.limit is not None
-    assert made.limit.words == 10
+    limit = made.limit("")
+    assert limit is not None
+    assert limit.words == 10
 
 
 def test_a_request_ends_at_a_hole() -> None:
@@ -178,13 +179,13 @@ def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:
 def test_the_least_of_what_bounds_a_request_is_the_limit() -> None:
     text = registers(row(0, "a")) + LINK + MESSAGES % (10, 4)
     made = polling(laid_at(gadget(text), "1"))
-    assert [(limit.words, limit.own) for limit in made.limits] == [(4, True)]
+    assert [(limit.words, limit.from_manual) for limit in made.limits] == [(4, True)]
 
 
 def test_a_limit_of_the_protocol_is_told_from_one_of_the_manual() -> None:
-    assert [(one.words, one.own) for one in polling(newest(SPECS, "ck10")).limits] == [(125, False)]
+    assert [(one.words, one.from_manual) for one in polling(newest(SPECS, "ck10")).limits] == [(125, False)]
     (own,) = polling(newest(SPECS, "tc100")).limits
-    assert (own.words, own.own, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
+    assert (own.words, own.from_manual, [source.text() for source in own.sources]) == (60, True, ["8.5 L2026-2027"])
 
 
 @pytest.mark.parametrize("device", ["tc100", "ck10"])
@@ -198,8 +199,9 @@ def test_the_poll_blocks_of_a_device_hold_every_readable_value_once(device: str)
         *names,
         *left_out,
     }
-    assert made.limit is not None
-    assert all(block.words <= (made.limit.words or 0) for block in made.blocks)
+    limit = made.limit("")
+    assert limit is not None
+    assert all(block.words <= (limit.words or 0) for block in made.blocks)
 
 
 def test_equal_requests_at_equal_distances_are_one_row() -> None:

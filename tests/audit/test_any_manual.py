@@ -6,11 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gauge
-from fieldspec.audit.alignment import aligned
-from fieldspec.audit.manual_index import ManualError, index_of, parsed, written
+from fieldspec.audit.agreement import byte_pairs, hold, numbers, readings, words
+from fieldspec.audit.manual_lines import ManualError, aligned, digest, index_line, index_of, index_text, parsed
 from fieldspec.audit.pattern import COLUMNS, FORMS, PatternError, row, template
-from fieldspec.audit.reduced import digest, reduced
-from fieldspec.audit.spelling import byte_pairs, hold, numbers, readings, words
 
 PIECES = st.sampled_from(
     [
@@ -56,7 +54,7 @@ def test_an_index_is_read_as_it_is_written(text: str) -> None:
         index = index_of("manual", text.encode("utf-8", "replace"))
     except ManualError:
         return
-    assert parsed("manual.index", written(index, "gauge")) == index
+    assert parsed("manual.index", index_text(index, "gauge")) == index
 
 
 @given(st.binary(max_size=200))
@@ -70,7 +68,7 @@ def test_any_bytes_are_a_manual_or_refused(data: bytes) -> None:
 
 @given(LINES)
 def test_any_line_is_reduced_to_one_line_that_stays_as_it_is(line: str) -> None:
-    kept = reduced(line)
+    kept = index_line(line)
     assert all(" " <= char <= "~" or char == "…" for char in kept)
     assert digest(line) == digest(f" {line} ")
     numbers(kept)
@@ -80,10 +78,10 @@ def test_any_line_is_reduced_to_one_line_that_stays_as_it_is(line: str) -> None:
 
 @given(LINES, LINES)
 def test_any_words_and_numbers_are_looked_for(line: str, wanted: str) -> None:
-    for word in words(reduced(wanted)):
-        hold(reduced(line), word)
+    for word in words(index_line(wanted)):
+        hold(index_line(line), word)
     for number in readings(wanted):
-        numbers(reduced(line)).holds(number)
+        numbers(index_line(line)).holds(number)
 
 
 @given(PATTERNS, LINES)
@@ -92,7 +90,7 @@ def test_any_pattern_is_refused_or_finds_pieces_of_the_line(pattern: str, line: 
         made, cells = template(pattern), row(pattern.split("|"))
     except PatternError:
         return
-    text = reduced(line)
+    text = index_line(line)
     cells.find(text)
     made.whole(text)
     for found in made.each(text) if made.pieces else ():

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from command_line import MADE_UP
-from fieldspec.audit.manual_index import NAME, index_of, written
+from fieldspec.audit.manual_lines import NAME, index_of, index_text
 from fieldspec.cli import main
 
 SPECS = Path(__file__).parent / "right"
@@ -33,7 +33,7 @@ def text(specs: Path, path: str = AUDIT) -> str:
 def recorded(specs: Path) -> Path:
     """The index of the manual beside the spec."""
     path = specs / "pump" / NAME
-    path.write_text(written(index_of("pump.txt", (SPECS.parent / "pump.txt").read_bytes()), "pump"), "utf-8")
+    path.write_text(index_text(index_of("pump.txt", (SPECS.parent / "pump.txt").read_bytes()), "pump"), "utf-8")
     return path
 
 

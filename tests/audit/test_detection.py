@@ -11,7 +11,7 @@ from command_line import SPECS, CommandLine
 from fieldspec import checks
 from fieldspec.audit.detection import CLASSES, OF_WRITING, WIRE, Printed, as_printed, misprint
 from fieldspec.checks import table
-from fieldspec.model.erratum import JUDGEMENT
+from fieldspec.model.texts import JUDGEMENT
 from fieldspec.proofs.running import errata_proofs
 from fieldspec.reading.project import DeviceSpec, read
 

@@ -11,8 +11,7 @@ import pytest
 from command_line import CommandLine, Ran
 from fieldspec.audit.units import units
 from fieldspec.lists.workbook import workbook_sheet
-from fieldspec.reference.error import CodecError
-from fieldspec.reference.records import decoded_value, value_construct
+from fieldspec.reference.records import CodecError, decoded_value, value_construct
 from laid_out import MADE_UP, laid_at, newest
 from reading import DEVICE, gadget
 
@@ -264,7 +263,7 @@ def test_the_columns_of_compare_are_as_they_were(run: CommandLine, tmp_path: Pat
 @pytest.mark.parametrize("device", ["widget", "glider-x", "gizmo"])
 @pytest.mark.parametrize("pattern", [b"\0\0", b"\0\1", b"\xff\xff", b"\x12\x34", b"\x80\0"])
 def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pattern: bytes) -> None:
-    from fieldspec.layout.explaining.worded import worded
+    from fieldspec.explain.values import decode_value
 
     laid = newest(MADE_UP, device)
     seen = 0
@@ -273,7 +272,7 @@ def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pa
         if unit.reserved or unit.unread or value.size % 2:
             continue
         data = pattern * (value.size // 2)
-        said = worded(laid.device, value, data, unit.order, unit.swapped)
+        said = decode_value(laid.device, value, data, unit.order, unit.swapped)
         raw = value_construct(value, unit.order, unit.swapped).parse(data)
         try:
             decoded_value(unit.name, value, raw, laid.device, None)

@@ -8,8 +8,7 @@ import time
 import pytest
 
 import gauge
-from fieldspec.audit.alignment import aligned
-from fieldspec.audit.manual_index import ManualError, index_of, parsed, written
+from fieldspec.audit.manual_lines import ManualError, aligned, index_of, index_text, parsed
 
 LINES = gauge.MANUAL.splitlines(keepends=True)
 
@@ -100,11 +99,11 @@ def test_the_same_text_saved_in_another_way_fits() -> None:
 
 def test_an_index_is_read_as_it_is_written() -> None:
     index = gauge.index()
-    assert parsed("specs/gauge/manual.index", written(index, "gauge")) == index
+    assert parsed("specs/gauge/manual.index", index_text(index, "gauge")) == index
 
 
 def test_findings_lead_to_the_line_in_the_index() -> None:
-    index = parsed("manual.index", written(gauge.index(), "gauge"))
+    index = parsed("manual.index", index_text(gauge.index(), "gauge"))
     line, _ = index.span(8).position()
     assert index.file.line(line).endswith("0102 H | 2 | Total | - | …")
 
@@ -114,9 +113,9 @@ def test_findings_lead_to_the_line_in_the_index() -> None:
     [
         "",
         "sha256 0\n",
-        written(gauge.index(), "gauge").replace("lines 19", "lines 18"),
-        written(gauge.index(), "gauge").replace("0102 H", "\n0102 H"),
-        written(gauge.index(), "gauge").replace("Total", "Total\n| - | x"),
+        index_text(gauge.index(), "gauge").replace("lines 19", "lines 18"),
+        index_text(gauge.index(), "gauge").replace("0102 H", "\n0102 H"),
+        index_text(gauge.index(), "gauge").replace("Total", "Total\n| - | x"),
     ],
 )
 def test_an_index_that_is_damaged_is_refused(text: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.audit.hazards import KINDS, hazards, undivided
-from fieldspec.audit.sourcing import inferred, sourced
+from fieldspec.audit.sources import inferred, sourced
 from laid_out import SPECS, laid_at, newest
 from reading import gadget
 

@@ -15,7 +15,7 @@ from fieldspec.audit.section import SectionTable
 from fieldspec.lists.workbook import workbook_sheet
 from fieldspec.proofs.running import errata_proofs
 from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.render.audit_table import as_csv, as_xlsx
+from fieldspec.render.audit_formats import as_csv, as_xlsx
 
 HERE = Path(__file__).parent
 FILES = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in sorted(SPECS.glob("*/*.yaml"))}

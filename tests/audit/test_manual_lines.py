@@ -6,9 +6,8 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.audit.manual_index import index_of
-from fieldspec.audit.reduced import LONGEST, digest, reduced
-from fieldspec.audit.spelling import byte_pairs, hold, numbers, readings
+from fieldspec.audit.agreement import byte_pairs, hold, numbers, readings
+from fieldspec.audit.manual_lines import LONGEST, digest, index_line, index_of
 
 REDUCED = [
     ("words of prose are left out", "Set the speed before you start the motor.", "Set …."),
@@ -30,16 +29,18 @@ REDUCED = [
 
 @pytest.mark.parametrize(("line", "kept"), [row[1:] for row in REDUCED], ids=[row[0] for row in REDUCED])
 def test_an_index_keeps_what_can_be_a_fact(line: str, kept: str) -> None:
-    assert reduced(line) == kept
+    assert index_line(line) == kept
 
 
 def test_an_index_keeps_no_sentence() -> None:
-    kept = reduced("When the motor has come to a stop, wait until the controller answers, and write the value again.")
+    kept = index_line(
+        "When the motor has come to a stop, wait until the controller answers, and write the value again."
+    )
     assert [word for word in kept.split() if word.isalpha()] == ["When"]
 
 
 def test_a_line_without_an_end_is_cut() -> None:
-    assert len(reduced("9" * 10 * LONGEST)) == LONGEST
+    assert len(index_line("9" * 10 * LONGEST)) == LONGEST
 
 
 def test_the_hash_of_a_line_does_not_know_its_blanks() -> None:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.audit.pattern import COLUMNS, FORMS, Found, PatternError, row, template
+from fieldspec.audit.pattern import COLUMNS, FORMS, Match, PatternError, row, template
 
 
-def held(found: Found | None) -> list[str] | None:
+def held(found: Match | None) -> list[str] | None:
     """The values of what is found."""
     return None if found is None else [one.text for one in found.values]
 

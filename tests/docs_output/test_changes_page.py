@@ -11,11 +11,11 @@ import html5lib
 import pytest
 
 from docs_output.documented import documentation, shown
-from fieldspec.backends.docs.anchors import innermost
 from fieldspec.backends.docs.backend import files
 from fieldspec.backends.docs.changes import page_name, steps
+from fieldspec.backends.docs.document import innermost
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.acceptance import Acceptance
+from fieldspec.model.texts import Acceptance
 from fieldspec.reading.project import read
 from laid_out import MADE_UP, all_layouts, laid_at, layouts
 

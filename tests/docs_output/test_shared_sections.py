@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.backends.docs import html, markdown
-from fieldspec.backends.docs.document import Document, Section, code, plain
-from fieldspec.backends.docs.holding import Holding
+from fieldspec.backends.docs.context import Holding
+from fieldspec.backends.docs.document import Document, Section, code, text_piece
 from fieldspec.backends.docs.page import page
 from fieldspec.layout.device import DeviceLayout
 from laid_out import MADE_UP, SPECS, layouts
@@ -29,12 +29,12 @@ def test_pages_that_are_made_together_are_those_that_are_made_alone(versions: li
     ("anchors", "wanted"), [(["parts/one/bit"], "#parts/one/bit"), (["parts/one"], "#parts/one"), ([], "")]
 )
 def test_a_shared_section_leads_to_what_each_page_has(anchors: list[str], wanted: str) -> None:
-    shared = Section("user", (code("a link", "#parts/one/bit"),), written={})
-    parent = Section("all", (plain("All"),), (), (shared,))
-    there = Section("parts/one/bit", (plain("A bit"),))
+    shared = Section("user", (code("a link", "#parts/one/bit"),), rendered={})
+    parent = Section("all", (text_piece("All"),), (), (shared,))
+    there = Section("parts/one/bit", (text_piece("A bit"),))
     first = html.page(Document("A", "", "0", "", (), (parent, there)))
     assert '<h3><a href="#parts/one/bit"><code>a link</code></a></h3>' in first
-    others = (Section(anchor, (plain("Other"),)) for anchor in anchors)
+    others = (Section(anchor, (text_piece("Other"),)) for anchor in anchors)
     text = html.page(Document("A", "", "0", "", (), (parent, *others)))
     link = f'<a href="{wanted}"><code>a link</code></a>' if wanted else "<code>a link</code>"
     assert f"<h3>{link}</h3>" in text

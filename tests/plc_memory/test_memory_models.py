@@ -10,16 +10,15 @@ import pytest
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.example import Example
-from fieldspec.model.primitive import Kind
+from fieldspec.model.texts import Example
+from fieldspec.model.value import Kind
 from fieldspec.plc.declarations import declarations
 from fieldspec.plc.dialects import DIALECTS
-from fieldspec.plc.layout.fitting import found, misfits
-from fieldspec.plc.layout.images import Images, PlainNaming
-from fieldspec.plc.layout.memory import MEMORIES, Memory
-from fieldspec.plc.layout.placing import Placed, placed
-from fieldspec.plc.routines.types import BOOL, BYTE, DINT, INT, LINT, ArrayType, StructType, Type
-from fieldspec.plc.structs import Member, Struct
+from fieldspec.plc.layout.fitting import misfit_findings, misfits
+from fieldspec.plc.layout.images import Images, SpecNaming
+from fieldspec.plc.layout.memory import MEMORIES, Memory, Placed, placed
+from fieldspec.plc.routines.expressions import BOOL, BYTE, DINT, INT, LINT, ArrayType, StructType, Type
+from fieldspec.plc.structs import Struct, StructMember
 from fieldspec.reference import codec
 from fieldspec.reference.records import value_construct
 from laid_out import MADE_UP, SPECS, layouts, newest
@@ -34,7 +33,7 @@ PAIRS = [
 
 
 def image(layout: DeviceLayout, record: RecordLayout, memory: Memory, packed: bool = False) -> Placed:
-    images = Images(layout, PlainNaming(), packed)
+    images = Images(layout, SpecNaming(), packed)
     return placed(images.of(record, "record", record.record, ""), memory, images.structs)
 
 
@@ -61,7 +60,7 @@ def at_path(values: Any, path: str, element: int) -> Any:
 def compared(held: Placed, data: bytes, values: Any) -> int:
     """How many numbers of an example have been found in its bytes where the model has them; all must be right."""
     count = 0
-    strides = {f"{path}[]": one for path, _, one in held.rows() if one.inner is not None and one.listed}
+    strides = {f"{path}[]": one for path, _, one in held.rows() if one.inner is not None and one.is_array}
     for path, at, one in held.rows():
         value = one.member.value
         if one.inner is not None or value is None:
@@ -144,7 +143,7 @@ def words_of(layout: DeviceLayout, name: str) -> int | None:
 @pytest.mark.parametrize("name", list(DIALECTS))
 def test_telegram_111_has_24_bytes_in_the_images_of_every_dialect(name: str) -> None:
     declared = declarations(newest(SPECS, "hiwin-e"), DIALECTS[name])
-    assert declared.found == ()
+    assert declared.findings == ()
     for direction in ("request", "response"):
         held = declared.image(f"telegram_111_{direction}")
         assert held is not None
@@ -157,14 +156,16 @@ def test_natural_alignment_would_make_telegram_111_longer_and_is_refused(name: s
     held = image(layout, layout.messages["telegram_111"].request, MEMORIES[name])
     assert held.size == 28
     assert list(held.gaps()) == [(10, 2), (26, 2)]
-    refused = found(held)
+    refused = misfit_findings(held)
     assert {one.code for one in refused} == {"plc_images_exact"}
     assert "mdi_target_position begins at byte 12, on the wire at byte 10" in refused[0].message
     assert "has 28 bytes, on the wire 24" in refused[-1].message
 
 
 def struct(name: str, *kinds: Type) -> Struct:
-    return Struct(name, name, "record", "", tuple(Member(f"m{n}", kind, "", None) for n, kind in enumerate(kinds)))
+    return Struct(
+        name, name, "record", "", tuple(StructMember(f"m{n}", kind, "", None) for n, kind in enumerate(kinds))
+    )
 
 
 def sizes(members: tuple[Type, ...], inner: Struct | None = None) -> dict[str, int]:

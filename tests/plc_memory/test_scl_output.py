@@ -16,9 +16,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from s7_text import blocks, types
 
 from fieldspec.backends.scl.backend import files, refusals
-from fieldspec.backends.scl.blocks import string
-from fieldspec.backends.scl.functions import clashes
 from fieldspec.backends.scl.project import project
+from fieldspec.backends.scl.sources import clashes, string
 from fieldspec.classes import replace
 from fieldspec.cli import main
 from fieldspec.layout.device import DeviceLayout

@@ -7,8 +7,7 @@ from typing import Any
 
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 
 def drawn_bytes(record: RecordLayout, dice: random.Random) -> bytes:
@@ -34,7 +33,7 @@ def drawn_values(layout: DeviceLayout, record: RecordLayout, dice: random.Random
 
 def drawn_field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
     """One value, or as many as the list may have."""
-    if not field.listed:
+    if not field.is_list:
         return drawn_one(layout, field, dice)
     repeat = field.field.repeat
     count = dice.randint(repeat.low, min(repeat.high, repeat.low + 9)) if repeat is not None else field.count or 0

@@ -9,17 +9,15 @@ from typing import Any
 
 from st_machine import Machine
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
-from fieldspec.plc.routines.frames import head_members, link_words
-from fieldspec.plc.routines.records import given
-from fieldspec.plc.routines.status import STATUSES
-from fieldspec.plc.routines.types import BITS, EnumType, Type
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.model.value import Kind, Value
+from fieldspec.plc.routines.expressions import BITS, EnumType, Type
+from fieldspec.plc.routines.frames import head_members
+from fieldspec.plc.routines.records import is_user_field
+from fieldspec.plc.routines.routine import STATUSES
 from fieldspec.plc.routines.world import World
+from fieldspec.plc.routines.wrapping import link_words
 
 STATUS = {number: name for number, (name, _) in enumerate(STATUSES)}
 REASONS = {"wrong_const": "wrong_constant", "not_hex": "not_hexadecimal"}
@@ -71,7 +69,7 @@ class Proof:
         """A variable of a record's struct."""
         fresh = self.machine.fresh(self.world.names.structs[record.name].lower())
         for one in record.fields:
-            if given(one):
+            if is_user_field(one):
                 fresh[self.world.member(record.name, one.name).lower()] = self.field_in(one, values[one.name])
         return dict(fresh)
 
@@ -84,11 +82,11 @@ class Proof:
 
     def field_in(self, one: FieldLayout, raw: Any) -> Any:
         """The variable of a field."""
-        return [self._one_in(one, item) for item in raw] if one.listed else self._one_in(one, raw)
+        return [self._one_in(one, item) for item in raw] if one.is_list else self._one_in(one, raw)
 
     def field_out(self, one: FieldLayout, held: Any) -> Any:
         """The value of a field's variable."""
-        return [self._one_out(one, item) for item in held] if one.listed else self._one_out(one, held)
+        return [self._one_out(one, item) for item in held] if one.is_list else self._one_out(one, held)
 
     def _one_in(self, one: FieldLayout, raw: Any) -> Any:
         if one.record is not None:
@@ -201,7 +199,7 @@ class Proof:
                 held, count = queue.next("VAR_IN_OUT"), queue.next("VAR_OUTPUT")
                 values[one.name] = self.field_out(one, held[:count])
             else:
-                lent = one.listed or one.record is not None or (one.value and one.value.type.letter == "s")
+                lent = one.is_list or one.record is not None or (one.value and one.value.type.letter == "s")
                 values[one.name] = self.field_out(one, queue.next("VAR_IN_OUT" if lent else "VAR_OUTPUT"))
 
     def _chosen_out(self, record: RecordLayout, one: FieldLayout, held: list[int], values: dict[str, Any]) -> list[Any]:
@@ -227,7 +225,7 @@ def without(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
         held = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [without(inner, item) for item in held] if field.listed else without(inner, held)
+            held = [without(inner, item) for item in held] if field.is_list else without(inner, held)
         kept[field.name] = held
     return kept
 
@@ -246,7 +244,7 @@ class _Queue:
 
 
 def _given(record: RecordLayout) -> list[FieldLayout]:
-    return [one for one in record.fields if given(one)]
+    return [one for one in record.fields if is_user_field(one)]
 
 
 def _registers(message: MessageLayout, one: FieldLayout) -> bool:

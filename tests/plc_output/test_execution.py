@@ -19,11 +19,10 @@ from drawing import drawn_bytes, drawn_values
 from loaded import DEVICES, NAMES, held_in, judged, proof, reason
 from proving import Proof, without
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.frames import framed
-from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.wrapping import framed
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 
@@ -169,7 +168,7 @@ def head_values(link: LinkLayout, direction: str, dice: random.Random) -> dict[s
     return {
         part.name: dice.choice([0, 1, 2, part.value.type.high, dice.randint(0, part.value.type.high)])
         for part in link.frame(direction).head
-        if part.role in ("station", "plain") and part.value is not None and part.value.const is None
+        if part.is_argument and part.value is not None
     }
 
 

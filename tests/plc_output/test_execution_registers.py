@@ -19,9 +19,10 @@ from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import DEVICES, NAMES, ROUNDINGS, held_in, judged, proof
 from proving import Proof, without
 
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.register import RegisterGroup
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.registers import RegisterGroup
 from fieldspec.plc.routines.enums import enum_routines
+from fieldspec.plc.routines.registers import answer_name, answer_type
 from fieldspec.plc.routines.scaling import quantities
 from fieldspec.reference import CodecError
 from fieldspec.reference.records import decoded, decoded_value, encoded, encoded_value, value_construct
@@ -57,6 +58,10 @@ def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(p
                 judged(status, error, record.name)
                 continue
             assert (status, prover.struct_out(record, held)) == ("ok", expected)
+        if not any(table.writable for table in layout.tables.values() if table.record.name == record.name):
+            unit = prover.machine.unit.functions
+            assert not any(name.startswith(prover.world.routine("pack", record.name).lower()) for name in unit)
+            continue
         for _ in range(2 * TRIES):
             values = drawn_values(layout, record, dice)
             array = prover.fresh(prover.world.words)
@@ -122,8 +127,8 @@ def read_of(prover: Proof, laid: RegisterLayout, words: dict[int, int]) -> list[
             found.append(None)
             continue
         data = b"".join(words[word].to_bytes(2, order) for word in range(at, at + laid.words))  # type: ignore[arg-type]
-        raw = value_construct(register.value, laid.order, laid.swapped).parse(data[: register.value.size])
-        found.append(decoded_value(laid.name, register.value, raw, prover.world.layout.device, None))
+        raw = value_construct(register.answer, laid.order, laid.swapped).parse(data[: register.value.size])
+        found.append(decoded_value(laid.name, register.answer, raw, prover.world.layout.device, None))
     return found
 
 
@@ -135,7 +140,7 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
             words = {address + at: dice.choice([0, 0, 1, dice.randrange(1 << 16)]) for at in range(max(0, count))}
             array = [*words.values(), *([0xFFFF] * (most - len(words)))]
             held = prover.machine.fresh(prover.world.names.structs[group.name].lower())
-            before = {one.name: prover.register_out(one, held[member(prover, group, one)]) for one in laid}
+            before = {one.name: read_out(prover, group, one, held) for one in laid}
             name = ordered(prover, "unpack", group.name)
             status, _ = prover.run(name, uiAddress=address, iCount=count, aWords=array, stData=held)
             try:
@@ -148,7 +153,15 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
             for one in laid:
                 pairs = zip(expected[one.name], before[one.name], strict=True)
                 wanted = [old if new is None else new for new, old in pairs]
-                assert prover.register_out(one, held[member(prover, group, one)]) == wanted, (one.name, address)
+                assert read_out(prover, group, one, held) == wanted, (one.name, address)
+
+
+def read_out(prover: Proof, group: RegisterGroup, laid: RegisterLayout, held: dict[str, Any]) -> list[Any]:
+    """What the elements of a register are in a variable: what was read, where that has a member of its own."""
+    if answer_type(prover.world, laid) is None:
+        return prover.register_out(laid, held[member(prover, group, laid)])
+    found = held[prover.world.member(group.name, answer_name(laid)).lower()]
+    return list(found) if laid.count > 1 else [found]
 
 
 def member(prover: Proof, group: RegisterGroup, laid: RegisterLayout) -> str:

@@ -29,7 +29,7 @@ from fieldspec.backends.twincat.backend import files as twincat_files
 from fieldspec.backends.twincat.backend import identifier, path
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
-from fieldspec.plc.structured.literals import length, string
+from fieldspec.plc.structured.objects import length, string
 from fieldspec.reading.project import read
 from laid_out import MADE_UP, SPECS, newest
 

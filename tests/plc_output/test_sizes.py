@@ -16,7 +16,7 @@ from st_declared import NATURAL, size_of
 
 from fieldspec.backends.st.backend import files, text
 from fieldspec.layout.record import RecordLayout
-from fieldspec.plc.routines.telegrams import telegrams
+from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.structured.program import Program
 from laid_out import SPECS, newest
 

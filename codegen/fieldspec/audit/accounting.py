@@ -7,12 +7,11 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
-from fieldspec.audit.agreement import corrects, says
-from fieldspec.audit.alignment import Aligned
-from fieldspec.audit.cited import Cited, OnLine
-from fieldspec.audit.pattern import Found, Held
+from fieldspec.audit.agreement import corrects, figures, readings, says
+from fieldspec.audit.line_facts import Cited, OnLine
+from fieldspec.audit.manual_lines import Aligned
+from fieldspec.audit.pattern import Match, PieceValue
 from fieldspec.audit.plan import LeftOut, Pattern, Plan
-from fieldspec.audit.spelling import figures, readings
 from fieldspec.classes import dataclass
 
 COVERED, CORRECTED, LEFT_OUT, OPEN = "covered", "corrected", "left out", "not accounted for"
@@ -40,7 +39,7 @@ class Candidate:
     start: int
     end: int
     status: str
-    missing: tuple[Held, ...] = ()
+    missing: tuple[PieceValue, ...] = ()
     pattern: Pattern | None = None
     out: LeftOut | None = None
 
@@ -115,7 +114,7 @@ def _left_out(outs: Sequence[LeftOut], text: str) -> LeftOut | None:
     return next((out for out in outs if out.template is None or out.template.whole(text) is not None), None)
 
 
-def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Found]]:
+def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Match]]:
     """The pieces of a line that patterns find."""
     for pattern in patterns:
         if pattern.row is not None:
@@ -128,12 +127,12 @@ def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, F
 
 
 def _beside(
-    text: str, pieces: Sequence[tuple[Pattern, Found]], told: OnLine, cited: Cited
+    text: str, pieces: Sequence[tuple[Pattern, Match]], told: OnLine, cited: Cited
 ) -> Iterator[tuple[int, int]]:
     """The numbers of a line that are no part of what patterns find, and that nothing says which cites the line."""
     texts = {held.text for _, found in pieces for held in found.values}
     for start, end in figures(text):
-        held = Held("value", "", text[start:end])
+        held = PieceValue("value", "", text[start:end])
         if any(held.text in other for other in texts):
             continue
         if any(corrects(erratum, held) for erratum in told.errata):
@@ -147,7 +146,7 @@ def _owners(paths: set[str]) -> set[str]:
     return {path for path in paths if not any(path.startswith(f"{other}/") for other in paths)}
 
 
-def _whole(pattern: Pattern, found: Found) -> Found:
+def _whole(pattern: Pattern, found: Match) -> Match:
     """A piece; of a series, with all numbers from the first to the last in place of those two."""
     if not pattern.series or len(found.values) != 2:
         return found
@@ -156,18 +155,18 @@ def _whole(pattern: Pattern, found: Found) -> Found:
         return found
     column = found.values[0].column
     numbers = range(int(low[0]), int(high[0]) + 1)
-    return Found(tuple(Held(column, "decimal", str(number)) for number in numbers), found.start, found.end)
+    return Match(tuple(PieceValue(column, "decimal", str(number)) for number in numbers), found.start, found.end)
 
 
 def _standings(
-    pieces: Sequence[tuple[Pattern, Found]], told: OnLine, cited: Cited, needed: set[str]
-) -> Iterator[tuple[str, tuple[Held, ...]]]:
+    pieces: Sequence[tuple[Pattern, Match]], told: OnLine, cited: Cited, needed: set[str]
+) -> Iterator[tuple[str, tuple[PieceValue, ...]]]:
     """How the pieces of a line stand: each value must be one of a fact, or of an erratum, that cites the line.
 
     What a pattern finds in several pieces of the line must be said by as many facts. Paths of facts go to `needed`.
     """
     times = Counter((pattern.name, held) for pattern, found in pieces for held in {*found.values})
-    seen: Counter[tuple[str, Held]] = Counter()
+    seen: Counter[tuple[str, PieceValue]] = Counter()
     for pattern, found in pieces:
         corrected, missing = False, []
         for held in dict.fromkeys(found.values):

@@ -9,10 +9,9 @@ from fieldspec.audit.holders import Holder, element_runs, of_message, of_paramet
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
+from fieldspec.model.fact import Place
 from fieldspec.model.link import Link
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.place import Place
-from fieldspec.model.register import RegisterGroup
+from fieldspec.model.registers import ParameterSet, Register, RegisterGroup
 
 USED, RESERVED, UNDESCRIBED, OVERLAP, DECLARED, UNDECLARED, UNLISTED = (
     "used",
@@ -51,7 +50,7 @@ class Run:
     state: str
     holders: tuple[Holder, ...] = ()
     reason: str = ""
-    own: bool = True
+    is_device_specific: bool = True
 
     @property
     def size(self) -> int:
@@ -86,7 +85,7 @@ class Block:
 
     def count(self, state: str) -> int:
         """How many of its own addresses stand so."""
-        own = sum(run.size for run in self.runs if run.state == state and run.own)
+        own = sum(run.size for run in self.runs if run.state == state and run.is_device_specific)
         if self.repeats > 1 and state == DECLARED:  # nothing is left out behind the last element
             return own * (self.repeats - 1)
         return own * self.repeats
@@ -118,42 +117,53 @@ class Space:
         """How many addresses stand so."""
         return sum(block.count(state) for block in self.blocks)
 
-    def written(self, number: int) -> str:
+    def number_text(self, number: int) -> str:
         """A number as reports show it."""
         return f"{number:0{self.digits}X}h"
 
 
 def spaces(layout: DeviceLayout) -> tuple[Space, ...]:
-    """The register space, the spaces of parameters, and the codes and numbers of messages, as far as there are such."""
+    """The spaces of registers and of parameters, and the codes and numbers of messages, as far as there are such."""
     device = layout.device
-    found = [_registers(layout)] if device.groups or device.tables else []
+    own = list(device.spaces) if device.several_spaces else [""]
+    found = [_registers(layout, name) for name in own] if device.groups or device.tables else []
     names = dict.fromkeys(held.space for held in device.parameters.values())
     found += [_parameters(name, [one for one in device.parameters.values() if one.space == name]) for name in names]
     found += _messages(device)
     return tuple(space for space in found if space.blocks)
 
 
-def _registers(layout: DeviceLayout) -> Space:
+def _registers(layout: DeviceLayout, name: str) -> Space:
+    """A space of registers; an empty name means the only one."""
     device = layout.device
+
+    def own(space: str) -> bool:
+        return not name or device.space_name(space) == name
+
+    groups = [group for group in device.groups if own(group.space)]
+    tables = [laid for laid in layout.tables.values() if own(laid.table.space)]
     held = [
         (first, last, holder, group.place.path)
-        for group in device.groups
+        for group in groups
         for register in group.registers
         for first, last, holder in of_register(register)
     ]
-    for laid in layout.tables.values():
+    for laid in tables:
         last = laid.table.address(laid.table.indexes[-1]) + max(laid.words, 1) - 1
         held.append((laid.table.base, last, Holder.of(laid.table, "table"), laid.table.place.path))
-    blocks = [_group(group, held) for group in device.groups if group.registers]
-    blocks += [_table(laid, held) for laid in layout.tables.values()]
+    blocks = [_group(group, held) for group in groups if group.registers]
+    blocks += [_table(laid, held) for laid in tables]
     ordered = tuple(sorted(blocks, key=lambda block: block.first))
-    return Space("registers", "Registers", "words", 4, ordered, tuple(_aliases(device)))
+    aliases = tuple(alias for register, alias in _aliases(device) if own(register.space))
+    if not name:
+        return Space("registers", "Registers", "words", 4, ordered, aliases)
+    return Space(name, device.space(name).title or name, "words", 4, ordered, aliases)
 
 
-Held = tuple[int, int, Holder, str]
+Occupant = tuple[int, int, Holder, str]
 
 
-def _group(group: RegisterGroup, held: Sequence[Held]) -> Block:
+def _group(group: RegisterGroup, held: Sequence[Occupant]) -> Block:
     ends = [(first, last) for first, last, _, path in held if path == group.place.path]
     low, high = min(first for first, _ in ends), max(last for _, last in ends)
     gaps = [(*pair, gap.reason) for gap in group.gaps for pair in gap.addresses.intervals]
@@ -161,7 +171,7 @@ def _group(group: RegisterGroup, held: Sequence[Held]) -> Block:
     return Block(group.name, group.title or group.name, group.place.path, group.place, runs)
 
 
-def _table(laid: TableLayout, held: Sequence[Held]) -> Block:
+def _table(laid: TableLayout, held: Sequence[Occupant]) -> Block:
     table = laid.table
     runs = [Run(first, last, RESERVED if one.reserved else USED, (one,)) for first, last, one in element_runs(laid)]
     end = runs[-1].last + 1 if runs else table.base
@@ -174,7 +184,9 @@ def _table(laid: TableLayout, held: Sequence[Held]) -> Block:
     )
 
 
-def _runs(low: int, high: int, held: Iterable[Held], gaps: Iterable[tuple[int, int, str]], own: str) -> Iterator[Run]:
+def _runs(
+    low: int, high: int, held: Iterable[Occupant], gaps: Iterable[tuple[int, int, str]], own: str
+) -> Iterator[Run]:
     """The runs of some addresses: what holds each, or why nothing does. `own` is the path of the block."""
     inside = [one for one in held if one[0] <= high and one[1] >= low]
     cut = {low, high + 1}
@@ -182,7 +194,7 @@ def _runs(low: int, high: int, held: Iterable[Held], gaps: Iterable[tuple[int, i
         cut |= {max(first, low), min(last, high) + 1}
     bounds = sorted(bound for bound in cut if low <= bound <= high + 1)
     starting = sorted(enumerate(inside), key=lambda pair: pair[1][0], reverse=True)
-    current: list[tuple[int, Held]] = []
+    current: list[tuple[int, Occupant]] = []
     pieces = []
     for first, behind in pairwise(bounds):
         # Bounds are cut wherever something begins or ends, so what reaches into a piece holds all of it.
@@ -191,12 +203,12 @@ def _runs(low: int, high: int, held: Iterable[Held], gaps: Iterable[tuple[int, i
         current = [pair for pair in current if pair[1][1] >= first]
         here = [one for _, one in sorted(current, key=lambda pair: pair[0])]
         pieces.append(_piece(first, behind - 1, here, gaps, own))
-    for _, alike in groupby(pieces, key=lambda run: (run.state, run.holders, run.reason, run.own)):
+    for _, alike in groupby(pieces, key=lambda run: (run.state, run.holders, run.reason, run.is_device_specific)):
         some = list(alike)
         yield replace(some[0], last=some[-1].last)
 
 
-def _piece(first: int, last: int, held: Iterable[Held], gaps: Iterable[tuple[int, int, str]], own: str) -> Run:
+def _piece(first: int, last: int, held: Iterable[Occupant], gaps: Iterable[tuple[int, int, str]], own: str) -> Run:
     here = [(holder, path) for a, b, holder, path in held if a <= first and last <= b]
     holders = tuple(holder for holder, _ in here)
     if not holders:
@@ -209,7 +221,7 @@ def _piece(first: int, last: int, held: Iterable[Held], gaps: Iterable[tuple[int
     return Run(first, last, RESERVED if holders[0].reserved else USED, holders, "", mine)
 
 
-def _aliases(device: Device) -> Iterator[Alias]:
+def _aliases(device: Device) -> Iterator[tuple[Register, Alias]]:
     """The registers that hold the same value as another one, and those of blocks that stand twice."""
     named = {register.name: register for register in device.registers()}
     for register in device.registers():
@@ -217,7 +229,7 @@ def _aliases(device: Device) -> Iterator[Alias]:
             other = named.get(name)
             if other is not None:
                 one, two = Holder.of(register, ""), Holder.of(other, "")
-                yield Alias(one, register.address, two, other.address, copied)
+                yield register, Alias(one, register.address, two, other.address, copied)
 
 
 def _parameters(name: str, sets: Sequence[ParameterSet]) -> Space:
@@ -268,7 +280,7 @@ def _messages(device: Device) -> Iterator[Space]:
                 yield _codes(link, coded, sorted(numbered, key=lambda one: one[:2]))
 
 
-def _codes(link: Link, coded: bool, held: Sequence[Held]) -> Space:
+def _codes(link: Link, coded: bool, held: Sequence[Occupant]) -> Space:
     part = next((one.name for one in link.request if one.role == "code"), link.message_name)
     word = (part if coded else link.message_name).replace("_", " ")
     what = f"{word} codes" if coded else f"{word} numbers"

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.audit.address_map import DECLARED, OVERLAP, STATES, UNDECLARED, USED, Block, Run, Space, spaces
 from fieldspec.audit.poll_blocks import PollBlock, Polling, ReadLimit, Unit, polling
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 
@@ -30,13 +29,16 @@ def addresses(subject: Subject) -> Section:
     figures = []
     for space in found:
         figures.append(Figure(f"{space.what} in use ({space.title})", space.count(USED)))
-        overlaps = [run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.own]
+        overlaps = [
+            run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_device_specific
+        ]
         if overlaps:
             unsaid = sum(1 for run in overlaps if not run.reason)
             figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
-        if space.name == "registers":
+        if space.what == "words":
             gaps = space.count(UNDECLARED)
-            figures.append(Figure("words in gaps that nothing declares", gaps, good=gaps == 0))
+            where = f" ({space.title})" if subject.device.several_spaces else ""
+            figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
     tables = (_blocks(found), _gaps(found), _overlaps(found), _aliases(found), _runs(found))
     return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, drawn=found)
 
@@ -47,7 +49,7 @@ def _blocks(found: Sequence[Space]) -> SectionTable:
         for block in space.blocks:
             shape = f"{block.repeats} elements, {block.stride} apart" if block.repeats > 1 else ""
             counts = [block.count(state) or None for state in STATES]
-            ends = space.written(block.first), space.written(block.last)
+            ends = space.number_text(block.first), space.number_text(block.last)
             rows.append((space.title, block.title, *ends, shape, *counts, block.place["name"]))
     columns = ("space", "block", "first", "last", "shape", *STATES, "spec")
     return SectionTable("blocks", "Blocks", columns, tuple(rows))
@@ -57,7 +59,7 @@ def _gaps(found: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
     for space, block, run in _each(found):
-        if run.state in (DECLARED, UNDECLARED) and run.own:
+        if run.state in (DECLARED, UNDECLARED) and run.is_device_specific:
             reason = run.reason or "nothing says why"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
             kinds.append("warning" if run.state == UNDECLARED else "")
@@ -69,7 +71,7 @@ def _overlaps(found: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
     for space, block, run in _each(found):
-        if run.state == OVERLAP and run.own:
+        if run.state == OVERLAP and run.is_device_specific:
             names = " and ".join(holder.name for holder in run.holders)
             rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
             kinds.append("" if run.reason else "warning")
@@ -85,10 +87,10 @@ def _overlaps(found: Sequence[Space]) -> SectionTable:
 def _aliases(found: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = [
         (
-            space.written(alias.address),
+            space.number_text(alias.address),
             alias.holder.name,
             "a copy of" if alias.copied else "the same as",
-            space.written(alias.of_address),
+            space.number_text(alias.of_address),
             alias.of.name,
             alias.holder.place["copy_of" if alias.copied else "same_as"],
             alias.holder.sources[0] if alias.holder.sources else None,
@@ -122,7 +124,7 @@ def _each(found: Sequence[Space]) -> Iterator[tuple[Space, Block, Run]]:
 
 
 def _ends(space: Space, run: Run) -> tuple[str, str]:
-    return space.written(run.first), space.written(run.last)
+    return space.number_text(run.first), space.number_text(run.last)
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,23 +150,26 @@ def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
     return rows
 
 
-def _shape(block: PollBlock) -> tuple[int, int, int, str]:
+def _shape(block: PollBlock) -> tuple[str, int, int, int, str]:
     """What equal requests of a table have in common."""
-    return block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
+    return block.space, block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
 
 
 def polls(subject: Subject) -> Section:
     """The poll blocks."""
     made = polling(subject.layout)
-    limit = made.limit
     says = [_POLL_SAYS, *(_limit_text(one) for one in made.limits)] if made.limits else []
     says += _asked(subject.layout)
     if not says:
         says = ["No message of the device reads registers or parameters."]
     figures = []
-    if limit is not None:
-        values = sum(len(block.names) for block in made.blocks)
-        figures.append(Figure(f"requests of up to {limit.words} words read all {values} values", len(made.blocks)))
+    for space in made.spaces:
+        limit, blocks = made.limit(space), [block for block in made.blocks if block.space == space]
+        if limit is not None:
+            values = sum(len(block.names) for block in blocks)
+            where = f" of {space}" if space else ""
+            text = f"requests of up to {limit.words} words read all {values} values{where}"
+            figures.append(Figure(text, len(blocks)))
     tables = (_limits(made), _poll_table(made), _left_out(made)) if made.limits else ()
     return Section("poll_blocks", "Poll blocks", tuple(says), tuple(figures), tables)
 
@@ -176,7 +181,7 @@ def _limit_text(limit: ReadLimit) -> str:
     place = ""
     if limit.span is not None:
         place = f"{limit.span.file.path}:{limit.span.position()[0]}"
-    if not limit.own:
+    if not limit.from_manual:
         notes = f" {' '.join(limit.notes)}" if limit.notes else ""
         return (
             f"One request of {limit.message} reads up to {limit.words} words. The manual prints no limit; this one is "
@@ -191,7 +196,7 @@ def _limits(made: Polling) -> SectionTable:
         (
             limit.message,
             limit.words,
-            "the manual" if limit.own else "the protocol",
+            "the manual" if limit.from_manual else "the protocol",
             limit.span,
             limit.sources[0] if limit.sources else None,
         )
@@ -201,8 +206,10 @@ def _limits(made: Polling) -> SectionTable:
 
 
 def _poll_table(made: Polling) -> SectionTable:
+    several = len(made.spaces) > 1
     rows: list[tuple[Cell, ...]] = [
         (
+            *([row.first.space] if several else []),
             f"{row.first.start:04X}h",
             row.first.start,
             row.first.words,
@@ -214,7 +221,17 @@ def _poll_table(made: Polling) -> SectionTable:
         )
         for row in poll_rows(made.blocks)
     ]
-    columns = ("start", "decimal", "words", "times", "apart", "values", "reserved_words", "registers")
+    columns = (
+        *(["space"] if several else []),
+        "start",
+        "decimal",
+        "words",
+        "times",
+        "apart",
+        "values",
+        "reserved_words",
+        "registers",
+    )
     return SectionTable("poll_list", "One request each", columns, tuple(rows))
 
 

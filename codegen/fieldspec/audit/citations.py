@@ -8,21 +8,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fnmatch import fnmatchcase
 
-from fieldspec.audit.alignment import Aligned
-from fieldspec.audit.cited import lines_of
+from fieldspec.audit.agreement import byte_pairs, hold, in_order, numbers, readings, words
+from fieldspec.audit.line_facts import lines_of
+from fieldspec.audit.manual_lines import Aligned, index_line
 from fieldspec.audit.plan import Plan, Unprinted
-from fieldspec.audit.reduced import reduced
-from fieldspec.audit.spelling import byte_pairs, hold, in_order, numbers, readings, words
+from fieldspec.checks.facts import facts
 from fieldspec.checks.sources_present import cited_places
-from fieldspec.checks.walking import facts
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Member
-from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.flags import Bit, Flags
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.place import Place
-from fieldspec.model.register import Register
+from fieldspec.model.enums import Bit, Flags, Member
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.registers import Parameter, Register
 from fieldspec.source import Span
 
 NUMBERS = (
@@ -41,7 +37,7 @@ NUMBERS = (
 """The keys of what is known by a number: each of them is printed where its fact is."""
 
 
-_SHOWN = {"elided": "frame"}
+_MOST_NUMBERS = {"elided": "frame"}
 _FIGURES = re.compile(r"[0-9]+")
 
 
@@ -217,7 +213,9 @@ def _failing(claim: _Claimed, manual: Aligned, plan: Plan, printed: list[str]) -
     """What is wrong with a citation: the section, or that none of its lines hold what the fact says."""
     texts = [manual.line(line) for source in claim.sources for a, b in source.lines for line in range(a, b + 1)]
     if not _printed(claim, texts) and not any(_printed_as(text, claim, texts) for text in printed if text):
-        yield Missing(claim.path, f"`{_SHOWN.get(claim.key, claim.key)}` {claim.text}", claim.span, claim.sources[0])
+        yield Missing(
+            claim.path, f"`{_MOST_NUMBERS.get(claim.key, claim.key)}` {claim.text}", claim.span, claim.sources[0]
+        )
 
 
 def _in_section(cited: str, section: str) -> bool:
@@ -231,7 +229,7 @@ def _printed(claim: _Claimed, texts: list[str]) -> bool:
     if claim.key == "elided":
         return _elided(bytes.fromhex(claim.text), texts)
     if claim.key in ("printed_name", "literal"):
-        return all(any(hold(text, word) for text in texts) for word in words(reduced(claim.text)))
+        return all(any(hold(text, word) for text in texts) for word in words(index_line(claim.text)))
     spelled: tuple[int | Decimal, ...] = claim.means or readings(claim.text, "number")
     if not spelled:
         bounds = [int(one) for one in _FIGURES.findall(claim.text)]
@@ -254,8 +252,8 @@ def _printed_as(printed: str, claim: _Claimed, texts: list[str]) -> bool:
     if claim.key == "frame":
         return bytes(byte_pairs(printed)) in bytes(pair for text in texts for pair in byte_pairs(text))
     have = {word for text in texts for word in words(text)}
-    said = words(reduced(printed))
+    said = words(index_line(printed))
     if said and set(said) <= have:
         return True
-    values = numbers(reduced(printed)).values
+    values = numbers(index_line(printed)).values
     return bool(values) and all(any(numbers(text).holds(value) for text in texts) for value in values)

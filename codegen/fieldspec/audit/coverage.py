@@ -6,13 +6,12 @@ from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.audit.accounting import CORRECTED, COVERED, LEFT_OUT, LINE, OPEN, Accounts, Candidate, accounts
-from fieldspec.audit.alignment import Aligned, aligned, unmoved
 from fieldspec.audit.citations import Judged, judged
-from fieldspec.audit.cited import cited
-from fieldspec.audit.pattern import Held
+from fieldspec.audit.line_facts import cited
+from fieldspec.audit.manual_lines import Aligned, aligned, unmoved
+from fieldspec.audit.pattern import PieceValue
 from fieldspec.audit.plan import Pattern, Plan, plan
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.source import Span
 
@@ -26,7 +25,7 @@ _KINDS = {
     LINE: "other lines with numbers",
 }
 
-_SHOWN = {OPEN: "bad", CORRECTED: "warning", LEFT_OUT: ""}
+_MOST_ROWS = {OPEN: "bad", CORRECTED: "warning", LEFT_OUT: ""}
 
 
 def coverage(subject: Subject) -> Section:
@@ -178,7 +177,7 @@ def _rows(counted: Accounts, manual: Aligned) -> SectionTable:
         printed = manual.index.lines[one.line - 1][one.start : one.end]
         reason = one.out.reason if one.out is not None else ""
         rows.append((one.section, one.line, _KINDS[one.kind], one.status, reason, printed))
-    kinds = tuple(_SHOWN[one.status] for one in held)
+    kinds = tuple(_MOST_ROWS[one.status] for one in held)
     columns = ("section", "line", "what", "how", "reason", "print")
     title = "Corrected, left out, and not accounted for"
     return SectionTable("places", title, columns, tuple(rows), kinds, detail=True)
@@ -214,7 +213,7 @@ def _open(counted: Accounts, manual: Aligned) -> Iterator[Diagnostic]:
             text = f"{where} has numbers, and {why}"
             yield Diagnostic("manual_accounted", text, manual.index.span(one.line), help=_CURE)
             continue
-        what = ", ".join(_held(held) for held in one.missing) or f"`{printed}`"
+        what = ", ".join(_value_text(held) for held in one.missing) or f"`{printed}`"
         text = f"{where} prints {what}, and no fact that cites it says so"
         label = Label(one.pattern.place["name"], "the pattern that finds it")
         yield Diagnostic("manual_accounted", text, manual.index.span(one.line), (label,), _CURE)
@@ -224,7 +223,7 @@ _UNCITED = "nothing in the spec cites it"
 _CURE = "transcribe it, put it right with an erratum, or say why it is left out"
 
 
-def _held(held: Held) -> str:
+def _value_text(held: PieceValue) -> str:
     return f"`{held.column}` {held.text}"
 
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator, Sequence
 
 from fieldspec.audit.ledger import EFFECTS, by_effect
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
-from fieldspec.model.erratum import Erratum
+from fieldspec.model.texts import Erratum
 from fieldspec.proofs.errata import Proof, finding_key, printed_tree, put_back
-from fieldspec.proofs.remembered import Remembered
+from fieldspec.proofs.examples import FindingsCache
 from fieldspec.proofs.running import Outcome, everything
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping
@@ -113,7 +112,7 @@ def as_printed(spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known:
     of_version: dict[str, list[Proof]] = {}
     for proof in proofs:
         of_version.setdefault(proof.version, []).append(proof)
-    remembered = known.remembered if known is not None else Remembered()
+    remembered = known.remembered if known is not None else FindingsCache()
     right = known.by_version if known is not None else {}
     detections: list[Detection] = []
     findings: list[Diagnostic] = []
@@ -141,7 +140,7 @@ def _new(found: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) ->
 
 
 def _alone(
-    spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratum: Erratum, remembered: Remembered
+    spec: DeviceSpec, tree: Mapping, version: str, device: Device, erratum: Erratum, remembered: FindingsCache
 ) -> list[Diagnostic]:
     if not erratum.printed:
         return []
@@ -151,13 +150,15 @@ def _alone(
     return everything(wrong, broken, not TEXTS.issuperset(erratum.printed), remembered, OF_WRITING)
 
 
-def _whole(spec: DeviceSpec, tree: Mapping, version: str, device: Device, remembered: Remembered) -> list[Diagnostic]:
+def _whole(
+    spec: DeviceSpec, tree: Mapping, version: str, device: Device, remembered: FindingsCache
+) -> list[Diagnostic]:
     """What is found with all prints at once. What cannot stand in the language is found by reading, and left out."""
     refused: list[Diagnostic] = []
     for erratum in device.errata:
         tree, broken = printed_tree(tree, erratum)
         refused += broken
-    wrong, found = built(tree, version, spec.kept)
+    wrong, found = built(tree, version, spec.reused)
     return [*refused, *everything(wrong, found, remembered=remembered, without=OF_WRITING)]
 
 

@@ -1,23 +1,20 @@
-"""What may go wrong when values are read and written, although every single fact is right."""
+"""What may go wrong when values are read and written, and the section of the report about it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.walking import layers
+from fieldspec.audit.section import Figure, Section, SectionTable, Subject
+from fieldspec.checks.facts import layers
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.access import narrowed, writable
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.flags import Bit, Flags
-from fieldspec.model.handling import NOTHING_SAID, Handling
-from fieldspec.model.message import Message
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.place import Place
-from fieldspec.model.record import Field
-from fieldspec.model.register import Register
-from fieldspec.model.table import Table
-from fieldspec.model.value import Value
+from fieldspec.model.enums import Bit, Flags
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.record import Field, Message
+from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
+from fieldspec.model.value import UNSPECIFIED, Handling, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,10 +111,10 @@ class Hazard:
 def hazards(layout: DeviceLayout) -> list[Hazard]:
     """All hazards of a device, the gravest kind first, each kind in the order of the spec."""
     order = list(KINDS)
-    return sorted(_found(layout), key=lambda hazard: order.index(hazard.kind.name))
+    return sorted(_all_hazards(layout), key=lambda hazard: order.index(hazard.kind.name))
 
 
-def _found(layout: DeviceLayout) -> Iterator[Hazard]:
+def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
     device = layout.device
     alone = _alone(device)
     for register in device.registers():
@@ -140,7 +137,8 @@ def _found(layout: DeviceLayout) -> Iterator[Hazard]:
 
 
 def _of_register(device: Device, register: Register, alone: frozenset[str]) -> Iterator[Hazard]:
-    where = f"{register.address:04X}h"
+    place = f" of {device.space_name(register.space)}" if device.several_spaces else ""
+    where = f"{register.address:04X}h{place}"
     if register.trigger:
         yield _hazard("trigger", register, where, _started(register.value), key="trigger")
     if register.access == "wo":
@@ -150,7 +148,8 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
         yield _hazard("alias", register, where, f"the same as {register.same_as}", register.same_as, "same_as")
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
-        yield _hazard("atomic", register, f"{where}..{last:04X}h", f"{register.width} words", key="atomic")
+        span = f"{register.address:04X}h..{last:04X}h{place}"
+        yield _hazard("atomic", register, span, f"{register.width} words", key="atomic")
     if register.restart:
         yield _hazard("restart", register, where, "restart", key="restart")
     yield from _handled(register, register.handling, where, device)
@@ -158,20 +157,21 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
 
 def _of_field(device: Device, field: Field, tables: list[Table], in_record: bool) -> Iterator[Hazard]:
     where = ", ".join(table.name for table in tables) or field.place.path.rpartition("/")[0]
-    if field.access == "wo":
+    found = [narrowed(table.access, field.access) for table in tables]
+    if "wo" in (field.access, *found):
         yield _hazard("write_only", field, where, "access wo", key="access")
     if field.restart:
         yield _hazard("restart", field, where, "restart", key="restart")
     if field.atomic and field.value is not None and field.value.size > 2:
         yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
     if field.value is not None and tables and in_record:
-        access = field.access or next((table.access for table in tables if table.access == "rw"), "")
+        access = next(filter(writable, found), "")
         yield from _shared(device, field, field.value, access, where)
     yield from _handled(field, field.handling, where, device)
 
 
 def _of_parameter(device: Device, held: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
-    where = held.written(parameter.number)
+    where = held.number_text(parameter.number)
     if parameter.trigger:
         yield _hazard("trigger", parameter, where, _started(parameter.value), key="trigger")
     if parameter.access == "wo":
@@ -193,7 +193,7 @@ def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
 
 def _handled(fact: Fact, said: Handling, where: str, device: Device) -> Iterator[Hazard]:
     """What the keys of handling say, which many kinds of facts have."""
-    if said == NOTHING_SAID:
+    if said == UNSPECIFIED:
         return
     if said.clears_on_read:
         yield _hazard("clears_on_read", fact, where, "cleared by reading", key="clears_on_read")
@@ -225,7 +225,7 @@ def _shared(
 ) -> Iterator[Hazard]:
     """A word of several named bits that is written as a whole, and the `registers` that show one of them alone."""
     word = device.flags.get(value.flags)
-    if word is None or access not in ("rw", "wo"):
+    if word is None or not writable(access):
         return
     named = [bit for bit in word.bits if not bit.reserved]
     used = sum(bit.mask for bit in named)
@@ -264,3 +264,49 @@ def undivided(device: Device) -> list[Register]:
         for register in device.registers()
         if register.width > 1 and not register.atomic and register.value.type.letter != "s" and not register.reserved
     ]
+
+
+COLUMNS = ("where", "fact", "why", "spec", "source")
+_LONG = 30
+
+_SAYS = (
+    "What may go wrong although every address and every value is right. It says what the manual says, and nothing "
+    "where the manual says nothing."
+)
+
+
+def access(subject: Subject) -> Section:
+    """The hazards of reading and writing."""
+    found = hazards(subject.layout)
+    unsafe = {hazard.path for hazard in found if hazard.kind.unsafe}
+    says = [_SAYS]
+    open_ones = undivided(subject.device)
+    if open_ones:
+        names = ", ".join(register.name for register in open_ones[:6]) + (", …" if len(open_ones) > 6 else "")
+        says.append(
+            f"Of {len(open_ones)} registers with several words the manual does not say whether they may be read in "
+            f"parts ({names}); no poll block divides them."
+        )
+    figures = [Figure("facts cannot be read and written back safely", len(unsafe))]
+    tables = []
+    for kind in KINDS.values():
+        held = [hazard for hazard in found if hazard.kind == kind]
+        if held:
+            figures.append(Figure(f"{'hazard' if len(held) == 1 else 'hazards'}: {kind.title.lower()}", len(held)))
+            tables.append(_table(kind, held))
+    return Section("access", "Access hazards", tuple(says), tuple(figures), tuple(tables))
+
+
+def _table(kind: Kind, held: list[Hazard]) -> SectionTable:
+    rows = tuple(
+        (
+            hazard.where,
+            hazard.path,
+            hazard.why,
+            hazard.place[hazard.key],
+            hazard.sources[0] if hazard.sources else None,
+        )
+        for hazard in held
+    )
+    kinds = ("warning" if kind.unsafe else "",) * len(rows)
+    return SectionTable(kind.name, f"{kind.title}. {kind.advice}", COLUMNS, rows, kinds, detail=len(rows) > _LONG)

@@ -7,11 +7,9 @@ from collections.abc import Iterator, Mapping
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.layout.device import TableLayout
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.message import Message
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.place import Place
-from fieldspec.model.register import Register
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.record import Message
+from fieldspec.model.registers import Parameter, Register
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,8 +90,8 @@ def _joined(laid: TableLayout, names: tuple[str, ...]) -> Holder:
     fields = [one for one in laid.record.fields if one.name in names]
     first = fields[0]
     held = first.value.type.name if first.value is not None else first.record.name if first.record else ""
-    about = _about(held, first.field.access or laid.table.access)
-    name = ", ".join(f"{one.name}[{one.count}]" if one.listed else one.name for one in fields)
+    about = _about(held, laid.access(first.field))
+    name = ", ".join(f"{one.name}[{one.count}]" if one.is_list else one.name for one in fields)
     return replace(Holder.of(first.field, about, name), reserved=all(one.field.reserved for one in fields))
 
 

@@ -6,12 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.subject import Subject
-from fieldspec.model.erratum import Erratum
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
+from fieldspec.model.texts import Erratum
 from fieldspec.proofs.errata import Proof, node_text
-from fieldspec.reading.nodes import Mapping
-from fieldspec.reading.paths import find
+from fieldspec.reading.nodes import Mapping, find
 
 EFFECTS = {
     "bytes": "wrong bytes",

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from fieldspec.audit.reduced import CELL
+from fieldspec.audit.manual_lines import CELL
 from fieldspec.classes import dataclass
 
 _HEX = r"0[xX][0-9A-Fa-f]{1,16}|[0-9A-Fa-f]{1,16}"
@@ -66,7 +66,7 @@ class PatternError(Exception):
     """What is wrong with a pattern, and what would make it right."""
 
 
-class Held(NamedTuple):
+class PieceValue(NamedTuple):
     """A value of a piece: what it stands for, its form, and as it is printed."""
 
     column: str
@@ -74,10 +74,10 @@ class Held(NamedTuple):
     text: str
 
 
-class Found(NamedTuple):
+class Match(NamedTuple):
     """A piece of a line that looks like a fact: its values, and where it stands in the line."""
 
-    values: tuple[Held, ...]
+    values: tuple[PieceValue, ...]
     start: int
     end: int
 
@@ -94,18 +94,18 @@ class Template:
     whole_pieces: tuple[str, ...]
     columns: tuple[tuple[str, str], ...]
 
-    def whole(self, text: str) -> Found | None:
+    def whole(self, text: str) -> Match | None:
         """The match of a whole text, from its first character to its last."""
         return self._chained(self.whole_pieces, text, 0)
 
-    def each(self, text: str) -> Iterator[Found]:
+    def each(self, text: str) -> Iterator[Match]:
         """All places in a text, none within another."""
         at = 0
         while at <= len(text) and (found := self._chained(self.pieces, text, at)) is not None:
             yield found
             at = max(found.end, at + 1)
 
-    def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Found | None:
+    def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Match | None:
         """The pieces one behind the other, each at the first place behind the one before it."""
         at, begin = start, start
         held: list[str] = []
@@ -116,8 +116,8 @@ class Template:
             begin = begin if number else match.start()
             held += match.groups()
             at = match.end()
-        values = [Held(*column, text) for column, text in zip(self.columns, held, strict=True)]
-        return Found(tuple(values), begin, at)
+        values = [PieceValue(*column, text) for column, text in zip(self.columns, held, strict=True)]
+        return Match(tuple(values), begin, at)
 
 
 @lru_cache(maxsize=1024)
@@ -172,25 +172,25 @@ def _literal(text: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class RowPattern:
     """The first cells of a row, each a template; the values are those of all of them."""
 
     cells: Sequence[Template | None]
 
-    def find(self, line: str) -> Found | None:
+    def find(self, line: str) -> Match | None:
         """The row, where a line is one. An empty cell is only like an empty one."""
         held = line.split(CELL.strip())
         if len(held) < len(self.cells):
             return None
-        values: list[Held] = []
+        values: list[PieceValue] = []
         for cell, text in zip(self.cells, held, strict=False):
             found = cell.whole(text.strip()) if cell is not None else None
             if (found is None and cell is not None) or (cell is None and text.strip()):
                 return None
             values += found.values if found is not None else ()
-        return Found(tuple(values), 0, len(line))
+        return Match(tuple(values), 0, len(line))
 
 
-def row(cells: Sequence[str]) -> Row:
+def row(cells: Sequence[str]) -> RowPattern:
     """A row as specs write it. Raises PatternError where a cell cannot be understood."""
-    return Row([template(cell) if cell.strip() else None for cell in cells])
+    return RowPattern([template(cell) if cell.strip() else None for cell in cells])

@@ -9,10 +9,10 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from operator import attrgetter
 
-from fieldspec.audit.pattern import PatternError, Row, Template, row, template
+from fieldspec.audit.pattern import PatternError, RowPattern, Template, row, template
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.nodes import Mapping
 from fieldspec.reading.project import DeviceSpec
@@ -43,7 +43,7 @@ class Pattern:
     kind: str
     place: Place
     lines: Lines
-    row: Row | None
+    row: RowPattern | None
     each: Template | None
     series: bool
 

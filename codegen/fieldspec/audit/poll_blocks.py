@@ -12,15 +12,13 @@ from collections.abc import Iterator, Sequence
 from fieldspec.audit.holders import Holder, element_runs
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
+from fieldspec.model.access import readable
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
-from fieldspec.model.handling import Handling
-from fieldspec.model.message import Message
-from fieldspec.model.record import Field
-from fieldspec.model.register import Register
+from fieldspec.model.record import Field, Message
+from fieldspec.model.registers import Register
+from fieldspec.model.value import Handling
 from fieldspec.source import Span
-
-READABLE = ("ro", "rw")
 
 WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
     "can only be written",
@@ -38,9 +36,10 @@ class ReadLimit:
     """
 
     message: str
+    space: str
     words: int | None
     span: Span | None
-    own: bool
+    from_manual: bool
     sources: tuple[Citation, ...]
     notes: tuple[str, ...]
 
@@ -49,6 +48,7 @@ class ReadLimit:
 class Unit:
     """Words that are read together, or not at all, with a reason why they cannot be read."""
 
+    space: str
     first: int
     words: int
     name: str
@@ -63,8 +63,9 @@ class Unit:
 
 @dataclass(frozen=True, slots=True)
 class PollBlock:
-    """One request: its first address, its words, and the values in it."""
+    """One request: the space that it reads, its first address, its words, and the values in it."""
 
+    space: str
     start: int
     words: int
     names: tuple[str, ...]
@@ -73,44 +74,72 @@ class PollBlock:
 
 @dataclass(frozen=True, slots=True)
 class Polling:
-    """How a device is polled: the limit that counts, all limits, the blocks, and what cannot be polled."""
+    """How a device is polled: the limits, the blocks, and what cannot be polled.
+
+    Spaces have names where the device declares several, and are one without a name where it does not.
+    """
 
     limits: tuple[ReadLimit, ...]
     blocks: tuple[PollBlock, ...]
     left_out: tuple[Unit, ...]
 
     @property
-    def limit(self) -> ReadLimit | None:
-        """The widest of the limits: the message with it needs the fewest requests."""
-        known = [limit for limit in self.limits if limit.words is not None]
+    def spaces(self) -> tuple[str, ...]:
+        """The spaces that messages read."""
+        return tuple(dict.fromkeys(limit.space for limit in self.limits))
+
+    def limit(self, space: str) -> ReadLimit | None:
+        """The widest of the limits of a space: the message with it needs the fewest requests."""
+        known = [limit for limit in self.limits if limit.words is not None and limit.space == space]
         return max(known, key=lambda limit: limit.words or 0, default=None)
 
 
 def polling(layout: DeviceLayout) -> Polling:
-    """The poll blocks of the register space; none where no message reads registers, or nothing limits it."""
-    limits = tuple(_limit(layout.device, one) for one in layout.device.messages.values() if _reads(one))
+    """The poll blocks of all spaces; none where no message reads registers, or nothing limits it."""
+    device = layout.device
+    limits = tuple(_limit(device, one) for one in device.messages.values() if _reads(device, one))
     made = Polling(limits, (), ())
-    if made.limit is None or made.limit.words is None:
-        return made
-    units = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
-    most = made.limit.words
-    too_long = [Unit(one.first, one.words, one.name, TOO_LONG) for one in units if not one.refused and one.words > most]
+    every = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
+    blocks: list[PollBlock] = []
+    left_out: list[Unit] = []
+    for space in made.spaces:
+        limit = made.limit(space)
+        if limit is not None and limit.words is not None:
+            more, rest = _polled([unit for unit in every if unit.space == space], limit.words)
+            blocks += more
+            left_out += rest
+    return Polling(limits, tuple(blocks), tuple(left_out))
+
+
+def _polled(units: Sequence[Unit], most: int) -> tuple[list[PollBlock], list[Unit]]:
+    """The blocks of a space, and what is left out; a request reads `most` words."""
+    too_long = [
+        Unit(one.space, one.first, one.words, one.name, TOO_LONG)
+        for one in units
+        if not one.refused and one.words > most
+    ]
     usable = [one for one in units if not one.refused and one.words <= most]
     stops = [one for one in units if one.refused]
-    blocks = tuple(block for run in _together(usable, stops) for block in _cut(run, most))
-    return Polling(limits, blocks, tuple(sorted([*stops, *too_long], key=lambda unit: unit.first)))
+    blocks = [block for run in _together(usable, stops) for block in _cut(run, most)]
+    return blocks, sorted([*stops, *too_long], key=lambda unit: unit.first)
 
 
-def _reads(message: Message) -> bool:
-    return message.accesses is not None and message.accesses.operation == "read"
+def _reads(device: Device, message: Message) -> bool:
+    access = device.register_access(message)
+    return access is not None and access.operation == "read"
+
+
+def _space(device: Device, name: str) -> str:
+    return device.space_name(name) if device.several_spaces else ""
 
 
 def _limit(device: Device, message: Message) -> ReadLimit:
     """What bounds a message: the range of its number of words, how often its values repeat, or their size in bytes."""
     access = message.accesses
     assert access is not None
+    space = _space(device, access.space)
     if not access.count:
-        return ReadLimit(message.name, 1, message.place["accesses"], True, message.sources, message.notes)
+        return ReadLimit(message.name, space, 1, message.place["accesses"], True, message.sources, message.notes)
     found: list[tuple[int, int, Field, str]] = []
     for field in (*message.request.fields, *message.response.fields):
         ranges = field.value.ranges if field.value is not None else None
@@ -123,11 +152,11 @@ def _limit(device: Device, message: Message) -> ReadLimit:
         if measured is not None and measured.field == access.values and ranges is not None:
             found.append((ranges.high // (2 if measured.of == "bytes" else 1), 2, field, key))
     if not found:
-        return ReadLimit(message.name, None, None, False, (), message.notes)
+        return ReadLimit(message.name, space, None, None, False, (), message.notes)
     words, _, field, key = min(found, key=lambda one: one[:2])
     span = field.place[key]
     own = _folder(span) == _folder(device.place.whole)
-    return ReadLimit(message.name, words, span, own, field.sources if own else (), message.notes)
+    return ReadLimit(message.name, space, words, span, own, field.sources if own else (), message.notes)
 
 
 def _folder(span: Span) -> str:
@@ -136,22 +165,23 @@ def _folder(span: Span) -> str:
 
 def _units(layout: DeviceLayout) -> Iterator[Unit]:
     for register in layout.device.registers():
-        yield from _of_register(register)
+        yield from _of_register(layout.device, register)
     for laid in layout.tables.values():
-        yield from _of_table(laid)
+        yield from _of_table(layout.device, laid)
 
 
-def _of_register(register: Register) -> Iterator[Unit]:
+def _of_register(device: Device, register: Register) -> Iterator[Unit]:
     refused = _refused(register.access, register.handling)
-    width = max(1, register.width)
+    space, width = _space(device, register.space), max(1, register.width)
     for number in range(register.count):
         name = f"{register.name}[{register.index_from + number}]" if register.count > 1 else register.name
-        yield Unit(register.address + number * register.stride, width, name, refused, register.reserved)
+        yield Unit(space, register.address + number * register.stride, width, name, refused, register.reserved)
 
 
-def _of_table(laid: TableLayout) -> Iterator[Unit]:
+def _of_table(device: Device, laid: TableLayout) -> Iterator[Unit]:
     """The fields of all elements. A reserved field in the midst of others is read with them."""
     table = laid.table
+    space = _space(device, table.space)
     fields = {field.field.place.path: field.field for field in laid.record.fields}
     shapes = [
         (first, last, holder, _of_field(laid, fields[holder.path], holder))
@@ -161,13 +191,13 @@ def _of_table(laid: TableLayout) -> Iterator[Unit]:
         at = number * table.stride
         for first, last, holder, refused in shapes:
             name = f"{table.name}[{table.index_from + number}].{holder.name}"
-            yield Unit(first + at, last - first + 1, name, refused, holder.reserved)
+            yield Unit(space, first + at, last - first + 1, name, refused, holder.reserved)
 
 
 def _of_field(laid: TableLayout, field: Field, holder: Holder) -> str:
     if holder.reserved and not field.access:
         return ""
-    return _refused(field.access or laid.table.access, field.handling)
+    return _refused(laid.access(field), field.handling)
 
 
 def _refused(access: str, handling: Handling) -> str:
@@ -176,7 +206,7 @@ def _refused(access: str, handling: Handling) -> str:
         return WRITE_ONLY
     if handling.clears_on_read:
         return CLEARED
-    return "" if access in READABLE else UNSAID
+    return "" if readable(access) else UNSAID
 
 
 def _together(usable: Sequence[Unit], stops: Sequence[Unit]) -> Iterator[list[Unit]]:
@@ -215,4 +245,4 @@ def _cut(run: Sequence[Unit], most: int) -> Iterator[PollBlock]:
             taken = taken[:-1]
         words = max(unit.end for unit in taken) - start
         names = tuple(unit.name for unit in taken if not unit.reserved)
-        yield PollBlock(start, words, names, sum(unit.words for unit in taken if unit.reserved))
+        yield PollBlock(run[0].space, start, words, names, sum(unit.words for unit in taken if unit.reserved))

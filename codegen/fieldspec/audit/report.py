@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from fieldspec.audit.access import access
 from fieldspec.audit.addresses import addresses, polls
 from fieldspec.audit.coverage import coverage
 from fieldspec.audit.detection import as_printed, detection, section
+from fieldspec.audit.hazards import access
 from fieldspec.audit.ledger import ledger
-from fieldspec.audit.section import Report, Section
-from fieldspec.audit.sign_off import sign_off
+from fieldspec.audit.review import sign_off
+from fieldspec.audit.section import Report, Section, Subject
 from fieldspec.audit.sources import sources
-from fieldspec.audit.subject import Subject
 from fieldspec.audit.tasks import tasks
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout

@@ -1,8 +1,4 @@
-"""Who has compared which section of the manual with the spec, and what has changed since.
-
-The state of a section is a hash of its facts, as `fieldspec facts` has them, of all versions: what they say, their
-names and their corrections, but not the lines on which they are printed.
-"""
+"""Who has compared which section of the manual with the spec, what has changed since, and the section about it."""
 
 from __future__ import annotations
 
@@ -12,16 +8,21 @@ import re
 from base64 import b64decode, b64encode
 from calendar import monthrange
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from operator import itemgetter
 
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
+from fieldspec.audit.sources import section_order
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.facts import Row
-from fieldspec.model.place import Place
+from fieldspec.facts import FactRow
+from fieldspec.model.fact import Place
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.project import DeviceSpec
+
+# The state of a section is a hash of its facts, as `fieldspec facts` has them, of all versions: what they say, their
+# names and their corrections, but not the lines on which they are printed.
 
 FILE = "review.yaml"
 """Where reviews are recorded, in the folder of the device."""
@@ -135,15 +136,15 @@ def state_hash(digests: Iterable[str]) -> str:
     return hashlib.sha256(" ".join(digests).encode()).hexdigest()[:16]
 
 
-def states(facts: Iterable[Iterable[Row]]) -> dict[str, State]:
+def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
     """The state of every section that some versions of a device cite, by the rows of each."""
     held: dict[str, dict[str, dict[str, None]]] = {}
     digests: dict[str, str] = {}
-    seen: dict[int, Row] = {}
+    seen: dict[int, FactRow] = {}
     for row in chain.from_iterable(facts):
         if row["section"] is not None and id(row) not in seen:
             seen[id(row)] = row
-            said = _said(row)
+            said = _fact_text(row)
             digest = digests.get(said) or digests.setdefault(said, _digest(said))
             held.setdefault(str(row["section"]), {}).setdefault(digest, {})[str(row["path"])] = None
     return {
@@ -151,7 +152,7 @@ def states(facts: Iterable[Iterable[Row]]) -> dict[str, State]:
     }
 
 
-def _said(row: Row) -> str:
+def _fact_text(row: FactRow) -> str:
     """What a fact says, as text."""
     cells = zip(_STATED, _stated(row), strict=True)
     return "\x1f".join([f"{key}={cell}" for key, cell in cells if cell is not None and cell != []])
@@ -249,7 +250,7 @@ def uncited(now: Mapping[str, State], found: Iterable[Review]) -> Iterator[Diagn
                 yield Diagnostic("reviews_sound", text, one.place["section"], help=help)
 
 
-def written(
+def review_entry(
     spec: DeviceSpec, signed: Mapping[str, State], by: str, day: str, manual: str, edition: str, doc: str
 ) -> str:
     """An entry of the list of reviews, as it is written behind the others: the sections that somebody has compared."""
@@ -272,3 +273,72 @@ def _quoted(text: str) -> str:
     """A text as YAML in double quotes, whatever is in it."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return '"' + "".join(sign if sign.isprintable() else f"\\U{ord(sign):08x}" for sign in escaped) + '"'
+
+
+_SAYS = (
+    "Who has compared which section of the manual with the spec, and which of its facts have been added or say "
+    "something else since. A correction after a review is no fault: it is what a next reader should look at first."
+)
+
+
+def sign_off(subject: Subject) -> Section:
+    """The reviews of each section."""
+    found, wrong = reviews(subject.spec)
+    now = states(subject.facts)
+    held = sorted(reviewed(now, found, subject.device.manual.sha256), key=lambda one: section_order(one.section))
+    compared = [one for one in held if one.reviews]
+    same = [one for one in compared if one.reviews[0][1].same]
+    twice = [one for one in compared if len({review.by for review, _ in one.reviews}) > 1]
+    figures = (
+        Figure("sections compared with the manual", len(compared), len(held), len(compared) == len(held)),
+        Figure("sections compared by two readers or more", len(twice), len(held)),
+        Figure("sections as they were when last compared", len(same), len(compared)),
+    )
+    tables = (_readings(found), _sections(held), _changed(held))
+    return Section("sign_off", "Sign-off", (_SAYS,), figures, tables, (*wrong, *uncited(now, found)))
+
+
+def _readings(found: Sequence[Review]) -> SectionTable:
+    rows = tuple(
+        (one.by, one.date, len(one.sections), one.edition or None, one.manual[:12], one.doc, one.place["by"])
+        for one in found
+    )
+    columns = ("by", "date", "sections", "edition", "manual", "how", "spec")
+    return SectionTable("readings", "Readings", columns, rows)
+
+
+def _sections(held: Sequence[Reviewed]) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = []
+    kinds = []
+    for one in held:
+        if not one.reviews:
+            rows.append((one.section, one.facts, "", "", "nobody has compared it"))
+            kinds.append("warning")
+        for review, since in one.reviews:
+            rows.append((one.section, one.facts, review.by, review.date, _text(since)))
+            kinds.append("good" if since.same else "")
+    return SectionTable(
+        "reviewed", "By section", ("section", "facts", "by", "date", "since"), tuple(rows), tuple(kinds)
+    )
+
+
+def _text(since: Since) -> str:
+    """What has changed since a review, in a few words."""
+    if since.same:
+        return "as it was"
+    texts = [f"{len(since.changed)} facts are new or say something else" if since.changed else ""]
+    texts.append(f"{since.gone} are gone or said something else" if since.gone else "")
+    texts.append("compared with another text of the manual" if since.other_manual else "")
+    return "; ".join(text for text in texts if text)
+
+
+def _changed(held: Sequence[Reviewed]) -> SectionTable:
+    """The facts that have changed since the last review of their section."""
+    rows = tuple(
+        (one.section, path, review.by, review.date)
+        for one in held
+        for review, since in one.reviews[:1]
+        for path in since.changed
+    )
+    title = "Facts that are new or say something else since their section was last compared"
+    return SectionTable("changed_since", title, ("section", "fact", "by", "date"), rows, detail=len(rows) > 20)

@@ -1,13 +1,20 @@
-"""A section of an audit's report: numbers, tables and findings, whatever they are about."""
+"""A section of an audit report, and the subject of the audit."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
+from fieldspec.audit.manual_lines import ManualIndex
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.facts import FactRow
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
+from fieldspec.proofs.errata import Proof
+from fieldspec.proofs.running import Outcome
+from fieldspec.reading.project import DeviceSpec
 from fieldspec.source import Span
 
 Cell: TypeAlias = str | int | Span | Citation | None
@@ -75,3 +82,27 @@ class Report:
         """The findings of all sections."""
         for section in self.sections:
             yield from section.findings
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """A device at one version: its spec as written, its layout, and the proofs of its errata, those of all versions.
+
+    `layouts` are those of all versions that are built, the oldest first, `facts` the rows of each of them. `recorded`
+    is the index of the manual that stands beside the spec, `manual` that of the text at hand; either may be missing.
+    `known` is what running everything on the device has given, where that has happened.
+    """
+
+    spec: DeviceSpec
+    layout: DeviceLayout
+    layouts: Sequence[DeviceLayout]
+    facts: Sequence[Sequence[FactRow]]
+    proofs: Sequence[Proof] = ()
+    recorded: ManualIndex | None = None
+    manual: ManualIndex | None = None
+    known: Outcome | None = None
+
+    @property
+    def device(self) -> Device:
+        """The model of the device."""
+        return self.layout.device

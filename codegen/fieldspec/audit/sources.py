@@ -1,29 +1,107 @@
-"""The section of the report about sources: how well each fact is supported by the manual."""
+"""How well the manual supports each fact, and the section of the report about it."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.sourcing import (
-    AGREEING,
-    DIFFERING,
-    NOWHERE,
-    ONE_PLACE,
-    STANDINGS,
-    TOGETHER,
-    Inferred,
-    Sourced,
-    inferred,
-    section_order,
-    sourced,
-)
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
-from fieldspec.checks.walking import facts as facts_of
+from fieldspec.checks.facts import facts
+from fieldspec.checks.facts import facts as facts_of
+from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.provenance import COMPUTED
+from fieldspec.model.fact import COMPUTED, Citation, Place
+from fieldspec.model.task import Task
+
+NO_SECTION = "no section"
+
+NOWHERE, ONE_PLACE, TOGETHER, AGREEING, DIFFERING = "nowhere", "one_place", "together", "agreeing", "differing"
+STANDINGS = {
+    ONE_PLACE: "one place",
+    TOGETHER: "several places, taken together",
+    AGREEING: "several places, which agree",
+    DIFFERING: "several places, which differ",
+    NOWHERE: "no place",
+}
+"""How many places print a fact, with the words for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sourced:
+    """A fact with the places that print it, those of what holds it where it has none of its own.
+
+    `restated` are the other places that state it again, `errata` the corrections of what some of these places print.
+    """
+
+    path: str
+    place: Place
+    sources: tuple[Citation, ...]
+    inherited: bool
+    restated: tuple[Citation, ...]
+    errata: tuple[str, ...]
+    unverified: bool
+
+    @property
+    def section(self) -> str:
+        """The section of the manual that prints it first."""
+        return next((one.section for one in self.sources if one.section), NO_SECTION)
+
+    @property
+    def standing(self) -> str:
+        """One of STANDINGS."""
+        if not self.sources:
+            return NOWHERE
+        if not self.restated:
+            return ONE_PLACE if len(self.sources) == 1 else TOGETHER
+        return DIFFERING if self.errata else AGREEING
+
+
+@dataclass(frozen=True, slots=True)
+class Inferred:
+    """A key of a fact that the manual implies and does not print, with the reason."""
+
+    path: str
+    place: Place
+    key: str
+    reason: str
+    section: str
+    sources: tuple[Citation, ...]
+
+
+def sourced(device: Device) -> list[Sourced]:
+    """All facts with their places, in the order of the spec; what a protocol defines has those of the device."""
+    corrected: dict[str, list[str]] = {}
+    for erratum in device.errata:
+        corrected.setdefault(erratum.fact.partition("/restated/")[0], []).append(erratum.id)
+    held: dict[str, tuple[Citation, ...]] = {}
+    found = []
+    for fact in facts(device):
+        if isinstance(fact, Task) and not fact.steps:
+            continue  # a question, or a reason, is printed nowhere
+        path = fact.place.path
+        own = fact.sources
+        sources = own or held.get(path.rpartition("/")[0], ())
+        held.setdefault(path, sources)
+        again = tuple(one for claim in fact.restated for one in claim.sources)
+        errata = tuple(corrected.get(path, ())) if again else ()
+        own_place = "source" in fact.place or bool(own and own != held.get(path.rpartition("/")[0]))
+        found.append(Sourced(path, fact.place, sources, not own_place, again, errata, fact.unverified))
+    return found
+
+
+def inferred(device: Device) -> Iterator[Inferred]:
+    """Every key that is inferred, with its reason."""
+    for fact in facts(device):
+        for key, reason in fact.inferred.items():
+            section = next((one.section for one in fact.sources if one.section), NO_SECTION)
+            yield Inferred(fact.place.path, fact.place, key, reason, section, fact.sources)
+
+
+def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
+    """A key that sorts sections as a manual has them: `9.2` before `10`, words behind numbers."""
+    return tuple((0, int(part), "") if part.isdigit() else (1, 0, part) for part in section.split("."))
+
 
 _SAYS = (
     "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
@@ -51,8 +129,10 @@ def sources(subject: Subject) -> Section:
         figures.append(Figure("facts that nobody has verified", len(unverified), len(facts), False))
     tables = (
         _by_section(facts, keys),
-        _listed("unsourced", "Facts without a source", [fact for fact in facts if fact.standing == NOWHERE], "bad"),
-        _listed("unverified", "Facts that nobody has verified", unverified, "bad"),
+        _source_table(
+            "unsourced", "Facts without a source", [fact for fact in facts if fact.standing == NOWHERE], "bad"
+        ),
+        _source_table("unverified", "Facts that nobody has verified", unverified, "bad"),
         _differing([fact for fact in facts if fact.standing == DIFFERING]),
         _reasons(keys),
         _standards(subject.device),
@@ -61,7 +141,9 @@ def sources(subject: Subject) -> Section:
         _without_unit(subject.device),
         _empty_cells(subject),
         _labels_elsewhere(subject),
-        _listed("one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""),
+        _source_table(
+            "one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""
+        ),
         _agreeing([fact for fact in facts if fact.standing == AGREEING]),
     )
     return Section("sources", "Sources", (_SAYS,), tuple(figures), tables)
@@ -80,7 +162,7 @@ def _by_section(facts: Sequence[Sourced], keys: Sequence[Inferred]) -> SectionTa
     return SectionTable("by_section", "By section", ("section", "facts", *STANDINGS, "inferred"), tuple(rows))
 
 
-def _listed(name: str, title: str, facts: Sequence[Sourced], kind: str) -> SectionTable:
+def _source_table(name: str, title: str, facts: Sequence[Sourced], kind: str) -> SectionTable:
     rows = tuple(
         (fact.path, fact.sources[0] if fact.sources else None, "of its holder" if fact.inherited else "", _spec(fact))
         for fact in facts

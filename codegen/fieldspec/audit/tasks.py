@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.model.task import Task, step_text
 from fieldspec.schema import schema
 

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.classes import dataclass
+from fieldspec.classes import TYPE_CHECKING, dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+
+Address: TypeAlias = tuple[str, int]
+"""The name of a space, and an address in it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +27,7 @@ class Unit:
     only be written, or starts something.
     """
 
+    space: str
     name: str
     fact: Fact
     address: int
@@ -30,15 +39,22 @@ class Unit:
     unread: bool
     reserved: bool
 
+    @property
+    def addresses(self) -> list[Address]:
+        """The addresses of its words."""
+        return [(self.space, address) for address in range(self.address, self.address + self.words)]
+
 
 def units(layout: DeviceLayout) -> Iterator[Unit]:
-    """The values in the register space."""
+    """The values in the spaces of registers."""
+    device = layout.device
     for laid in layout.registers:
         register = laid.register
         for number in range(laid.count):
             name = f"{laid.name}[{register.index_from + number}]" if laid.count > 1 else laid.name
             address = laid.address + number * laid.stride
             yield Unit(
+                device.space_name(register.space),
                 name,
                 register,
                 address,
@@ -51,15 +67,16 @@ def units(layout: DeviceLayout) -> Iterator[Unit]:
                 register.reserved,
             )
     for table in layout.tables.values():
-        placed = list(_flat(table.record))
+        placed = list(_flat(table.record, table.table.access))
         for index in table.table.indexes:
-            for name, field, byte in placed:
-                yield _field(table, index, name, field, byte)
+            for name, field, byte, access in placed:
+                yield _field(device.space_name(table.table.space), table, index, name, field, byte, access)
 
 
-def _field(laid: TableLayout, index: int, name: str, field: FieldLayout, byte: int) -> Unit:
+def _field(space: str, laid: TableLayout, index: int, name: str, field: FieldLayout, byte: int, access: str) -> Unit:
     assert field.value is not None
     return Unit(
+        space,
         f"{laid.name}[{index}].{name}",
         field.field,
         laid.table.address(index) + byte // 2,
@@ -68,19 +85,25 @@ def _field(laid: TableLayout, index: int, name: str, field: FieldLayout, byte: i
         field.value,
         field.order,
         field.swapped,
-        (field.field.access or laid.table.access) == "wo",
+        access == "wo",
         field.field.reserved,
     )
 
 
-def _flat(record: RecordLayout, before: str = "", at: int = 0) -> Iterator[tuple[str, FieldLayout, int]]:
-    """The values in a record with their names and their first bytes; those of records in it too, each of several."""
+def _flat(
+    record: RecordLayout, access: str, before: str = "", at: int = 0
+) -> Iterator[tuple[str, FieldLayout, int, str]]:
+    """The values in a record with their names, their first bytes and their access, also those of records in it.
+
+    Each of several is there. `access` is that of what the record lies in.
+    """
     for field in record.fields:
+        allowed = narrowed(access, field.field.access)
         count = field.count or 1
         for number in range(count):
             name = f"{before}{field.name}" + (f"[{number}]" if count > 1 else "")
             byte = at + field.offset + number * field.size
             if field.record is not None:
-                yield from _flat(field.record, f"{name}.", byte)
+                yield from _flat(field.record, allowed, f"{name}.", byte)
             elif field.value is not None:
-                yield name, field, byte
+                yield name, field, byte, allowed

@@ -5,18 +5,16 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterator
 
-from fieldspec.audit.manual_index import ManualIndex
-from fieldspec.audit.reduced import CELL
-from fieldspec.checks.walking import facts, values
+from fieldspec.audit.manual_lines import CELL, ManualIndex
+from fieldspec.checks.facts import facts, values
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Member
+from fieldspec.model.enums import Bit, Member
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Bit
 from fieldspec.model.link import Part
-from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Field
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Register
+from fieldspec.model.value import Kind
 
 
 @dataclass(frozen=True, slots=True)

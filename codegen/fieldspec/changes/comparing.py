@@ -1,8 +1,4 @@
-"""Brings together what is the same in two versions of a device. Rules look at what comes out of it.
-
-Every list is paired by name in one pass, so the time grows with the size of the device and not faster. Of the pairs,
-only those whose own attributes differ are kept.
-"""
+"""Pairs the items of two versions of a device, and compares their values and field offsets."""
 
 from __future__ import annotations
 
@@ -11,15 +7,66 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, Generic, TypeVar, cast
 
+from fieldspec.changes.attributes import DEVICE_ATTRIBUTES, MODEL_CLASSES
 from fieldspec.changes.evidence import EVIDENCE, Around
-from fieldspec.changes.nouns import NOUNS, OWN
-from fieldspec.changes.offsets import Sizes
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.link import Part
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
+from fieldspec.model.link import CHECK_SIZES, Part
 from fieldspec.model.record import Field
 from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class FieldOffsets:
+    """The offsets of some fields in bytes, in their order, and their size; `open` where the last ones go on."""
+
+    offsets: tuple[int, ...]
+    size: int
+    open: bool
+
+
+class Sizes:
+    """The sizes of one device's fields, without asking whether the device makes sense."""
+
+    def __init__(self, device: Device) -> None:
+        self._records = device.records
+        self._known: dict[str, int] = {}
+
+    def offsets(self, fields: Sequence[Field | Part]) -> FieldOffsets:
+        """Where some fields lie behind each other."""
+        offsets = []
+        at = 0
+        goes_on = False
+        for field in fields:
+            offsets.append(at)
+            if isinstance(field, Field) and field.repeat is not None:
+                goes_on = True
+            else:
+                at += self.of(field)
+        return FieldOffsets(tuple(offsets), at, goes_on)
+
+    def of(self, field: Field | Part) -> int:
+        """The bytes of a field with all its elements, or of a part of a frame; 0 for the body."""
+        if isinstance(field, Part):
+            if field.algorithm:
+                return CHECK_SIZES.get(field.algorithm, 0)
+            return field.value.size if field.value is not None else 0
+        # What depends on another field lies last, and moves nothing.
+        size = field.value.size if field.value is not None else self.record(field.record)
+        return size * (field.count or 1)
+
+    def record(self, name: str) -> int:
+        """The bytes of a record; 0 for one that is not there, or as far as it holds itself."""
+        if name not in self._known:
+            self._known[name] = 0
+            record = self._records.get(name)
+            self._known[name] = self.offsets(record.fields).size if record is not None else 0
+        return self._known[name]
+
+
+# Every list is paired by name in one pass, so the time grows with the size of the device and not faster. Of the pairs,
+# only those whose own attributes differ are kept.
 
 T = TypeVar("T")
 
@@ -61,7 +108,7 @@ class Fields:
     sizes: tuple[tuple[int, bool], tuple[int, bool]]
 
     @property
-    def kept(self) -> bool:
+    def offsets_equal(self) -> bool:
         """Whether all that have a meaning have kept their places within the same size."""
         return not self.moved and self.sizes[0] == self.sizes[1]
 
@@ -115,7 +162,7 @@ class Comparison:
         self.turned: list[Pair[Any]] = []
         """What has a meaning on one side and is reserved on the other. Nothing else of it can be compared."""
         self.fields: list[Fields] = []
-        self._pairs: dict[type, list[Pair[Any]]] = {noun: [] for noun in NOUNS}
+        self._pairs: dict[type, list[Pair[Any]]] = {noun: [] for noun in MODEL_CLASSES}
         self._names: dict[str, str] = {}
         self._sides = _Side(old, Sizes(old)), _Side(new, Sizes(new))
         self._enter(Device, Pair(old, new, (None, None)))
@@ -153,11 +200,16 @@ class Comparison:
         for noun, pairs in self._pairs.items():
             for pair in pairs:
                 old, new = getattr(pair.old, "value", None), getattr(pair.new, "value", None)
-                if isinstance(old, Value) and isinstance(new, Value) and old != new and not self._told(noun, pair):
+                if (
+                    isinstance(old, Value)
+                    and isinstance(new, Value)
+                    and old != new
+                    and not self._is_told_by_signal(noun, pair)
+                ):
                     found.append(Values(pair, old, new))
         return found
 
-    def _told(self, noun: type, pair: Pair[Any]) -> bool:
+    def _is_told_by_signal(self, noun: type, pair: Pair[Any]) -> bool:
         """Whether a signal tells what has changed in the value of a field."""
         if noun is not Field or not pair.old.signal or not pair.new.signal:
             return False
@@ -166,13 +218,13 @@ class Comparison:
 
     def _enter(self, noun: type, pair: Pair[Any]) -> None:
         """Keeps a pair that differs, and pairs what it holds."""
-        if pair.old is pair.new and not NOUNS[noun].holds:
+        if pair.old is pair.new and not MODEL_CLASSES[noun].holds:
             return
         if getattr(pair.old, "reserved", False) != getattr(pair.new, "reserved", False):
             self.turned.append(pair)
-        elif OWN[noun](pair.old) != OWN[noun](pair.new):
+        elif DEVICE_ATTRIBUTES[noun](pair.old) != DEVICE_ATTRIBUTES[noun](pair.new):
             self._pairs[noun].append(pair)
-        for kind, items, direction in NOUNS[noun].holds:
+        for kind, items, direction in MODEL_CLASSES[noun].holds:
             self._match(kind, tuple(items(pair.old)), tuple(items(pair.new)), (pair.old, pair.new), direction)
 
     def _match(
@@ -194,7 +246,7 @@ class Comparison:
             paired = {id(one) for pair in pairs for one in (pair.old, pair.new)}
             gone = [one for one in gone if id(one) not in paired]
             come = [one for one in come if id(one) not in paired]
-        fields = self._laid(pairs, offsets[0], offsets[1], holder, direction) if laid else None
+        fields = self._offset_evidence(pairs, offsets[0], offsets[1], holder, direction) if laid else None
         self.removed += (Lone(one, holder, fields) for one in gone)
         self.added += (Lone(one, holder, fields) for one in come)
         for pair in pairs:
@@ -202,12 +254,12 @@ class Comparison:
 
     def _rename(self, noun: type, pair: Pair[Any], said: str) -> None:
         path = place(pair.old, self.old).path.rpartition("/")[0]
-        self._names[f"{path}/{NOUNS[noun].key(pair.old)}"] = str(NOUNS[noun].key(pair.new))
+        self._names[f"{path}/{MODEL_CLASSES[noun].key(pair.old)}"] = str(MODEL_CLASSES[noun].key(pair.new))
         meaningless = getattr(pair.old, "reserved", False) or getattr(pair.new, "reserved", False)
         if not meaningless:  # nobody knows it by its name
             self.renamed.append(Renamed(pair, said))
 
-    def _laid(
+    def _offset_evidence(
         self,
         pairs: list[Pair[Any]],
         old: dict[int, tuple[int, int]],
@@ -247,7 +299,7 @@ def place(item: Any, device: Device) -> Place:
 
 def _by_key(noun: type, items: Iterable[Any]) -> dict[Hashable, Any]:
     """Things by key; further ones of the same key by key and number."""
-    key = NOUNS[noun].key
+    key = MODEL_CLASSES[noun].key
     found: dict[Hashable, Any] = {}
     for item in items:
         own = key(item)
@@ -264,7 +316,7 @@ def _offsets(sizes: Sizes, items: Sequence[Any]) -> dict[int, tuple[int, int]]:
     found: dict[int, tuple[int, int]] = {}
     size, goes_on = 0, False
     for run, some in enumerate((items[:body], items[body:])):
-        laid = sizes.laid(some)
+        laid = sizes.offsets(some)
         found |= {id(one): (run, at) for one, at in zip(some, laid.offsets, strict=True)}
         size, goes_on = size + laid.size, goes_on or laid.open
     found[0] = size, goes_on
@@ -285,4 +337,4 @@ def _proven(
     arrived = dict(new)
     for key, one in old:
         if key in once and key in single:
-            yield Pair(one, arrived[key], holder), evidence.said(one, before)
+            yield Pair(one, arrived[key], holder), evidence.describe(one, before)

@@ -1,27 +1,75 @@
-"""What shows that a thing with another name is the same thing: that by which the wire, or the manual, knows it."""
+"""What shows that two items with different names are the same, and values of the model as text."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from decimal import Decimal
 from typing import Any
 
-from fieldspec.changes.spelling import hexadecimal, spelled
-from fieldspec.classes import dataclass
-from fieldspec.model.enum import Enum, Member
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.flags import Bit, Flags, State
-from fieldspec.model.limit import Limit
+from fieldspec.classes import attributes, dataclass
+from fieldspec.model.address_space import AddressSpace
+from fieldspec.model.device import Manual
+from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
+from fieldspec.model.fact import Citation, Claim
 from fieldspec.model.link import Link, Part
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.message import Message
-from fieldspec.model.note import Note
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
-from fieldspec.model.record import Case, Field, Record
-from fieldspec.model.register import Register, RegisterGroup
-from fieldspec.model.signal import Conversion, Signal
-from fieldspec.model.table import Table
-from fieldspec.model.value import Value
+from fieldspec.model.record import Case, Field, Message, Record
+from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
+from fieldspec.model.texts import Erratum, Example, Limit, Lookup, LookupColumn, Note
+from fieldspec.model.value import Conversion, ParameterPart, Primitive, Ranges, Signal, Value
+
+NOTHING = "nothing"
+
+
+def hexadecimal(number: int | None) -> str:
+    """`0x2011`"""
+    return "" if number is None else f"0x{number:04X}" if number > 0xFF else f"0x{number:02X}"
+
+
+def value_text(held: object) -> str:
+    """A value as text; an empty one for nothing."""
+    if held is None:
+        return ""
+    if isinstance(held, bool):
+        return "yes" if held else "no"
+    if isinstance(held, Decimal):
+        return decimal_text(held)
+    if isinstance(held, bytes):
+        return held.hex(" ").upper()
+    if isinstance(held, Ranges | Citation):
+        return held.text()
+    if isinstance(held, Primitive):
+        return held.name
+    if isinstance(held, ParameterPart):
+        return f"{held.part} of {held.set}" + (f" by {held.number}" if held.number else "")
+    if isinstance(held, Claim):
+        return f"{value_text(held.values)} in {value_text(held.sources)}"
+    if isinstance(held, LookupColumn | Cause | Manual):
+        parts = (value_text(getattr(held, name)) for name in attributes(held.__class__))
+        return ": ".join(part for part in parts if part)
+    if isinstance(held, Mapping):
+        return ", ".join(f"{key}: {value_text(value)}" for key, value in held.items())
+    if isinstance(held, Sequence) and not isinstance(held, str):
+        return ", ".join(map(value_text, held))
+    return str(held)
+
+
+def decimal_text(number: Decimal) -> str:
+    """An exact number without an exponent or needless zeros."""
+    text = f"{number:f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def quoted(held: object) -> str:
+    """The same for a sentence: `nothing` for nothing."""
+    return value_text(held) or NOTHING
+
+
+def enumeration(words: Sequence[object], most: int = 6) -> str:
+    """`a, b and c`, or `a, b, c, d, e and 12 more`"""
+    texts = [str(word) for word in words]
+    if len(texts) > most:
+        texts = [*texts[: most - 1], f"{len(texts) - most + 1} more"]
+    return texts[0] if len(texts) == 1 else ", ".join(texts[:-1]) + " and " + texts[-1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +86,7 @@ class Evidence:
     """What two things must have in common to be one, and how this is said."""
 
     of: Callable[[Any, Around], Hashable]
-    said: Callable[[Any, Around], str]
+    describe: Callable[[Any, Around], str]
 
 
 def _type(value: Value | None, record: str = "") -> str:
@@ -99,7 +147,7 @@ EVIDENCE: dict[type, Evidence] = {
     ),
     Case: Evidence(
         lambda case, _: (case.when, _type(case.value)),
-        lambda case, _: f"the same type for {spelled(case.when)}",
+        lambda case, _: f"the same type for {value_text(case.when)}",
     ),
     Enum: Evidence(_members, lambda *_: "the same members"),
     Member: Evidence(lambda member, _: member.value, lambda member, _: f"the same value {member.value}"),
@@ -112,12 +160,15 @@ EVIDENCE: dict[type, Evidence] = {
         lambda bit, _: f"the same {bits(bit)}",
     ),
     State: Evidence(lambda state, _: (state.set, state.clear), lambda *_: "the same bits"),
+    AddressSpace: Evidence(
+        lambda one, _: (one.unit, one.bounds, one.first_number, one.title), lambda *_: "the same addresses and title"
+    ),
     RegisterGroup: Evidence(
         lambda group, _: tuple(register.address for register in group.registers) or None,
         lambda *_: "the same registers",
     ),
     Register: Evidence(
-        lambda one, _: (one.address, _type(one.value), one.count, one.stride),
+        lambda one, _: (one.space, one.address, _type(one.value), one.count, one.stride),
         lambda one, _: f"the same address {hexadecimal(one.address)} and type {_type(one.value)}",
     ),
     Table: Evidence(

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
+from fieldspec.changes.attributes import MODEL_CLASSES
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.comparing import Comparison, Pair, Values
-from fieldspec.changes.nouns import NOUNS
-from fieldspec.changes.spelling import quoted, spelled
+from fieldspec.changes.evidence import quoted, value_text
 from fieldspec.model.device import Device, Version, VersionLine
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
 from fieldspec.source import Span
 
 Rule: TypeAlias = Callable[[Comparison], Iterator[Change]]
@@ -34,8 +34,8 @@ def change(
         kind(held.new),
         path(held.new, held.holder[1]),
         message,
-        spelled(old),
-        spelled(new),
+        value_text(old),
+        value_text(new),
         span(held.old, key, held.holder[0]),
         span(held.new, key, held.holder[1]),
         outputs,
@@ -44,12 +44,12 @@ def change(
 
 def kind(item: Any) -> str:
     """What users call a thing."""
-    return NOUNS[type(item)].kind
+    return MODEL_CLASSES[type(item)].kind
 
 
 def named(item: Any) -> str:
     """The name by which users know a thing."""
-    return str(NOUNS[type(item)].key(item))
+    return str(MODEL_CLASSES[type(item)].key(item))
 
 
 def within(holder: Any) -> str:
@@ -70,14 +70,14 @@ def path(item: Any, holder: Any) -> str:
 def span(item: Any, key: str, holder: Any) -> Span | None:
     """The place of the value of a key; None for what has no place of its own."""
     held = getattr(item, "place", None)
-    return _given(held, key) if isinstance(held, Place) else None
+    return _key_span(held, key) if isinstance(held, Place) else None
 
 
 _SPELT = {"range": "unit_range", "default": "unit_default"}
 """Keys that may be written in two ways."""
 
 
-def _given(held: Place, key: str) -> Span:
+def _key_span(held: Place, key: str) -> Span:
     other = _SPELT.get(key, key)
     return held[other] if other in held else held[key]
 

@@ -8,13 +8,11 @@ from typing import Any
 from fieldspec.changes.comparing import Comparison, Pair, Values
 from fieldspec.changes.finding import named
 from fieldspec.classes import dataclass
-from fieldspec.model.flags import Flags
+from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.primitive import Kind, Primitive
-from fieldspec.model.ranges import Ranges
 from fieldspec.model.record import Field
-from fieldspec.model.value import Value
+from fieldspec.model.registers import ParameterSet
+from fieldspec.model.value import Kind, Primitive, Ranges, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +34,10 @@ def bounded(both: Comparison) -> Iterator[Bounded]:
         old, new = _of_values(held)
         if old is not None and new is not None:
             yield Bounded(held, name, "the range", "range", old, new)
+        old, new = held.old.written_ranges, held.new.written_ranges
+        if (held.old.write_ranges or held.new.write_ranges) and (old or new) and held.old.type == held.new.type:
+            whole = _whole(held.new.type)
+            yield Bounded(held, name, "the range of writing", "write_range", old or whole, new or whole)
         old, new = _length(held.old), _length(held.new)
         if old != new and held.old.size == held.new.size:
             yield Bounded(held, name, "the number of characters", "characters", old, new)
@@ -65,14 +67,14 @@ def _of_values(held: Values) -> tuple[Ranges | None, Ranges | None]:
     old, new = held.old, held.new
     if old.ranges is None and new.ranges is None:
         return None, None
-    if old.type.kind not in _COUNTED or new.type.kind not in _COUNTED:
+    if old.type.kind not in _COUNT_TYPES or new.type.kind not in _COUNT_TYPES:
         return old.ranges, new.ranges
     if old.type != new.type and (old.ranges is None or new.ranges is None):
         return None, None
     return old.ranges or _whole(old.type), new.ranges or _whole(new.type)
 
 
-_COUNTED = (Kind.INTEGER, Kind.BOOLEAN)
+_COUNT_TYPES = (Kind.INTEGER, Kind.BOOLEAN)
 
 
 def _whole(primitive: Primitive) -> Ranges:

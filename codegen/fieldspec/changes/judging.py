@@ -11,8 +11,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from fieldspec.changes.change import Change
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.model.acceptance import Acceptance
 from fieldspec.model.device import Device
+from fieldspec.model.texts import Acceptance
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""No two registers, arrays of registers or tables claim the same address.
+"""No two registers, arrays of registers or tables claim the same address of one space.
 
 Why: two names for one word are nearly always a slip of the pen, and whoever writes one changes the
 other.
@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from operator import attrgetter
 
-from fieldspec.checks.finding import addresses, counted, finding, label
-from fieldspec.checks.occupied import Block, blocks
+from fieldspec.checks.addresses import Block, blocks
+from fieldspec.checks.finding import addresses, finding, label, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
@@ -24,7 +24,9 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
     yield from _elements_overlap(device)
     furthest: Block | None = None
     reported = set()
-    for block in sorted(blocks(device), key=attrgetter("first", "last")):
+    for block in sorted(blocks(device), key=attrgetter("space", "first", "last")):
+        if furthest is not None and furthest.space != block.space:
+            furthest = None
         if furthest is not None and block.first <= furthest.last and furthest.fact is not block.fact:
             pair = id(furthest.fact), id(block.fact)
             if pair not in reported:
@@ -52,6 +54,6 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
                 "addresses_disjoint",
                 register.place,
                 "stride",
-                f"elements of {register.name} have {counted(register.width, 'word')} and are {register.stride} apart",
+                f"elements of {register.name} have {plural(register.width, 'word')} and are {register.stride} apart",
                 "put the stride or the type right",
             )

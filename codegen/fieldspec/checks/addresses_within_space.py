@@ -1,34 +1,43 @@
-"""Every register, array of registers and table ends at address 0xFFFF or before.
+"""Every register, array of registers and table lies within the bounds of its address space.
 
-Why: a frame carries an address in 16 bits. What lies behind cannot be read, so an address, a stride or a
-number of elements is wrong.
+Why: a frame carries an address in 16 bits, and a space may have fewer addresses. What lies outside cannot be
+read, so an address, a stride or a number of elements is wrong, or the bounds of the space are.
 
 Example: a table of 4096 elements with a stride of 0x10 that begins at 0x9000.
 
-Cure: Put the address, the stride or the number of elements right.
+Cure: Put the address, the stride or the number of elements right, or the `bounds` of the space.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, hexadecimal
-from fieldspec.checks.occupied import SPACE, table_words
+from fieldspec.checks.addresses import SPACE, table_words
+from fieldspec.checks.finding import finding, hexadecimal, label
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
 
 _HELP = "put the address, the stride or the number of elements right"
 
 
 def addresses_within_space(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
-        if register.end > SPACE:
-            text = f"{register.name} ends at {hexadecimal(register.end - 1)}; the last address is 0xFFFF"
-            yield finding("addresses_within_space", register.place, "at", text, _HELP)
+        yield from _of(device, register, register.space, "at", register.address, register.end - 1)
     sizes = Sizes(device)
     for table in device.tables.values():
         last = table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
-        if last >= SPACE:
-            text = f"{table.name} ends at {hexadecimal(last)}; the last address is 0xFFFF"
-            yield finding("addresses_within_space", table.place, "base", text, _HELP)
+        yield from _of(device, table, table.space, "base", table.base, last)
+
+
+def _of(device: Device, fact: Fact, name: str, key: str, first: int, last: int) -> Iterator[Diagnostic]:
+    space = device.space(name)
+    if last >= SPACE:
+        text = f"{fact.name} ends at {hexadecimal(last)}; the last address is 0xFFFF"
+        yield finding("addresses_within_space", fact.place, key, text, _HELP)
+    elif not any(low <= first and last <= high for low, high in space.bounds.intervals):
+        bounds = ", ".join(f"{hexadecimal(low)}..{hexadecimal(high)}" for low, high in space.bounds.intervals)
+        text = f"{fact.name} at {hexadecimal(first)}..{hexadecimal(last)} is not within {space.name}"
+        there = label(space.place, "bounds", f"{space.name} has the addresses {bounds}")
+        yield finding("addresses_within_space", fact.place, key, text, _HELP, there)

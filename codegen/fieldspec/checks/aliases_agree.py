@@ -49,6 +49,7 @@ def _compared(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> 
         ("scale", (value.scale, value.offset), (same.scale, same.offset)),
         ("unit", value.unit, same.unit),
         (range_key(fact.place), value.ranges, same.ranges),
+        ("write_range", value.write_ranges, same.write_ranges),
         ("enum", value.enum, same.enum),
         ("flags", value.flags, same.flags),
     ):

@@ -11,8 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from fieldspec.checks.allowances import Allowance
-from fieldspec.checks.finding import finding
+from fieldspec.checks.finding import Allowance, finding
 from fieldspec.diagnostics import Diagnostic
 
 
@@ -23,17 +22,17 @@ def allowances_used(
 
     What is written once and stands at a block and at its copies is one allowance.
     """
-    needed = {_written(allowance) for allowance in used}
+    needed = {_position(allowance) for allowance in used}
     for allowance in given:
         if allowance.check not in names:
             text = f"there is no check `{allowance.check}` that could be allowed to fail"
             yield _finding(allowance, text, "`fieldspec rule` lists the checks")
-        elif _written(allowance) not in needed:
+        elif _position(allowance) not in needed:
             text = f"`{allowance.check}` passes here, so nothing needs to be allowed"
             yield _finding(allowance, text, "remove the allowance")
 
 
-def _written(allowance: Allowance) -> tuple[str, str, int]:
+def _position(allowance: Allowance) -> tuple[str, str, int]:
     span = allowance.fact.place["allow"]
     return allowance.check, span.file.path, span.start
 

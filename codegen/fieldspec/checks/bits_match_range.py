@@ -14,13 +14,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label, range_key
-from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
+from fieldspec.model.enums import Bit, Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Bit, Flags
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Ranges
 
 _WIDEST = 64
 

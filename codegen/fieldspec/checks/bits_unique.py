@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, interval, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.flags import Bit
+from fieldspec.model.enums import Bit
 
 
 def bits_unique(device: Device) -> Iterator[Diagnostic]:

@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
+from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import default_key, finding, label
-from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 _CODE = "broadcast_apart"
 

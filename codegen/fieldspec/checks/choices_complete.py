@@ -15,14 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import fields, layers
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import fields, layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Case, Choice, Field, Record
-from fieldspec.model.table import Table
-from fieldspec.model.value import Value
+from fieldspec.model.registers import Table
+from fieldspec.model.value import Kind, Value
 
 _CODE = "choices_complete"
 

@@ -12,20 +12,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.frames import messages_on
+from fieldspec.checks.sizes import messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link
-from fieldspec.model.message import Message
-from fieldspec.model.primitive import Kind
+from fieldspec.model.record import Message
+from fieldspec.model.value import Kind
 
 _CODE = "codes_fit_link"
 
 
 def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
-        part = next((part for part in link.request if part.role == "code"), None)
-        if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
+        codes = [part for part in (*link.request, *link.response) if part.role == "code" and part.value is not None]
+        numbers = [part for part in codes if part.value is not None and part.value.type.kind is Kind.INTEGER]
+        # Both directions mostly have the same one; of two, the narrower one decides.
+        part = min(numbers, key=lambda part: part.value.type.high if part.value else 0, default=None)
+        if part is None or part.value is None:
             continue
         high = part.value.type.high
         if link.error is not None and not 0 < link.error.flag <= high:

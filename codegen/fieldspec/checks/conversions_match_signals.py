@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.signal import Conversion, Signal
+from fieldspec.model.value import Conversion, Signal
 
 _CODE = "conversions_match_signals"
 _SHARE = "%"

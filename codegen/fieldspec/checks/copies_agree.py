@@ -17,10 +17,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from fieldspec.checks.finding import counted, finding, hexadecimal, label
+from fieldspec.checks.finding import finding, hexadecimal, label, plural
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.registers import Register, RegisterGroup
 
 _CODE = "copies_agree"
 
@@ -28,10 +28,10 @@ _CODE = "copies_agree"
 def copies_agree(device: Device) -> Iterator[Diagnostic]:
     registers = {register.name: register for register in device.registers()}
     for group in device.groups:
-        yield from _of_group(group, registers)
+        yield from _of_group(group, registers, device.space(group.space).first_number)
 
 
-def _of_group(group: RegisterGroup, registers: Mapping[str, Register]) -> Iterator[Diagnostic]:
+def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_number: int) -> Iterator[Diagnostic]:
     pairs = [(row, registers[row.copy_of]) for row in group.registers if row.copy_of in registers]
     if not pairs:
         return
@@ -41,8 +41,8 @@ def _of_group(group: RegisterGroup, registers: Mapping[str, Register]) -> Iterat
             right = hexadecimal(original.address + distance)
             text = f"{row.name} is at {hexadecimal(row.address)}; as {original.name} it belongs to {right}"
             yield _finding(row, original, "at", text, "put one of the addresses right")
-        if row.decimal is not None and row.decimal != original.address + distance:
-            right = str(original.address + distance)
+        if row.decimal is not None and row.decimal != first_number + original.address + distance:
+            right = str(first_number + original.address + distance)
             text = f"{row.name} is at {row.decimal} in decimal; as {original.name} it belongs to {right}"
             yield _finding(row, original, "decimal", text, "put one of the addresses right")
         yield from _printed(row, original)
@@ -51,7 +51,7 @@ def _of_group(group: RegisterGroup, registers: Mapping[str, Register]) -> Iterat
 def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
     words = original.words or original.width
     if row.words is not None and row.words != words:
-        text = f"{row.name} is printed with {counted(row.words, 'word')}, {original.name} has {words}"
+        text = f"{row.name} is printed with {plural(row.words, 'word')}, {original.name} has {words}"
         yield _finding(row, original, "words", text, "put one of them right")
     for key in ("label", "printed_name"):
         mine, theirs = getattr(row, key), getattr(original, key)

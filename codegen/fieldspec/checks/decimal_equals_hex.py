@@ -15,18 +15,32 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, hexadecimal, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Fact
 
 
 def decimal_equals_hex(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
-        yield from _compared(register.name, register.place, "at", register.address, register.decimal)
+        yield from _compared(device, register, register.space, "at", register.address, register.decimal)
     for table in device.tables.values():
-        yield from _compared(table.name, table.place, "base", table.base, table.decimal)
+        yield from _compared(device, table, table.space, "base", table.base, table.decimal)
 
 
-def _compared(name: str, place: Place, key: str, address: int, decimal: int | None) -> Iterator[Diagnostic]:
-    if decimal is not None and decimal != address:
+def _compared(
+    device: Device, fact: Fact, space: str, key: str, address: int, decimal: int | None
+) -> Iterator[Diagnostic]:
+    name, place, first = fact.name, fact.place, device.space(space).first_number
+    if decimal is None or decimal == first + address:
+        return
+    if first:
+        yield finding(
+            "decimal_equals_hex",
+            place,
+            "decimal",
+            f"{decimal} is the number of {hexadecimal(decimal - first)}, but {name} is at {hexadecimal(address)}",
+            f"numbers of {device.space(space).name} begin at {first}: {hexadecimal(address)} is {first + address}",
+            label(place, key, "the address"),
+        )
+    else:
         yield finding(
             "decimal_equals_hex",
             place,

@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import default_key, finding, label, range_key
-from fieldspec.checks.legal import Legal
-from fieldspec.checks.walking import values
+from fieldspec.checks.numbers import Legal
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 
 def default_within_range(device: Device) -> Iterator[Diagnostic]:

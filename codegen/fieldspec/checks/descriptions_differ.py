@@ -15,8 +15,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from fieldspec.checks.facts import lists
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import lists
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import addresses, counted, finding, label
+from fieldspec.checks.finding import addresses, finding, label, plural
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.table import Table
+from fieldspec.model.registers import Table
 
 _CODE = "elements_match_table"
 
@@ -49,5 +49,5 @@ def _of_table(table: Table, words: int | None) -> Iterator[Diagnostic]:
             text += f"; it ends at {addresses(last, last)}"
             yield finding(_CODE, element.place, "at", text, "put the record or the address right", base)
         if element.words is not None and element.words != words:
-            text = f"element {element.index} is printed with {counted(element.words, 'word')}; it has {words}"
+            text = f"element {element.index} is printed with {plural(element.words, 'word')}; it has {words}"
             yield finding(_CODE, element.place, "words", text, "put the record or the words right", base)

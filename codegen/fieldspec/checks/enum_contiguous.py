@@ -15,11 +15,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, interval, label, missing, shown
+from fieldspec.checks.finding import enumeration, finding, interval, label, missing
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.enums import Enum
+from fieldspec.model.value import Ranges
 
 _WIDEST_BLOCK = 64
 _FEWEST_MASKS = 4
@@ -62,7 +62,7 @@ def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[in
             "enum_contiguous",
             enum.place,
             "gaps" if enum.gaps else "name",
-            f"{enum.name} does not list {shown([interval(*hole) for hole in left])}",
+            f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",
             "transcribe the missing lines, or declare the values under `gaps` with a reason",
             label(behind.place, "value", f"the next value is {behind.value}"),
         )

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Member
+from fieldspec.model.enums import Member
 
 
 def enum_values_unique(device: Device) -> Iterator[Diagnostic]:

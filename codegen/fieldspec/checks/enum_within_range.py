@@ -13,14 +13,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import counted, finding, label, range_key, shown
-from fieldspec.checks.walking import values
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import enumeration, finding, label, plural, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Member
+from fieldspec.model.enums import Member
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 
 def enum_within_range(device: Device) -> Iterator[Diagnostic]:
@@ -36,7 +35,7 @@ def enum_within_range(device: Device) -> Iterator[Diagnostic]:
             enum = device.enums.get(bit.enum)
             out = [member for member in enum.members if not 0 <= member.value < 1 << min(bit.width, 64)] if enum else []
             if out:
-                yield _finding(bit, "enum", f"{bit.name}, of {counted(bit.width, 'bit')},", out)
+                yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", out)
 
 
 def _excluded(value: Value, member: Member) -> bool:
@@ -48,6 +47,6 @@ def _excluded(value: Value, member: Member) -> bool:
 
 
 def _finding(fact: Fact, key: str, what: str, out: list[Member]) -> Diagnostic:
-    text = f"{what} cannot hold {shown([f'{member.name} ({member.value})' for member in out])}"
+    text = f"{what} cannot hold {enumeration([f'{member.name} ({member.value})' for member in out])}"
     there = label(out[0].place, "value", "listed here")
     return finding("enum_within_range", fact.place, key, text, "put the range, the type or the list right", there)

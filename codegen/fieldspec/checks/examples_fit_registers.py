@@ -13,17 +13,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.addressed import Addressed, Addresses
+from fieldspec.checks.addresses import Addressed, Addresses
 from fieldspec.checks.finding import finding, hexadecimal, label, range_key
-from fieldspec.checks.legal import Legal
-from fieldspec.checks.written import in_counts
+from fieldspec.checks.numbers import Legal, in_counts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.example import Example
-from fieldspec.model.message import Message
-from fieldspec.model.record import Field
+from fieldspec.model.record import Field, Message, RegisterAccess
+from fieldspec.model.texts import Example
 
 _CODE = "examples_fit_registers"
+_MOST_WORDS = 0x10000
 _REFUSED = {"read": "wo", "write": "ro"}
 
 
@@ -33,36 +32,46 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
     refused = {reply.reply_to for reply in device.examples.values() if reply.error}
     for example in device.examples.values():
         message = device.messages.get(example.message)
-        if message is None or message.accesses is None or example.error or example.refused:
+        access = device.register_access(message) if message is not None else None
+        if message is None or access is None or example.error or example.refused:
             continue
         if example.id in refused:
             continue
         asked = example if example.direction == "request" else device.examples.get(example.reply_to)
-        start = _number(message, message.accesses.start, asked) if asked is not None else None
+        start = _number(message, access.start, asked) if asked is not None else None
         if start is None:
             continue
         if example.direction == "request":
-            yield from _first(addresses.at(start), start, message, example)
-        for address, found, number in addresses.counts(start, _words(message, example)):
-            yield from _valued(found, address, number, legal, example)
+            yield from _accessed(addresses, access, start, message, example)
+        writes = access.operation == "write"
+        for address, found, number in addresses.counts(access.space, start, _words(message, example)):
+            yield from _valued(found, address, number, legal, writes, example)
 
 
-def _first(found: Addressed | None, start: int, message: Message, example: Example) -> Iterator[Diagnostic]:
-    if found is None:
+def _accessed(
+    addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
+) -> Iterator[Diagnostic]:
+    """What is wrong with the words that a request addresses: nothing begins there, or its access forbids it."""
+    if addresses.at(access.space, start) is None:
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "put the frame, or a table of registers, right")
-    elif message.accesses is not None and found.access == _REFUSED[message.accesses.operation]:
-        deed = "reads" if message.accesses.operation == "read" else "writes"
-        text = f"{example.id} {deed} {found.fact.name}, whose access is {found.access}"
-        there = label(found.fact.place, "access", "the access")
-        yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
+    count = len(_words(message, example)) or _number(message, access.count, example) or 1
+    for found in addresses.within(access.space, start, min(count, _MOST_WORDS)):
+        if found.access == _REFUSED[access.operation]:
+            deed = "reads" if access.operation == "read" else "writes"
+            text = f"{example.id} {deed} {found.fact.name}, whose access is {found.access}"
+            there = label(found.holder.place, "access", "the access")
+            yield finding(_CODE, example.place, "values", text, "put the frame or the access right", there)
 
 
-def _valued(found: Addressed, address: int, number: int, legal: Legal, example: Example) -> Iterator[Diagnostic]:
-    why = legal.objection(found.value, number) if found.value is not None else ""
+def _valued(
+    found: Addressed, address: int, number: int, legal: Legal, writes: bool, example: Example
+) -> Iterator[Diagnostic]:
+    why = legal.objection(found.value, number, writes) if found.value is not None else ""
     if why:
         text = f"{found.fact.name} at {hexadecimal(address)} is {number} in {example.id}, which {why}"
-        there = label(found.fact.place, range_key(found.fact.place), "what it may be")
+        key = "write_range" if writes and "write_range" in found.fact.place else range_key(found.fact.place)
+        there = label(found.fact.place, key, "what it may be")
         yield finding(_CODE, example.place, "values", text, "put the frame or the range right", there)
 
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, shown
-from fieldspec.checks.walking import facts
+from fieldspec.checks.facts import facts
+from fieldspec.checks.finding import enumeration, finding
 from fieldspec.diagnostics import Diagnostic, Severity
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
@@ -24,7 +24,7 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
         if fact.unverified:
             sections.setdefault(fact.place.path.partition("/")[0], []).append(fact)
     for section, held in sections.items():
-        names = shown([fact.name for fact in held])
+        names = enumeration([fact.name for fact in held])
         text = f"nobody has compared {names} of `{section}` with the manual"
         help = "compare, cite the manual, and take `unverified` away"
         yield finding("facts_verified", held[0].place, "unverified", text, help, severity=Severity.WARNING)

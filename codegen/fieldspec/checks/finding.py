@@ -1,4 +1,4 @@
-"""What checks share to say what they found. Positions come from the places of facts, never from counting."""
+"""How checks report a finding, and which findings a fact allows."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import TypeAlias
 
+from fieldspec.checks.facts import facts
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label, Severity
 from fieldspec.model.device import Device
-from fieldspec.model.place import Place
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.fact import Fact, Place
+from fieldspec.model.value import Ranges
+from fieldspec.source import Span
 
 Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
 
-_SHOWN = 6
+_MOST_WORDS = 6
 _SEARCHED = 2000
 
 
@@ -44,16 +47,16 @@ def interval(first: object, last: object) -> str:
     return str(first) if first == last else f"{first}..{last}"
 
 
-def counted(number: int, noun: str) -> str:
+def plural(number: int, noun: str) -> str:
     """`1 word`, `2 words`"""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def shown(words: Collection[object]) -> str:
+def enumeration(words: Collection[object]) -> str:
     """`a, b and c`, or `a, b, c, d, e and 12 more`"""
     texts = [str(word) for word in words]
-    if len(texts) > _SHOWN:
-        texts = [*texts[: _SHOWN - 1], f"{len(texts) - _SHOWN + 1} more"]
+    if len(texts) > _MOST_WORDS:
+        texts = [*texts[: _MOST_WORDS - 1], f"{len(texts) - _MOST_WORDS + 1} more"]
     return texts[0] if len(texts) == 1 else ", ".join(texts[:-1]) + " and " + texts[-1]
 
 
@@ -98,7 +101,7 @@ def near(word: str, known: Collection[str]) -> str:
     close = get_close_matches(word, names, 1)
     if close:
         return f"did you mean `{close[0]}`?"
-    return f"there are {shown([f'`{name}`' for name in names])}" if names else "define it first"
+    return f"there are {enumeration([f'`{name}`' for name in names])}" if names else "define it first"
 
 
 def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
@@ -117,3 +120,34 @@ def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
         kept.add(index)
         index = before[index]
     return frozenset(kept)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Allowance:
+    """That a check may fail at a fact and at everything that the fact holds."""
+
+    fact: Fact
+    check: str
+
+    def spans(self) -> list[Span]:
+        """Where the fact stands, and the values of its keys, some of which may come from elsewhere."""
+        return [self.fact.place.whole, *self.fact.place.spans.values()]
+
+
+def covered(finding: Diagnostic, allowed: list[Span]) -> bool:
+    """Whether a finding has its place, or a label, within one of some spans."""
+    spans = [finding.span, *(label.span for label in finding.labels)]
+    return any(_within(span, outer) for span in spans for outer in allowed)
+
+
+def allowances(device: Device, check: str = "") -> Iterator[Allowance]:
+    """All allowances of a device, or those for one check."""
+    for fact in facts(device):
+        if fact.allowed:
+            for allowed in fact.allowed:
+                if not check or allowed == check:
+                    yield Allowance(fact, allowed)
+
+
+def _within(span: Span, outer: Span) -> bool:
+    return span.file is outer.file and outer.start <= span.start and span.end <= outer.end

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, interval, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.enums import Bit, Flags
 
 _CODE = "flags_forms_agree"
 

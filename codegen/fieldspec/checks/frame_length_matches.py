@@ -14,13 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import counted, finding, interval, label
-from fieldspec.checks.frames import Shape, sent_on, shapes
-from fieldspec.checks.sizes import Sizes
+from fieldspec.checks.finding import finding, interval, label, plural
+from fieldspec.checks.sizes import Shape, Sizes, sent_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.message import Message
-from fieldspec.model.record import Record
+from fieldspec.model.record import Message, Record
 
 
 def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
@@ -50,7 +48,7 @@ def _compared(
         "frame_length_matches",
         message.place,
         "frame_length",
-        f"the {direction} of {message.name} is printed with {counted(printed, 'byte')}; it has {shown}",
+        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {shown}",
         "put a field or the length right; leave out the length of what has no fixed size",
         label(message.place, direction, "the data"),
     )

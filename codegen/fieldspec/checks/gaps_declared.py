@@ -13,16 +13,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.addresses import extents, free, merged
 from fieldspec.checks.finding import addresses, finding, label, longest_ascent
-from fieldspec.checks.occupied import extents, free, merged
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.registers import Register, RegisterGroup
 
 
 def gaps_declared(device: Device) -> Iterator[Diagnostic]:
-    taken = merged(extents(device))
+    extent = list(extents(device))
     for group in device.groups:
+        own = device.space_name(group.space)
+        taken = merged((first, last) for space, first, last in extent if space == own)
         if group.ascending and group.registers:
             yield from _undeclared(group, taken)
         yield from _wrong(group, taken)

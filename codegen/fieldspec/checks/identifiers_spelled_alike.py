@@ -15,11 +15,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
 
 _WORD = re.compile(r"[A-Za-z_]{6,}")
 _INNER_CAPITAL = re.compile(r"[a-z][A-Z]")

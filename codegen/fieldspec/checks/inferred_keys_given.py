@@ -12,14 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding
-from fieldspec.checks.walking import facts
 from fieldspec.classes import attributes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.handling import NOTHING_SAID, Handling
-from fieldspec.model.value import Value
+from fieldspec.model.value import UNSPECIFIED, Handling, Value
 
 
 def inferred_keys_given(device: Device) -> Iterator[Diagnostic]:
@@ -40,7 +39,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
     value = getattr(fact, "value", None)
     if not isinstance(value, Value):
         return frozenset()
-    handling = getattr(fact, "handling", NOTHING_SAID)
+    handling = getattr(fact, "handling", UNSPECIFIED)
     held: dict[str, object] = {
         "type": True,
         "length": True,
@@ -50,6 +49,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "offset": bool(value.offset),
         "unit": bool(value.unit),
         "range": value.ranges is not None,
+        "write_range": value.write_ranges is not None,
         "unit_range": value.ranges is not None,
         "default": value.default is not None,
         "unit_default": value.default is not None,

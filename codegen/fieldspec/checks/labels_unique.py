@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from fieldspec.checks.facts import lists
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import lists
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Register
 
 _WORDS = {"printed_name": "printed name", "label": "label"}
 

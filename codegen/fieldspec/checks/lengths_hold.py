@@ -12,14 +12,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, interval, label
-from fieldspec.checks.frames import messages_on, shapes
-from fieldspec.checks.sizes import Sizes
-from fieldspec.checks.walking import layers
+from fieldspec.checks.sizes import Shape, Sizes, messages_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
+from fieldspec.model.fact import Place
+from fieldspec.model.link import Part, PartSpan
 from fieldspec.model.record import Field, Record
+from fieldspec.model.value import Kind
 
 _CODE = "lengths_hold"
 _HELP = "put the number of elements or the type right"
@@ -62,12 +63,38 @@ def _of_links(device: Device, direction: str, sizes: Sizes) -> Iterator[Diagnost
         part = next((part for part in shape.link.parts(direction) if part.role == "length"), None)
         if part is None or part.value is None or part.value.type.kind is not Kind.INTEGER:
             continue
-        high = part.value.type.high if part.value.ranges is None else part.value.ranges.high
         for message in messages_on(device, shape.link):
-            data: Record = message.request if direction == "request" else message.response
-            both = sizes.bounds(data)
-            if both is not None and shape.length(both[1]) > high:
-                text = f"the longest {direction} of {message.name} has {shape.length(both[1])} bytes"
-                text += f"; {part.name} goes to {high}"
-                there = label(part.place, "type", part.name)
-                yield finding(_CODE, message.place, direction, text, _HELP, there)
+            data = message.request if direction == "request" else message.response
+            yield from _of_data(shape, part, f"{direction} of {message.name}", (message.place, direction), data, sizes)
+        error = shape.link.error
+        if direction == "response" and error is not None and error.record in device.records:
+            record = device.records[error.record]
+            yield from _of_data(
+                shape, part, f"refusal on {shape.link.name}", (shape.link.place, "error"), record, sizes
+            )
+
+
+def _of_data(
+    shape: Shape, part: Part, what: str, at: tuple[Place, str], data: Record, sizes: Sizes
+) -> Iterator[Diagnostic]:
+    """Whether a length part holds what it counts of the frames with some data."""
+    both = sizes.bounds(data)
+    if both is None or part.value is None:
+        return
+    value, unit = part.value, part.unit_size
+    low, high = (value.type.low, value.type.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
+    least, most = (shape.counted(part, size) for size in both)
+    there = label(part.place, "type", part.name)
+    longest, shortest = -(-most // unit) + part.plus, least // unit + part.plus
+    if longest > high:
+        text = f"{part.name} would be {longest} in the longest {what}"
+        if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
+            text = f"the longest {what} has {longest} bytes"
+        yield finding(_CODE, *at, f"{text}; {part.name} goes to {high}", _HELP, there)
+    if shortest < low:
+        text = f"{part.name} would be {shortest} in the shortest {what}; it begins at {low}"
+        yield finding(_CODE, *at, text, _HELP, there)
+    if least == most and least % unit:
+        text = f"the {what} has {least} bytes that are counted, which are no whole words"
+        help = "add what fills the last word, or leave out the link with the message's `links`"
+        yield finding(_CODE, *at, text, help, there)

@@ -21,7 +21,9 @@ from fieldspec.model.device import Device
 
 def limits_ordered(device: Device) -> Iterator[Diagnostic]:
     for limit in device.limits:
-        rising = [(key, number) for key, number in _given(limit.low, limit.value, limit.high) if number is not None]
+        rising = [
+            (key, number) for key, number in _limit_text(limit.low, limit.value, limit.high) if number is not None
+        ]
         for (before, less), (behind, more) in pairwise(rising):
             if less > more:
                 text = f"{limit.name} has the {before} {less} and the {behind} {more}"
@@ -29,5 +31,7 @@ def limits_ordered(device: Device) -> Iterator[Diagnostic]:
                 yield finding("limits_ordered", limit.place, behind, text, "put one of them right", there)
 
 
-def _given(low: Decimal | None, value: Decimal | None, high: Decimal | None) -> tuple[tuple[str, Decimal | None], ...]:
+def _limit_text(
+    low: Decimal | None, value: Decimal | None, high: Decimal | None
+) -> tuple[tuple[str, Decimal | None], ...]:
     return ("min", low), ("value", value), ("max", high)

@@ -15,11 +15,10 @@ from collections.abc import Iterator
 from decimal import Decimal
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.frames import messages_on, shapes
-from fieldspec.checks.sizes import Sizes
+from fieldspec.checks.sizes import Sizes, messages_on, shapes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.limit import Limit
+from fieldspec.model.texts import Limit
 
 _SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
 """How many of a unit of time a second has."""

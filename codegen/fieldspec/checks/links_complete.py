@@ -1,12 +1,14 @@
-"""A link says how its frames look: the byte order, one body, the code of a request, the check behind all
-else.
+"""A link says how its frames look: the byte order, one body, the code of a request, what a length counts and a
+check covers.
 
 Why: byte order is stated for each link and never assumed; and a frame whose message cannot be told, or
 whose data have no place, cannot be decoded.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Cure: Give the `byte_order`, or the missing part, or put the parts in the order of the wire. Where frames
+Cure: Give the `byte_order`, or the missing part, or put the parts in the order of the wire. Station, code, length
+and fields that users give stand before the body; constants and reserved parts stand anywhere. A length counts
+neighbouring parts, the body among them; a check covers neighbouring parts, itself not among them. Where frames
 really carry no code, name the link under the `links` of each of its messages, which then have none either:
 whoever decodes says which message it is.
 """
@@ -16,15 +18,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, label
-from fieldspec.checks.frames import coded, messages_on
+from fieldspec.checks.finding import finding, label, near
+from fieldspec.checks.sizes import coded, messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 _CODE = "links_complete"
 _NUMBERS = ("station", "code", "length")
+_GREATEST_SIZE = 4
 
 
 def links_complete(device: Device) -> Iterator[Diagnostic]:
@@ -33,14 +36,14 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             text = f"the link {link.name} has no byte order"
             yield finding(_CODE, link.place, "byte_order", text, "give `byte_order: big` or `little`")
         for direction in ("request", "response"):
-            yield from _of_parts(link, direction, link.parts(direction))
-        yield from _told_apart(device, link)
+            yield from _of_parts(device, link, direction, link.parts(direction))
+        yield from _messages_distinct(device, link)
         if link.error is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks refusals in the code, but its responses have none"
             yield finding(_CODE, link.place, "error", text, "give the part with the code the role `code`")
 
 
-def _told_apart(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
     """A link without codes carries one message, or messages that are known to have none."""
     sent = messages_on(device, link)
     odd = next((message for message in sent if message.code is not None or not message.links), None)
@@ -52,7 +55,7 @@ def _told_apart(device: Device, link: Link) -> Iterator[Diagnostic]:
         yield finding(_CODE, link.place, "request", text, help, there)
 
 
-def _of_parts(link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
+def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
     roles = Counter(part.role for part in parts)
     for role in (*_NUMBERS, "body", "check"):
         if roles[role] > 1 or (role == "body" and not roles[role]):
@@ -60,16 +63,68 @@ def _of_parts(link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[D
             help = "each role comes once, and `body` must be there"
             yield finding(_CODE, link.place, direction, text, help)
     for part in parts:
-        if part.role in _NUMBERS and part.value is not None and part.value.type.kind is not Kind.INTEGER:
-            text = f"the {part.role} {part.name} is {part.value.type.name}, which is no number"
-            yield finding(_CODE, part.place, "type", text, "give it an integer type")
-        if part.role == "check" and part is not parts[-1]:
-            text = f"{parts[-1].name} stands behind the check {part.name}"
-            help = "a check is over all before it, so it is the last part"
-            yield finding(_CODE, parts[-1].place, "name", text, help, label(part.place, "name", "the check"))
+        yield from _of_type(device, part)
+    names = [part.name for part in parts]
+    if len(set(names)) == len(names) and roles["body"] == 1:
+        for part in parts:
+            if part.role in ("length", "check"):
+                yield from _of_span(link, direction, part)
     roles_in_order = [part.role for part in parts]
     for role in _NUMBERS:
         if role in roles_in_order and "body" in roles_in_order[: roles_in_order.index(role)]:
             part = parts[roles_in_order.index(role)]
             text = f"the {role} {part.name} stands behind the body"
             yield finding(_CODE, part.place, "name", text, "what says how to read the body stands before it")
+    for part in parts[roles_in_order.index("body") :] if "body" in roles_in_order else ():
+        if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
+            text = f"{part.name} stands behind the body, but nothing says what it holds"
+            help = "give it a `const` or `reserved: true`; what users give stands before the body"
+            yield finding(_CODE, part.place, "name", text, help)
+
+
+def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
+    """Whether codecs can take the value of a part for a number."""
+    if part.value is None:
+        return
+    kind = part.value.type
+    if part.role == "plain":
+        if kind.kind is not Kind.INTEGER:
+            text = f"the part {part.name} is {kind.name}, which is no number"
+            yield finding(_CODE, part.place, "type", text, "give it an integer type")
+        enum = device.enums.get(part.value.enum)
+        if enum is not None and not enum.open:
+            text = f"the part {part.name} has the enum {enum.name}, which is closed; frames with other values are read"
+            there = label(enum.place, "name", "the enum")
+            yield finding(_CODE, part.place, "enum", text, "give the enum `open: true`", there)
+    elif kind.kind is not Kind.INTEGER:
+        text = f"the {part.role} {part.name} is {kind.name}, which is no number"
+        yield finding(_CODE, part.place, "type", text, "give it an integer type")
+    elif kind.signed or kind.size > _GREATEST_SIZE:
+        text = f"the {part.role} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
+        yield finding(_CODE, part.place, "type", text, "give it an integer type from `u8` to `u32`")
+
+
+def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
+    """Whether a length counts, or a check covers, neighbouring parts that it can."""
+    parts = link.parts(direction)
+    key = "counts" if part.role == "length" else "covers"
+    names = [one.name for one in parts]
+    for name in (part.span.first, part.span.last):
+        if name and name not in names:
+            text = f"the {direction} of {link.name} has no part {name}"
+            yield finding(_CODE, part.place, key, text, near(name, names))
+    numbers = link.span(direction, part)
+    if numbers is None:
+        return
+    first, last = numbers
+    if part.role == "length":
+        if first > last or not any(one.role == "body" for one in parts[first : last + 1]):
+            text = f"the length {part.name} does not count the body, so that it is always the same"
+            help = "count the body too, or make the part a plain one with a `const`"
+            yield finding(_CODE, part.place, key, text, help)
+    elif first > last:
+        text = f"the check {part.name} covers nothing"
+        yield finding(_CODE, part.place, key, text, "give the first and the last part in the order of the wire")
+    elif first <= names.index(part.name) <= last:
+        text = f"the check {part.name} covers itself"
+        yield finding(_CODE, part.place, key, text, "end before it, or begin behind it")

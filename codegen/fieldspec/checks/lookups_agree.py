@@ -18,15 +18,15 @@ from itertools import permutations
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Plain
-from fieldspec.model.lookup import Lookup, Row
+from fieldspec.model.fact import PlainValue
+from fieldspec.model.texts import Lookup, LookupRow
 
 _FEWEST = 4
 _SMALL = 4
 _COMPARED = 20
 """With how many earlier tables one is compared."""
 
-_Cells = dict[Plain, tuple[Plain, Row]]
+_Cells = dict[PlainValue, tuple[PlainValue, LookupRow]]
 
 
 def lookups_agree(device: Device) -> Iterator[Diagnostic]:

@@ -18,7 +18,7 @@ from itertools import groupby
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.lookup import Lookup
+from fieldspec.model.texts import Lookup
 
 _FEWEST = 16
 _SMALL = 12

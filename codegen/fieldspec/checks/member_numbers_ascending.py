@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label, longest_ascent
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum, Member
+from fieldspec.model.enums import Enum, Member
 
 _CODE = "member_numbers_ascending"
 _SMALL = 8

@@ -14,11 +14,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
+from fieldspec.checks.facts import cases, layers
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import cases, layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
 from fieldspec.names import Name
 from fieldspec.reserved import TARGETS
 
@@ -107,7 +107,9 @@ def _cases(name: str) -> frozenset[str]:
     folded = pascal.lower()
     if folded not in _RESERVED and snake not in _RESERVED:
         return frozenset((snake, pascal, folded))
-    spelled = (target.spelled(pascal).lower() if target.folds else target.spelled(snake) for target in TARGETS.values())
+    spelled = (
+        target.legal_name(pascal).lower() if target.folds else target.legal_name(snake) for target in TARGETS.values()
+    )
     return frozenset((snake, pascal, folded, *spelled))
 
 

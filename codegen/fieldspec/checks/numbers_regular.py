@@ -19,7 +19,7 @@ from itertools import pairwise
 from fieldspec.checks.finding import finding, hexadecimal, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Register
 
 _CODE = "numbers_regular"
 _HELP = "put the address or the number right"

@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, hexadecimal, label
 from fieldspec.checks.sizes import Sizes
-from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.table import Table
+from fieldspec.model.registers import Table
 
 
 def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:

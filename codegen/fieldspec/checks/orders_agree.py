@@ -13,14 +13,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.frames import messages_on
-from fieldspec.checks.walking import values
+from fieldspec.checks.sizes import messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _CODE = "orders_agree"
 _WORD = 2

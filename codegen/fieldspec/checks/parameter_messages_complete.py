@@ -18,8 +18,8 @@ from collections.abc import Iterator, Mapping
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.signal import Conversion
+from fieldspec.model.registers import Parameter
+from fieldspec.model.value import Conversion
 
 _CODE = "parameter_messages_complete"
 

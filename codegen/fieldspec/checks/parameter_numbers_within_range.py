@@ -14,24 +14,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import counted, finding, interval, label, range_key, shown
-from fieldspec.checks.numbered import wire_numbers
-from fieldspec.checks.occupied import free, merged
-from fieldspec.checks.walking import values
+from fieldspec.checks.addresses import free, merged, wire_numbers
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import enumeration, finding, interval, label, plural, range_key
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.primitive import Kind
 from fieldspec.model.record import Field
-from fieldspec.model.value import Value
+from fieldspec.model.registers import ParameterSet
+from fieldspec.model.value import Kind, Value
 
 _CODE = "parameter_numbers_within_range"
 
 
 def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
     for held in device.parameters.values():
-        yield from _listed(held)
+        yield from _set_numbers(held)
     for fact, value in values(device):
         part = value.parameter
         sets = device.sets(part.set) if part is not None else []
@@ -40,10 +38,10 @@ def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
         if part.part == "number":
             yield from _compared(fact, value, part.set, sets)
         if part.part == "values" and isinstance(fact, Field) and fact.count is not None:
-            yield from _counted(fact, fact.count, sets[0])
+            yield from _field_numbers(fact, fact.count, sets[0])
 
 
-def _listed(held: ParameterSet) -> Iterator[Diagnostic]:
+def _set_numbers(held: ParameterSet) -> Iterator[Diagnostic]:
     for parameter in held.parameters:
         last = parameter.number + parameter.count - 1
         inside = merged(held.numbers.intervals) if held.numbers is not None else []
@@ -53,10 +51,10 @@ def _listed(held: ParameterSet) -> Iterator[Diagnostic]:
             yield finding(_CODE, parameter.place, "number", text, "put the number or the set right", there)
 
 
-def _counted(field: Field, count: int, held: ParameterSet) -> Iterator[Diagnostic]:
+def _field_numbers(field: Field, count: int, held: ParameterSet) -> Iterator[Diagnostic]:
     have = sum(parameter.count for parameter in held.parameters)
     if count != have:
-        text = f"{field.name} has {count} values; {held.name} has {counted(have, 'parameter')}"
+        text = f"{field.name} has {count} values; {held.name} has {plural(have, 'parameter')}"
         help = "put the number of values, or the list, right"
         yield finding(_CODE, field.place, "count", text, help, _list(held))
 
@@ -72,9 +70,9 @@ def _compared(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> 
     if refused or unlisted:
         faults = []
         if refused:
-            faults.append(f"refuses {shown([interval(*hole) for hole in refused])} of {name}")
+            faults.append(f"refuses {enumeration([interval(*hole) for hole in refused])} of {name}")
         if unlisted:
-            faults.append(f"takes {shown([interval(*hole) for hole in unlisted])}, which {name} does not list")
+            faults.append(f"takes {enumeration([interval(*hole) for hole in unlisted])}, which {name} does not list")
         key = range_key(fact.place) if value.ranges is not None else "type"
         text = f"the {'range' if value.ranges is not None else 'type'} of {fact.name} {' and '.join(faults)}"
         yield finding(_CODE, fact.place, key, text, "put the range or the list right", _list(sets[0]))

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.lookup import Lookup, Row
+from fieldspec.model.texts import Lookup, LookupRow
 
 _STEP = "->"
 """What stands between the states of a cell that follow each other."""
@@ -28,7 +28,7 @@ def priorities_decide(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of(lookup: Lookup) -> Iterator[Diagnostic]:
-    first: dict[tuple[str, ...], tuple[str, Row]] = {}
+    first: dict[tuple[str, ...], tuple[str, LookupRow]] = {}
     for row in lookup.rows:
         for *states, result in _moments(row):
             before, where = first.setdefault(tuple(states), (result, row))
@@ -40,7 +40,7 @@ def _of(lookup: Lookup) -> Iterator[Diagnostic]:
                 break
 
 
-def _moments(row: Row) -> Iterator[tuple[str, ...]]:
+def _moments(row: LookupRow) -> Iterator[tuple[str, ...]]:
     """The states of all columns, moment by moment; a cell of one state has it in all of them."""
     cells = [[part.strip() for part in str(cell).split(_STEP)] for cell in row.cells]
     most = max(len(cell) for cell in cells)

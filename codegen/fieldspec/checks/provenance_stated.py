@@ -14,13 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding
 from fieldspec.checks.inferred_keys_given import has_key
-from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Fact
-from fieldspec.model.provenance import COMPUTED
+from fieldspec.model.fact import COMPUTED, Fact
 
 _RULE = "provenance_stated"
 

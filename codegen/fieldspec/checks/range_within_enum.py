@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, interval, label, missing, range_key, shown
-from fieldspec.checks.walking import values
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import enumeration, finding, interval, label, missing, range_key
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
@@ -34,7 +34,7 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
                 "range_within_enum",
                 fact.place,
                 range_key(fact.place),
-                f"{fact.name} may be {shown([interval(*hole) for hole in holes])}, without a name in {enum.name}",
+                f"{fact.name} may be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",
                 "put the range or the list right, or say `open: true` on the enum",
                 label(enum.place, "name", "the list of values"),
             )

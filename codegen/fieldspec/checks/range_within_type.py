@@ -12,17 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, outside, range_key
-from fieldspec.checks.walking import values
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import Link
-from fieldspec.model.primitive import Kind, Primitive
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Primitive, Ranges, Value
 
 _HELP = "put the type or the bound right"
+_QUIET_NAN = 0x7FC00000
 _WHOLE = (Kind.INTEGER, Kind.BOOLEAN)
 
 
@@ -30,9 +29,11 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if value.type.kind in _WHOLE:
             yield from _of_value(fact, value)
+        elif value.type.kind is Kind.FLOAT:
+            yield from _of_float(fact, value)
     for flags in device.flags.values():
         if flags.type.kind in _WHOLE and outside(flags.ranges, flags.type.low, flags.type.high):
-            text = f"{flags.name} cannot be {_text(flags.ranges)} as {_held(flags.type)}"
+            text = f"{flags.name} cannot be {_text(flags.ranges)} as {_type_range(flags.type)}"
             yield finding("range_within_type", flags.place, "range", text, _HELP)
     for link in device.links.values():
         yield from _of_stations(link)
@@ -40,12 +41,46 @@ def range_within_type(device: Device) -> Iterator[Diagnostic]:
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if outside(value.ranges, value.type.low, value.type.high):
-        text = f"{fact.name} cannot be {_text(value.ranges)} as {_held(value.type)}"
+        text = f"{fact.name} cannot be {_text(value.ranges)} as {_type_range(value.type)}"
         yield finding("range_within_type", fact.place, range_key(fact.place), text, _HELP)
     for sentinel in value.sentinels:
         if not value.type.low <= sentinel.value <= value.type.high:
-            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_held(value.type)}"
+            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_type_range(value.type)}"
             yield finding("range_within_type", fact.place, "sentinels", text, _HELP)
+
+
+def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """Bounds and sentinels that 32 bits hold exactly, and bits that are those of a NaN."""
+    for bound in (bound for pair in (value.ranges.intervals if value.ranges else ()) for bound in pair):
+        if not _exact(bound):
+            text = f"{fact.name} cannot be exactly {bound} as {value.type.name}"
+            yield finding("range_within_type", fact.place, range_key(fact.place), text, "give a bound of 24 bits")
+    for sentinel in value.sentinels:
+        nan = sentinel.value & 0x7FFFFFFF > 0x7F800000
+        if sentinel.is_nan and not nan:
+            text = f"the bits {sentinel.value:#010x} ({sentinel.name}) of {fact.name} are those of a number"
+            yield finding("range_within_type", fact.place, "sentinels", text, "give the number under `value`")
+        elif sentinel.is_nan and sentinel.value != _QUIET_NAN and getattr(fact, "access", "") != "ro":
+            text = f"{fact.name} can be written, and what is no number is written as {_QUIET_NAN:#010x}"
+            help = "say `access: ro` where it is only read, or state the value as a `u32` of bits"
+            yield finding("range_within_type", fact.place, "sentinels", text, help)
+        elif not sentinel.is_nan and 0x7F800000 < sentinel.value <= 0xFFFFFFFF and nan:
+            text = f"{sentinel.value:#010x} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
+            yield finding("range_within_type", fact.place, "sentinels", text, "give them under `bits`")
+        elif not sentinel.is_nan and not _exact(sentinel.value):
+            text = f"{fact.name} cannot be exactly {sentinel.value} ({sentinel.name}) as {value.type.name}"
+            yield finding("range_within_type", fact.place, "sentinels", text, "give a number of 24 bits")
+    if sum(sentinel.is_nan for sentinel in value.sentinels) > 1:
+        text = f"{fact.name} has several sentinels that are no number, which many machines cannot tell apart"
+        yield finding("range_within_type", fact.place, "sentinels", text, "keep one of them")
+
+
+def _exact(number: int) -> bool:
+    """Whether 32 bits of a floating-point number hold a whole number as it is."""
+    odd = abs(number)
+    while odd and odd % 2 == 0:
+        odd //= 2
+    return odd < 1 << 24 and abs(number) < 1 << 128
 
 
 def _of_stations(link: Link) -> Iterator[Diagnostic]:
@@ -54,11 +89,11 @@ def _of_stations(link: Link) -> Iterator[Diagnostic]:
         return
     held = part.value.type
     if outside(link.stations.ranges, held.low, held.high):
-        text = f"{part.name} cannot be {_text(link.stations.ranges)} as {_held(held)}"
+        text = f"{part.name} cannot be {_text(link.stations.ranges)} as {_type_range(held)}"
         yield finding("range_within_type", link.stations.place, "range", text, _HELP)
 
 
-def _held(primitive: Primitive) -> str:
+def _type_range(primitive: Primitive) -> str:
     return f"{primitive.name}, which holds {primitive.low}..{primitive.high}"
 
 

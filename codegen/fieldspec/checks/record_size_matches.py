@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import counted, finding, label
+from fieldspec.checks.finding import finding, label, plural
 from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Record
-from fieldspec.model.table import Table
+from fieldspec.model.registers import Table
 
 _CODE = "record_size_matches"
 
@@ -37,10 +37,10 @@ def _of_record(record: Record, sizes: Sizes) -> Iterator[Diagnostic]:
         if printed is None or record.name in sizes.endless:
             continue
         if size is None:
-            text = f"{record.name} is printed with {counted(printed, noun)}, but its size is not fixed"
+            text = f"{record.name} is printed with {plural(printed, noun)}, but its size is not fixed"
             yield finding(_CODE, record.place, key, text, "take the size out, or the repetition", fields)
         elif printed * each != size:
-            text = f"{record.name} is printed with {counted(printed, noun)}; its fields have {counted(size, 'byte')}"
+            text = f"{record.name} is printed with {plural(printed, noun)}; its fields have {plural(size, 'byte')}"
             yield finding(_CODE, record.place, key, text, "put a field or the size right", fields)
 
 
@@ -52,16 +52,14 @@ def _of_table(table: Table, sizes: Sizes, record: Record | None) -> Iterator[Dia
         text = f"elements of {table.name} are {record.name}, whose size is not fixed"
         yield finding(_CODE, table.place, "record", text, "a table holds records of a fixed size")
         return
-    there = label(record.place, "fields", f"the fields have {counted(size, 'byte')}")
+    there = label(record.place, "fields", f"the fields have {plural(size, 'byte')}")
     if size % 2:
-        text = f"elements of {table.name} have {counted(size, 'byte')}, which is no whole number of words"
+        text = f"elements of {table.name} have {plural(size, 'byte')}, which is no whole number of words"
         yield finding(_CODE, table.place, "record", text, "put a field right", there)
         return
     if table.words is not None and table.words != size // 2:
-        text = (
-            f"elements of {table.name} are printed with {counted(table.words, 'word')}; {record.name} has {size // 2}"
-        )
+        text = f"elements of {table.name} are printed with {plural(table.words, 'word')}; {record.name} has {size // 2}"
         yield finding(_CODE, table.place, "words", text, "put a field or the words right", there)
     if table.count > 1 and table.stride < size // 2:
-        text = f"elements of {table.name} have {counted(size // 2, 'word')} and are {table.stride} apart"
+        text = f"elements of {table.name} have {plural(size // 2, 'word')} and are {table.stride} apart"
         yield finding(_CODE, table.place, "stride", text, "put a field or the stride right", there)

@@ -12,19 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
+from fieldspec.checks.facts import cases, facts, values
 from fieldspec.checks.finding import finding, near
-from fieldspec.checks.frames import sent_on
-from fieldspec.checks.walking import cases, facts, values
+from fieldspec.checks.sizes import sent_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.example import Example
-from fieldspec.model.flags import Flags
-from fieldspec.model.handling import NOTHING_SAID
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.message import Message
-from fieldspec.model.place import Place
-from fieldspec.model.record import Field, Record
-from fieldspec.model.value import ParameterPart, Value
+from fieldspec.model.enums import Flags
+from fieldspec.model.fact import Place
+from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.texts import Example, Lookup
+from fieldspec.model.value import UNSPECIFIED, ParameterPart, Value
 
 _PARTS = frozenset(
     ("causes", "elements", "error", "frame_length", "data_words", "restated", "rows", "serial", "stations")
@@ -45,7 +42,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _within(device, record, record, None)
     for message in device.messages.values():
         yield from _of_message(device, message)
+    for group in device.groups:
+        yield from _named(group.place, "space", "address space", group.space, device.spaces)
     for table in device.tables.values():
+        yield from _named(table.place, "space", "address space", table.space, device.spaces)
         yield from _named(table.place, "record", "record", table.record, device.records)
     for link in device.links.values():
         if link.error is not None:
@@ -65,8 +65,8 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _all(conversion.place, "signals", "signal", conversion.signals, device.signals)
         yield from _all(conversion.place, "references", "fact", conversion.references, paths)
     for fact in facts(device):
-        said = getattr(fact, "handling", NOTHING_SAID)
-        if said is not NOTHING_SAID:
+        said = getattr(fact, "handling", UNSPECIFIED)
+        if said is not UNSPECIFIED:
             yield from _named(fact.place, "saved_by", "fact", said.saved_by, paths)
             yield from _named(fact.place, "opposite_of", "fact", said.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
@@ -128,6 +128,7 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
         given = {field.name for field in message.response.fields}
         holder = given if message.accesses.operation == "read" else asked
         place = message.place
+        yield from _named(place, "accesses", "address space", message.accesses.space, device.spaces)
         yield from _named(place, "accesses", "field of the request", message.accesses.start, asked)
         yield from _named(place, "accesses", "field of the request", message.accesses.count, asked)
         yield from _named(place, "accesses", "field", message.accesses.values, holder)

@@ -14,10 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.written import body
+from fieldspec.checks.numbers import body
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.example import Example
+from fieldspec.model.texts import Example
 
 _CODE = "replies_agree"
 _HELP = "put one of the frames right, or name the right example"

@@ -13,10 +13,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.restated import claimed, said, told
+from fieldspec.checks.restatements import as_text, claimed_value, statements
 from fieldspec.checks.sizes import Sizes
-from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
@@ -47,7 +47,7 @@ def restatements_agree(device: Device) -> Iterator[Diagnostic]:
     sizes = Sizes(device)
     for fact in facts(device):
         if fact.restated:
-            own = said(device, sizes, fact)
+            own = statements(device, sizes, fact)
             for claim in fact.restated:
                 yield from _compared(fact, own, claim)
 
@@ -67,8 +67,8 @@ def _compared(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diag
             text = f"{fact.name} has no `{key}` that {_where(claim)} could state again"
             help = "give it to the fact, or take it out of `restated`"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
-        elif claimed(key, written) != have:
-            text = f"`{key}` of {fact.name} is {told(key, have)}, but {told(key, written)} in {_where(claim)}"
+        elif claimed_value(key, written) != have:
+            text = f"`{key}` of {fact.name} is {as_text(key, have)}, but {as_text(key, written)} in {_where(claim)}"
             help = "give both the right value, and write an erratum for the misprint"
             yield finding(_CODE, claim.place, key, text, help, _there(fact, key))
 

@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterator
 
+from fieldspec.checks.facts import fields
 from fieldspec.checks.finding import finding, label, range_key
-from fieldspec.checks.walking import fields
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field

@@ -14,12 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import fields
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.walking import fields
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.record import Field
-from fieldspec.model.signal import Signal
+from fieldspec.model.value import Signal
 
 _CODE = "signals_placed"
 _WAYS = {"request": "to the device", "response": "from the device"}

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from fieldspec.checks.facts import lists
 from fieldspec.checks.finding import finding, label, longest_ascent
-from fieldspec.checks.walking import lists
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact

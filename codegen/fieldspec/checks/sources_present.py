@@ -14,18 +14,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding
-from fieldspec.checks.walking import facts
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Member
-from fieldspec.model.fact import Citation
-from fieldspec.model.flags import Bit, State
+from fieldspec.model.enums import Bit, Member, State
+from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Part
-from fieldspec.model.parameter import Parameter, Subindex
-from fieldspec.model.place import Place
 from fieldspec.model.record import Case, Field
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.registers import Parameter, Register, RegisterGroup, Subindex
 from fieldspec.model.task import Task
 
 _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, Subindex)

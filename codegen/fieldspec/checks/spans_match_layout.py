@@ -14,12 +14,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label
 from fieldspec.checks.sizes import Sizes
-from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
 from fieldspec.model.record import Field
 
 _SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")

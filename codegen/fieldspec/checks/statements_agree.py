@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.note import Statement
+from fieldspec.model.texts import Statement
 
 
 def statements_agree(device: Device) -> Iterator[Diagnostic]:

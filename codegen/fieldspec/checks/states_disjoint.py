@@ -14,10 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from fieldspec.checks.finding import finding, label, shown
+from fieldspec.checks.finding import enumeration, finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.flags import Flags
+from fieldspec.model.enums import Flags
 
 _CODE = "states_disjoint"
 _MOST = 64
@@ -33,7 +33,11 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
     for state in word.states:
         both = [name for name in state.set if name in state.clear]
         if both or not (state.set or state.clear):
-            text = f"{state.name} asks {shown(both)} to be 1 and 0" if both else f"no bit shows the state {state.name}"
+            text = (
+                f"{state.name} asks {enumeration(both)} to be 1 and 0"
+                if both
+                else f"no bit shows the state {state.name}"
+            )
             yield finding(_CODE, state.place, "set", text, "put the bits of the state right")
     shown_by_bits = [state for state in word.states if state.set or state.clear]
     for state, other in combinations(shown_by_bits[:_MOST], 2):

@@ -14,11 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, near, shown
+from fieldspec.checks.finding import enumeration, finding, near
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.message import Message
 from fieldspec.model.operand import Operand, Operands
+from fieldspec.model.record import Message
 from fieldspec.model.task import Step, Task, argument_text, value_text
 
 _RULE = "steps_possible"
@@ -54,7 +54,7 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
             text = f"nothing{where} is `{step.target}`"
             help = "give a fact this role, or name one by its path"
             if targets:
-                text = f"{shown([one.path for one in targets])} are `{step.target}`{where}"
+                text = f"{enumeration([one.path for one in targets])} are `{step.target}`{where}"
                 help = "name one of them by its path"
             yield finding(_RULE, step.place, step.action, text, help)
             return
@@ -163,5 +163,5 @@ def _sent(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
         and (field.value is None or field.value.const is None)
     ]
     if left:
-        text = f"nothing says what {shown(left)} of {message.name} is"
+        text = f"nothing says what {enumeration(left)} of {message.name} is"
         yield finding(_RULE, step.place, step.action, text, "give each under `values` or `arguments`")

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import finding, interval, label, shown
-from fieldspec.checks.occupied import free, merged
+from fieldspec.checks.addresses import free, merged
+from fieldspec.checks.finding import enumeration, finding, interval, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter
+from fieldspec.model.registers import Parameter
 
 _CODE = "subindices_match_elements"
 
@@ -45,6 +45,6 @@ def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
             taken.append((low, high))
     holes = free(0, last, merged(taken))
     if holes:
-        text = f"nothing says what element {shown([interval(*hole) for hole in holes])} of {parameter.name} holds"
+        text = f"nothing says what element {enumeration([interval(*hole) for hole in holes])} of {parameter.name} holds"
         help = "transcribe the missing elements, or allow it with a reason"
         yield finding(_CODE, parameter.place, "subindices", text, help, count)

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
+from fieldspec.checks.accesses_agree import accesses_agree
 from fieldspec.checks.addresses_ascending import addresses_ascending
 from fieldspec.checks.addresses_disjoint import addresses_disjoint
 from fieldspec.checks.addresses_within_space import addresses_within_space
 from fieldspec.checks.aliases_agree import aliases_agree
-from fieldspec.checks.allowances import Allowance, allowances, covered
 from fieldspec.checks.allowances_used import allowances_used
 from fieldspec.checks.bits_match_range import bits_match_range
 from fieldspec.checks.bits_unique import bits_unique
@@ -33,13 +33,14 @@ from fieldspec.checks.enum_values_unique import enum_values_unique
 from fieldspec.checks.enum_within_range import enum_within_range
 from fieldspec.checks.examples_fit_registers import examples_fit_registers
 from fieldspec.checks.facts_verified import facts_verified
-from fieldspec.checks.finding import Check
+from fieldspec.checks.finding import Allowance, Check, allowances, covered
 from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
 from fieldspec.checks.illegible_inferred import illegible_inferred
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.keys_fit_type import keys_fit_type
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
@@ -78,22 +79,27 @@ from fieldspec.checks.siblings_agree import siblings_agree
 from fieldspec.checks.signals_placed import signals_placed
 from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
+from fieldspec.checks.spaces_reachable import spaces_reachable
 from fieldspec.checks.spans_match_layout import spans_match_layout
 from fieldspec.checks.statements_agree import statements_agree
 from fieldspec.checks.states_disjoint import states_disjoint
 from fieldspec.checks.steps_possible import steps_possible
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
+from fieldspec.checks.table_fields_readable import table_fields_readable
 from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.value_within_range import value_within_range
 from fieldspec.checks.wire_numbers_match import wire_numbers_match
 from fieldspec.checks.words_match_type import words_match_type
+from fieldspec.checks.write_range_applies import write_range_applies
+from fieldspec.checks.write_range_within_range import write_range_within_range
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.model.device import Device
 from fieldspec.source import Span
 
 CHECKS: tuple[tuple[str, Check], ...] = (
+    ("accesses_agree", accesses_agree),
     ("addresses_ascending", addresses_ascending),
     ("addresses_disjoint", addresses_disjoint),
     ("addresses_within_space", addresses_within_space),
@@ -124,6 +130,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("identifiers_spelled_alike", identifiers_spelled_alike),
     ("illegible_inferred", illegible_inferred),
     ("inferred_keys_given", inferred_keys_given),
+    ("keys_fit_type", keys_fit_type),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
@@ -162,17 +169,21 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("signals_placed", signals_placed),
     ("sources_ascending", sources_ascending),
     ("sources_present", sources_present),
+    ("spaces_reachable", spaces_reachable),
     ("spans_match_layout", spans_match_layout),
     ("statements_agree", statements_agree),
     ("states_disjoint", states_disjoint),
     ("steps_possible", steps_possible),
     ("subindices_match_elements", subindices_match_elements),
+    ("table_fields_readable", table_fields_readable),
     ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("value_within_range", value_within_range),
     ("wire_numbers_match", wire_numbers_match),
     ("words_match_type", words_match_type),
+    ("write_range_applies", write_range_applies),
+    ("write_range_within_range", write_range_within_range),
 )
 
 MOST_FINDINGS = 200
@@ -189,7 +200,7 @@ def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
     names = [name for name, _ in CHECKS if name not in without]
-    found = [finding for name in names for finding in _kept(device, name, by_check.get(name, []), used)]
+    found = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
     unused = () if "allowances_used" in without else allowances_used(given, used, _BY_NAME)
     return in_order([*found, *unused])
 
@@ -198,10 +209,10 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     """The findings of one check, in order."""
     if name == "allowances_used":
         return [finding for finding in run(device) if finding.code == name]
-    return in_order(_kept(device, name, list(allowances(device, name)), set()))
+    return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
 
 
-def _kept(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
+def _unallowed(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
     """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
     kept = 0

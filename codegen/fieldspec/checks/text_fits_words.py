@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import counted, finding, label
-from fieldspec.checks.walking import values
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import finding, label, plural
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 
 def text_fits_words(device: Device) -> Iterator[Diagnostic]:
@@ -26,7 +26,7 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
             text = f"{fact.name} is {value.type.name}, which has no characters"
             yield finding("text_fits_words", fact.place, "characters", text, "give it the type `text`")
         elif value.characters is not None and value.characters > value.size:
-            text = f"{fact.name} may have {value.characters} characters, but has {counted(value.size, 'byte')}"
+            text = f"{fact.name} may have {value.characters} characters, but has {plural(value.size, 'byte')}"
             help = "put the characters or the size right"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
         if isinstance(value.default, str) and value.type.kind is Kind.TEXT:

@@ -14,8 +14,7 @@ from collections.abc import Iterator
 from fieldspec.checks.finding import finding, label
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Parameter, Register
 
 
 def triggers_writable(device: Device) -> Iterator[Diagnostic]:

@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.facts import values
 from fieldspec.checks.finding import finding, label, range_key
-from fieldspec.checks.legal import Legal
-from fieldspec.checks.walking import values
-from fieldspec.checks.written import numbers
+from fieldspec.checks.numbers import Legal, numbers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 
@@ -26,7 +25,7 @@ _HELP = "put one of them right, or list the value under `sentinels`"
 def value_within_range(device: Device) -> Iterator[Diagnostic]:
     legal = Legal(device)
     for fact, value in values(device):
-        why = legal.objection(value, value.const) if value.const is not None else ""
+        why = legal.objection(value, value.const, written=True) if value.const is not None else ""
         if why:
             text = f"{fact.name} is always {value.const}, which {why}"
             yield finding("value_within_range", fact.place, "const", text, _HELP)

@@ -13,13 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.checks.addresses import free, on_wire, wire_numbers
 from fieldspec.checks.finding import addresses, finding, hexadecimal, label
-from fieldspec.checks.numbered import on_wire, wire_numbers
-from fieldspec.checks.occupied import free
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Place
+from fieldspec.model.registers import ParameterSet
 
 _CODE = "wire_numbers_match"
 
@@ -40,7 +39,7 @@ def _printed(held: ParameterSet) -> Iterator[Diagnostic]:
         right = held.base + parameter.number
         if parameter.wire_number is not None and parameter.wire_number != right:
             text = f"{parameter.name} has the number {hexadecimal(parameter.wire_number)} on the wire; as"
-            text += f" {held.written(parameter.number)} it has {hexadecimal(right)}"
+            text += f" {held.number_text(parameter.number)} it has {hexadecimal(right)}"
             there = label(held.place, "base", f"{held.name} begins at {hexadecimal(held.base)}")
             help = "put the number, the one on the wire or the base right"
             yield finding(_CODE, parameter.place, "wire_number", text, help, there)

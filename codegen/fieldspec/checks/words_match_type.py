@@ -12,9 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.checks.finding import counted, finding, label
+from fieldspec.checks.facts import layers
+from fieldspec.checks.finding import finding, label, plural
 from fieldspec.checks.sizes import Sizes
-from fieldspec.checks.walking import layers
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
@@ -38,7 +38,7 @@ def _compared(fact: Fact, words: int | None, size: int, held: str) -> Iterator[D
             "words_match_type",
             fact.place,
             "words",
-            f"{fact.name} is printed with {counted(words, 'word')}; as {held} it has {counted(size, 'byte')}",
+            f"{fact.name} is printed with {plural(words, 'word')}; as {held} it has {plural(size, 'byte')}",
             "put the type, the length or the words right",
             label(fact.place, "length" if "length" in fact.place else "type", "its type"),
         )

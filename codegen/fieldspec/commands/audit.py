@@ -1,22 +1,80 @@
-"""`fieldspec audit`: what shows that the spec of a device is right, and what does not."""
+"""`fieldspec audit`: what shows that the spec of a device is right, also beside a register dump."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from fieldspec.commands import manuals, signing, specs
-from fieldspec.commands.lists import write
+from fieldspec.audit.register_dump import compared, judged, section
+from fieldspec.commands import list_files, manuals, signing, specs
+from fieldspec.commands.list_files import write
 from fieldspec.commands.output import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import Diagnostic, has_errors, in_order
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.lists.dump import dump, object_sheet
+from fieldspec.lists.sheet import ListError, Sheet
+from fieldspec.lists.text_sheet import decoded
+from fieldspec.lists.workbook import MAGIC
+from fieldspec.source import SourceFile
 
 if TYPE_CHECKING:
-    from fieldspec.audit.section import Report
-    from fieldspec.layout.device import DeviceLayout
+    from fieldspec.audit.section import Report, Section
     from fieldspec.model.device import Device
+
+
+COLUMNS = ("address", "value", "words", "space")
+"""The columns that an option names."""
+
+
+def register_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple[Section, tuple[Diagnostic, ...]]:
+    """The section of a dump, and what is wrong with it. Raises UsageError for a file that cannot be used."""
+    given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
+    encoding = arguments.encoding or ""
+    held = list_files.content(arguments.dump)
+    try:
+        sheet = object_sheet(held, encoding) or list_files.sheet(held, encoding, arguments.sheet or "")
+        found = dump(sheet, given, arguments.base or "")
+        file, rows = _file(arguments.dump, held, encoding, sheet)
+    except ListError as error:
+        raise UsageError(f"{_quote(arguments.dump)} {error}") from None
+    told = compared(layout, found, arguments.offset or 0)
+    if told.unknown and not (told.read or told.holes or told.too_great):
+        raise UsageError(
+            f"{_quote(arguments.dump)} has no address that {layout.device.name} has; if it is a dump of this device, "
+            "say with --base or --offset how its addresses are counted"
+        )
+    wrong = tuple(in_order(judged(told, file, rows)))
+    return section(told, wrong, len(found.skipped)), wrong
+
+
+def _quote(name: str) -> str:
+    return "standard input" if name == "-" else name
+
+
+def _file(name: str, held: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFile, Mapping[int, int]]:
+    """The text that findings show, with the offset of each row: the file itself, or its rows where it is no text."""
+    shown = _quote(name)
+    if not held.startswith(MAGIC):
+        text = decoded(held, encoding)
+        lines = text.splitlines(keepends=True)
+        if len(lines) == sheet.lines:
+            starts = [0]
+            for line in lines:
+                starts.append(starts[-1] + len(line))
+            return SourceFile(shown, text), dict(enumerate(starts, 1))
+    rows: dict[int, int] = {}
+    parts = []
+    at = 0
+    for row in sheet.rows:
+        rows[row.number] = at
+        parts.append("\t".join(row.cells) + "\n")
+        at += len(parts[-1])
+    return SourceFile(shown, "".join(parts)), rows
+
 
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
 """The options that say how a dump is read."""
@@ -40,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
     What is found in the print says nothing against the spec, and has the exit code 0.
     """
     from fieldspec.audit.report import printed_report, report
-    from fieldspec.audit.subject import Subject
+    from fieldspec.audit.section import Subject
     from fieldspec.facts import of_versions
     from fieldspec.proofs.running import errata_proofs
 
@@ -58,7 +116,7 @@ def run(arguments: argparse.Namespace) -> int:
     if given and not arguments.dump:
         raise UsageError(f"--{given[0]} goes with --dump FILE")
     spec, version = specs.spec_at(arguments.specs, arguments.device)
-    layouts = {one: specs.laid(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
+    layouts = {one: specs.layout_of(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
     layout = layouts[version]
     if arguments.sign:
         return signing.sign(arguments, spec, [layouts[one] for one in spec.versions()])
@@ -86,25 +144,28 @@ def _must_go_together(arguments: argparse.Namespace) -> None:
     """Refuses options of which one would do nothing beside the other."""
     asked = [option for option in ALONE if getattr(arguments, option)]
     if len(asked) > 1:
-        raise UsageError(f"{_spelled(asked[0])} and {_spelled(asked[1])} do not go together; ask for one at a time")
+        raise UsageError(
+            f"{_option_text(asked[0])} and {_option_text(asked[1])} do not go together; ask for one at a time"
+        )
     beside = [option for option in ("table", "out", "all") if getattr(arguments, option)]
     beside += ["format"] if arguments.format != "text" else []
     if asked and asked[0] in FORMED and beside:
-        raise UsageError(f"{_spelled(asked[0])} prints no report, so {_spelled(beside[0])} has no use; leave it out")
+        raise UsageError(
+            f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no use; leave it out"
+        )
     if asked and asked[0] in ("sign", "dump") and arguments.manual:
-        raise UsageError(f"{_spelled(asked[0])} looks into no manual, so --manual has no use; leave it out")
+        raise UsageError(f"{_option_text(asked[0])} looks into no manual, so --manual has no use; leave it out")
 
 
-def _spelled(option: str) -> str:
+def _option_text(option: str) -> str:
     return "--" + option.replace("_", "-")
 
 
 def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
     """Prints what a dump says. Exit code 1 where the device held what it should not."""
     from fieldspec.audit.report import dump_report
-    from fieldspec.commands.dumped import dumped
 
-    section, found = dumped(arguments, layout)
+    section, found = register_dump(arguments, layout)
     made = dump_report(layout, section)
     if arguments.table:
         _print_table(made, arguments)
@@ -125,13 +186,13 @@ def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argpar
         else:
             print(text, end="")
     elif form == "json":
-        from fieldspec.render.audit_json import rendered
+        from fieldspec.render.audit_formats import rendered
 
         print(rendered(made), end="")
     elif form == "sarif":
         print_findings(found, "sarif", "")
     else:
-        from fieldspec.render.audit_text import blocks
+        from fieldspec.render.audit_formats import blocks
 
         print_blocks(blocks(made, arguments.all or arguments.as_printed))
         if found:
@@ -141,8 +202,7 @@ def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argpar
 
 def _print_table(made: Report, arguments: argparse.Namespace) -> None:
     """Prints one table, or writes it to a file."""
-    from fieldspec.render.audit_table import as_csv, as_json, as_xlsx
-    from fieldspec.render.audit_text import table_blocks
+    from fieldspec.render.audit_formats import as_csv, as_json, as_xlsx, table_blocks
 
     tables = {table.name: table for section in made.sections for table in section.tables}
     if arguments.table not in tables:

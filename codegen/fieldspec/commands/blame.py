@@ -8,8 +8,7 @@ from collections.abc import Iterator
 from fieldspec.commands import specs
 from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import UsageError
-from fieldspec.reading.nodes import Mapping, Node, Scalar
-from fieldspec.reading.paths import find, keys, node_at
+from fieldspec.reading.nodes import Mapping, Node, Scalar, find, keys, node_at
 from fieldspec.render.blocks import Table
 
 _HEADINGS = ("key", "value", "set in")

@@ -1,14 +1,18 @@
-"""`fieldspec build`: writes the outputs, all or nothing, and makes only those anew whose inputs have changed."""
+"""`fieldspec build`: writes the outputs whose inputs have changed, all or none, once or with `--watch`."""
 
 from __future__ import annotations
 
 import argparse
+import gc
+import os
+import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
 from fieldspec.commands import manifest, sources
 from fieldspec.commands.fresh import Earlier, Hashes, digest
-from fieldspec.commands.making import Made, Wanted, made
+from fieldspec.commands.making import BuildRequest, BuildResult, build_result
 from fieldspec.commands.placing import Beside
 from fieldspec.commands.usage import UsageError, unknown
 
@@ -16,31 +20,29 @@ from fieldspec.commands.usage import UsageError, unknown
 def run(arguments: argparse.Namespace) -> int:
     """Builds, or with `--check` tells what a build would change. Exit code 1 for findings and stale files."""
     if arguments.watch:
-        from fieldspec.commands.watching import run as watch
-
         return watch(arguments)
     return build(arguments)
 
 
 def build(arguments: argparse.Namespace) -> int:
     """Builds once."""
-    wanted = Wanted(_outputs(arguments.to), _devices(arguments.devices))
+    wanted = BuildRequest(_outputs(arguments.to), _devices(arguments.devices))
     path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
     out = Path(arguments.out)
     earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
     with Beside(out) as beside:
-        result = made(wanted, path, files, earlier, None if arguments.check else beside)
-        if result.found:
+        result = build_result(wanted, path, files, earlier, None if arguments.check else beside)
+        if result.findings:
             from fieldspec.commands.output import print_findings
             from fieldspec.diagnostics import has_errors
 
-            print_findings(result.found, "text", "")
-            if has_errors(result.found):
+            print_findings(result.findings, "text", "")
+            if has_errors(result.findings):
                 return 1
         before = manifest.read(out)
         hashes = _hashes(wanted, result)
         gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
-        now = before.renewed(wanted, result, hashes, gone).written()
+        now = before.renewed(wanted, result, hashes, gone).text()
         stale = sorted([*result.stale, *([manifest.NAME] if earlier.hash_of(manifest.NAME) != digest(now) else [])])
         if arguments.check:
             return _report([(path, before.reason(path, result, earlier)) for path in stale], gone)
@@ -74,7 +76,7 @@ def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
     return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in named.items()}
 
 
-def _hashes(wanted: Wanted, result: Made) -> Hashes:
+def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
     """The hashes of all files of the outputs that are built, whether they were made anew or not."""
     holders = [result.shared, *(device.outputs for device in result.devices.values())]
     return {path: one for held in holders for name in wanted.outputs for path, one in held.get(name, {}).items()}
@@ -90,3 +92,59 @@ def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str]) -> int:
         return 0
     print("build again with: fieldspec build")
     return 1
+
+
+PAUSE = 0.05
+"""Seconds between two looks at the files."""
+SETTLED = 0.02
+"""Seconds for which nothing changes once a file is written whole."""
+
+State = dict[str, tuple[int, int]]
+
+
+def watch(arguments: argparse.Namespace) -> int:
+    """Builds, then waits for a spec to change. It ends with an interrupt, or where the first build is wrong use."""
+    path = sources.folder(arguments.specs)
+    built: State | None = None
+    while True:
+        now = _state(path)
+        if now != built:
+            time.sleep(SETTLED)
+            if _state(path) == now:
+                _build(arguments, first=built is None)
+                built = now
+        else:
+            time.sleep(PAUSE)
+
+
+def _build(arguments: argparse.Namespace, first: bool) -> None:
+    """Builds once. What is wrong use may be put right while we wait, but for what was given to us."""
+    start = time.perf_counter()
+    try:
+        code = build(arguments)
+    except UsageError as error:
+        if first:
+            raise
+        print(f"fieldspec: {error}", file=sys.stderr, flush=True)
+        code = 2
+    done = "built" if code == 0 else "not built"
+    print(f"{done} in {time.perf_counter() - start:.2f} s, waiting for a spec to change", flush=True)
+    gc.collect()  # nobody else does, and this runs for long
+    if first:
+        from fieldspec.backends.templates import prepare
+
+        prepare()
+
+
+def _state(path: str) -> State:
+    """The time and size of every spec file."""
+    found = {}
+    for folder, _, names in os.walk(path):
+        for name in names:
+            if name.endswith(".yaml") and not name.startswith("."):
+                try:
+                    held = os.stat(os.path.join(folder, name))
+                except OSError:
+                    continue  # it has gone in the meantime
+                found[os.path.join(folder, name)] = held.st_mtime_ns, held.st_size
+    return found

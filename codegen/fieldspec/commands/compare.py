@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
-from fieldspec.commands import compiled, lists
+from fieldspec.commands import compiled, list_files
 from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import UsageError, unknown
 
@@ -17,7 +17,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Prints what agrees, differs and is missing. Exit code 1 where there is any difference."""
     from fieldspec.lists.comparison import ASPECTS, compared
     from fieldspec.lists.item import items
-    from fieldspec.lists.listed import listing
+    from fieldspec.lists.listing import listing
     from fieldspec.lists.sheet import ListError
     from fieldspec.render import comparison
 
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
     layout = compiled.asked(arguments)
     given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
     try:
-        held = lists.sheet(lists.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
+        held = list_files.sheet(list_files.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
         found = listing(held, given, arguments.base or "")
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None

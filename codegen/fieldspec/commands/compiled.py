@@ -7,8 +7,8 @@ spec files that they are read from, so that it never is that of another spec.
 from __future__ import annotations
 
 from fieldspec.classes import TYPE_CHECKING
-from fieldspec.commands import caching, compiler, sources
-from fieldspec.commands.frozen import thawed
+from fieldspec.commands import caching, sources
+from fieldspec.commands.layout_json import from_json
 from fieldspec.source import SourceFile
 
 if TYPE_CHECKING:
@@ -31,23 +31,23 @@ def layout(given: str | None, text: str, anew: bool = False) -> DeviceLayout:
     name, version = sources.split(text)
     path, held = sources.of_devices(given, frozenset([name]))
     files = {one: content for one, content in held.items() if not one.endswith(f"/{sources.INDEX}")}
-    folder = sources.shown(path)
+    folder = sources.relative_path(path)
 
     def source(path: str) -> SourceFile:
         return SourceFile(f"{folder}/{path}" if folder else path, files[path].removeprefix(MARK).decode())
 
     key = "" if anew else _key(text, files)
-    content = caching.kept(KIND, key) if key else None
+    content = caching.cached(KIND, key) if key else None
     if content is not None:
         try:
-            kept: DeviceLayout = thawed(content, source)
+            kept: DeviceLayout = from_json(content, source)
             return kept
         except ValueError:
             pass  # somebody else has written it
     content = _compiled(name, version, files)
     if key:
-        caching.keep(KIND, key, content)
-    made: DeviceLayout = thawed(content, source)
+        caching.store(KIND, key, content)
+    made: DeviceLayout = from_json(content, source)
     return made
 
 
@@ -55,20 +55,20 @@ def _key(text: str, files: dict[str, bytes]) -> str:
     """Under which name a compiled device is kept; empty where the compiler cannot be told."""
     try:
         named = [one for path, content in files.items() for one in (path.encode(), content)]
-        return caching.checksum(compiler.state().encode(), text.encode(), *named)
+        return caching.checksum(caching.state().encode(), text.encode(), *named)
     except OSError:
         return ""
 
 
 def _compiled(name: str, version: str, files: dict[str, bytes]) -> bytes:
     """A device as it is kept."""
-    from fieldspec.commands.frozen import frozen
-    from fieldspec.commands.specs import laid, picked, unsound
+    from fieldspec.commands.layout_json import to_json
+    from fieldspec.commands.specs import layout_of, picked, unsound
     from fieldspec.diagnostics import has_errors
     from fieldspec.reading.project import read
 
     project = read(files, frozenset([name]))
-    if name not in project.devices or has_errors(project.found):
+    if name not in project.devices or has_errors(project.findings):
         raise unsound(name)
     spec = project.devices[name]
-    return frozen(laid(spec, picked(spec, version)))
+    return to_json(layout_of(spec, picked(spec, version)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands.words import suggest
+from fieldspec.commands.device_help import suggest
 
 
 def run(arguments: argparse.Namespace) -> int:

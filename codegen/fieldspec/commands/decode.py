@@ -5,22 +5,74 @@ from __future__ import annotations
 import argparse
 import gc
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands import compiled
-from fieldspec.commands.frame_printer import FramePrinter
-from fieldspec.commands.given import Given, given
-from fieldspec.commands.logged import Logged, logged
-from fieldspec.commands.readings import Asked, Read, read
-from fieldspec.commands.remarks import remarks
-from fieldspec.commands.spelled import Unreadable
+from fieldspec.commands.frame_options import frame_options
+from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import UsageError
+from fieldspec.explain.log import LogLine, Unreadable, log_line
+from fieldspec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.render import explanation as shown
+from fieldspec.render.blocks import Block, Line
 from fieldspec.render.explanation import faults
 
 if TYPE_CHECKING:
     from typing import BinaryIO
+
+
+class FramePrinter:
+    """Prints at once what it is given. Notes and errata that were printed once are not repeated."""
+
+    def __init__(self, layout: DeviceLayout, form: str) -> None:
+        self.layout, self.form = layout, form
+        self.said: set[str] = set()
+        self.first = True
+
+    def explain(self, held: ChosenReading, remarks: Sequence[str], number: int = 0) -> None:
+        """Prints one frame; `number` is that of its line in a log, 0 where there is no log."""
+        if self.form == "json":
+            self._json(held, remarks, number)
+        else:
+            self._text(held, remarks, number)
+        sys.stdout.flush()
+
+    def _json(self, held: ChosenReading, remarks: Sequence[str], number: int) -> None:
+        import json
+
+        from fieldspec.render.explanation import as_data
+
+        data = as_data(self.layout, held.explanation, held.readings, held.chosen, remarks, held.wrong)
+        if number:
+            print(json.dumps({"line": number, **data}, ensure_ascii=False))
+        else:
+            print(json.dumps(data, ensure_ascii=False, indent=1))
+
+    def _text(self, held: ChosenReading, remarks: Sequence[str], number: int) -> None:
+        if not self.first:
+            print()
+        self.first = False
+        print_blocks(self._blocks(held, remarks, number))
+
+    def _blocks(self, held: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
+        own = held.explanation
+        where = f"line {number}: " if number else ""
+        sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in held.others)
+        yield Line(where + shown.title(self.layout, own, sure), "bold")
+        yield from (Line(remark, "red" if held.wrong else "yellow") for remark in remarks)
+        yield shown.frame_table(self.layout, own)
+        if own.registers:
+            yield Line(shown.accessed(self.layout, own), "bold")
+            yield shown.register_table(own)
+        yield from (Line(fault, "red") for fault in shown.faults(own))
+        yield from (Line(example, "dim") for example in shown.examples(self.layout, own))
+        for line in shown.footnotes(self.layout, own):
+            if line not in self.said:
+                self.said.add(line)
+                yield Line(line, "dim")
+
 
 LONGEST_LINE = 8192
 
@@ -28,7 +80,7 @@ LONGEST_LINE = 8192
 def run(arguments: argparse.Namespace) -> int:
     """Explains what is given, or each line of the standard input. Exit code 1 where anything is wrong."""
     layout = compiled.asked(arguments)
-    said = given(layout, arguments)
+    said = frame_options(layout, arguments)
     if arguments.request and "response" not in said.directions:
         raise UsageError(f"--request gives what a response answers, so --direction cannot be {arguments.direction}")
     asked = _asked(layout, said, arguments.request)
@@ -47,21 +99,21 @@ def run(arguments: argparse.Namespace) -> int:
     return int(held.wrong)
 
 
-def _asked(layout: DeviceLayout, said: Given, text: str | None) -> Asked | None:
+def _asked(layout: DeviceLayout, said: FrameOptions, text: str | None) -> OpenRequest | None:
     """The request that the user names."""
     if text is None:
         return None
     places = tuple((link, "request") for link in layout.links if said.goes(link, "response"))
-    request = read(layout, _frame(layout, text).frame, Given(places, said.message))
+    request = read(layout, _frame(layout, text).frame, FrameOptions(places, said.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
         why = "; ".join(faults(request.explanation))
         raise UsageError(f"--request is no good request of {layout.device.id}: {why}")
-    return Asked(request.explanation, True)
+    return OpenRequest(request.explanation, True)
 
 
-def _frame(layout: DeviceLayout, text: str) -> Logged:
+def _frame(layout: DeviceLayout, text: str) -> LogLine:
     try:
-        found = logged(text, [laid.link for laid in layout.links.values()])
+        found = log_line(text, [laid.link for laid in layout.links.values()])
     except Unreadable as error:
         raise UsageError(f"this is no frame: {error}") from None
     if found is None or not found.frame:
@@ -76,7 +128,9 @@ class Log:
     without bytes gives to the next one.
     """
 
-    def __init__(self, layout: DeviceLayout, said: Given, asked: Asked | None, printer: FramePrinter) -> None:
+    def __init__(
+        self, layout: DeviceLayout, said: FrameOptions, asked: OpenRequest | None, printer: FramePrinter
+    ) -> None:
         self.layout, self.said, self.printer = layout, said, printer
         self.links = [laid.link for laid in layout.links.values()]
         self.asked, self.asked_in = asked, 0
@@ -89,7 +143,7 @@ class Log:
             try:
                 if len(line) >= LONGEST_LINE:
                     raise Unreadable(f"it has {LONGEST_LINE} characters or more")
-                found = logged(line, self.links)
+                found = log_line(line, self.links)
             except Unreadable as error:
                 print(f"fieldspec: line {number}: {error}", file=sys.stderr, flush=True)
                 self.wrong = True
@@ -98,7 +152,7 @@ class Log:
                 self._line(number, found)
         return int(self.wrong)
 
-    def _line(self, number: int, found: Logged) -> None:
+    def _line(self, number: int, found: LogLine) -> None:
         self.mark = found.direction or self.mark
         if not found.frame:
             return
@@ -110,7 +164,7 @@ class Log:
             self.asked = self._request(held)
             self.asked_in = number if self.asked else 0
 
-    def _request(self, held: Read) -> Asked | None:
+    def _request(self, held: ChosenReading) -> OpenRequest | None:
         """What the next response answers: the frame, where it is a request, and not for all stations."""
         request = held.explanation
         if request.direction != "request" or (held.wrong and request.reasons != ("unknown_code",)):
@@ -121,7 +175,7 @@ class Log:
         station, stations = link.request.role("station"), link.link.stations
         if station and stations and request.values.get(station.name) == stations.broadcast:
             return None
-        return Asked(request, False)
+        return OpenRequest(request, False)
 
 
 def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:

@@ -18,7 +18,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Prints one row a device, counted at its newest version. Exit code 1 where a device cannot be read."""
     project = specs.project(arguments.specs)
     print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
-    if has_errors(project.found):
+    if has_errors(project.findings):
         print("fieldspec: the specs have findings; see them with: fieldspec check", file=sys.stderr)
         return 1
     return 0

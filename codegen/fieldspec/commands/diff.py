@@ -8,15 +8,15 @@ from collections.abc import Iterator
 from importlib import import_module
 
 from fieldspec.changes import RULES, changes
-from fieldspec.changes.devices import device_added, device_removed
 from fieldspec.changes.judging import Compared, accepts_used, judged, rules_known
+from fieldspec.changes.rules.facts import device_added, device_removed
 from fieldspec.classes import dataclass
 from fieldspec.commands.output import print_blocks, print_findings
-from fieldspec.commands.sides import Side, side
+from fieldspec.commands.states import SpecState, spec_state
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import Diagnostic, in_order
-from fieldspec.proofs.accepted import previous
-from fieldspec.render.changes import Difference, Found, hurts
+from fieldspec.proofs.running import previous
+from fieldspec.render.changes import AcceptedChange, Difference, hurts
 
 FORMATS = ("text", "json", "markdown", "html", "sarif", "github")
 REVIEWS = ("sarif", "github")
@@ -26,12 +26,12 @@ REVIEWS = ("sarif", "github")
 def run(arguments: argparse.Namespace) -> int:
     """Prints the changes. Exit code 1 where `--fail-on` is met, or where a spec accepts what has not happened."""
     plain = arguments.format in REVIEWS
-    old, new = (side(text, arguments.specs, plain) for text in (arguments.old, arguments.new))
+    old, new = (spec_state(text, arguments.specs, plain) for text in (arguments.old, arguments.new))
     compared = list(_compared(old, new))
     differences = [*_devices(old, new), *(_difference(one) for one in compared)]
     unused = _unused(compared)
     if arguments.format in REVIEWS:
-        from fieldspec.render.changes_findings import findings
+        from fieldspec.render.changes import findings
 
         print_findings([*findings(differences), *unused], arguments.format, "")
     elif arguments.format == "text":
@@ -57,7 +57,7 @@ class _Compared:
     by_version: dict[str, Compared]
 
 
-def _compared(old: Side, new: Side) -> Iterator[_Compared]:
+def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
     """The comparisons that two sides ask for, device by device."""
     for device in _common(old, new):
         before, after = old.spec(device), new.spec(device)
@@ -74,7 +74,7 @@ def _compared(old: Side, new: Side) -> Iterator[_Compared]:
                 yield _Compared(new.label(device, based_on), new.label(device, version), {version: step})
 
 
-def _common(old: Side, new: Side) -> list[str]:
+def _common(old: SpecState, new: SpecState) -> list[str]:
     """The devices to compare: the one that is asked for, or all that both sides have."""
     asked = {one.device for one in (old, new) if one.device}
     if len(asked) > 1:
@@ -89,7 +89,7 @@ def _common(old: Side, new: Side) -> list[str]:
     return common
 
 
-def _pair(old: Side, new: Side, device: str) -> _Compared:
+def _pair(old: SpecState, new: SpecState, device: str) -> _Compared:
     """One comparison of the versions that are asked for; where one side names none, the same or its newest."""
     before, after = old.version, new.version
     if not before:
@@ -102,7 +102,7 @@ def _pair(old: Side, new: Side, device: str) -> _Compared:
     return _Compared(old.label(device, before), new.label(device, after), {after: held})
 
 
-def _of(old: Side, new: Side, device: str, before: str, after: str) -> Compared:
+def _of(old: SpecState, new: SpecState, device: str, before: str, after: str) -> Compared:
     first, second = old.at(device, before), new.at(device, after)
     spec = new.spec(device)
     return Compared(first, second, changes(first, second), step=previous(spec, after) == before)
@@ -111,7 +111,7 @@ def _of(old: Side, new: Side, device: str, before: str, after: str) -> Compared:
 def _difference(compared: _Compared) -> Difference:
     """What a comparison shows: a change that is found at several versions once."""
     found: dict[tuple[object, ...], list[str]] = {}
-    held: dict[tuple[object, ...], Found] = {}
+    held: dict[tuple[object, ...], AcceptedChange] = {}
     for version, one in compared.by_version.items():
         for each in judged(one):
             change = each.change
@@ -125,23 +125,25 @@ def _difference(compared: _Compared) -> Difference:
                 each.accepted is None,
             )
             found.setdefault(key, []).append(version)
-            held[key] = Found(change, each.accepted)
+            held[key] = AcceptedChange(change, each.accepted)
     shown = [
-        Found(one.change, one.accepted, tuple(found[key]) if len(found[key]) < len(compared.by_version) else ())
+        AcceptedChange(
+            one.change, one.accepted, tuple(found[key]) if len(found[key]) < len(compared.by_version) else ()
+        )
         for key, one in held.items()
     ]
     return Difference(compared.old, compared.new, tuple(sorted(shown, key=lambda one: one.change.order())))
 
 
-def _devices(old: Side, new: Side) -> Iterator[Difference]:
+def _devices(old: SpecState, new: SpecState) -> Iterator[Difference]:
     """The devices that one side alone has, where whole folders are compared."""
     if old.device or new.device:
         return
     gone = [device for device in old.project.devices if device not in new.project.devices]
     come = [device for device in new.project.devices if device not in old.project.devices]
     found = [
-        *(Found(device_removed(old.at(device, ""))) for device in gone),
-        *(Found(device_added(new.at(device, ""))) for device in come),
+        *(AcceptedChange(device_removed(old.at(device, ""))) for device in gone),
+        *(AcceptedChange(device_added(new.at(device, ""))) for device in come),
     ]
     if found:
         yield Difference(old.name, new.name, tuple(sorted(found, key=lambda one: one.change.order())))

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from fieldspec.classes import dataclass
 from fieldspec.commands import compiled
-from fieldspec.commands.counted import nearest, parameter_number
-from fieldspec.commands.given import DIRECTIONS, given
+from fieldspec.commands.frame_options import frame_options, number_of
+from fieldspec.commands.register_words import register_words
 from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.explain.explanation import explained
+from fieldspec.explain.parameters import nearest, parameter_number
+from fieldspec.explain.readings import DIRECTIONS
+from fieldspec.explain.registers import accessed, forbidden
+from fieldspec.explain.row import ExplanationRow
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.meaning import MeaningError, body_of, raw_of
-from fieldspec.render.columns import one_line
+from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of
+from fieldspec.render.blocks import visible_text
 
 _MOST = 20
 
@@ -24,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     layout = compiled.asked(arguments)
     way, pairs = _way(layout, arguments)
-    written = _written(pairs)
+    written = _nested(pairs)
     fields = _fields(layout, way)
     _by_print(layout, way, written)
     for name in written:
@@ -34,13 +39,32 @@ def run(arguments: argparse.Namespace) -> int:
     parts = layout.links[way.link].frame(way.direction).head
     body = body_of(layout, way.link, way.direction, way.message, False)
     try:
-        counted = {name: _counted(layout, way, name, held) for name, held in written.items()}
+        _with_words(layout, way.message, written)
+        counted = {name: _count_of(layout, way, name, held) for name, held in written.items()}
         values = raw_of(layout.device, parts, body, counted)
+        _refuse_access(layout, way, values)
         frame = codec(layout).links[way.link].encode(way.direction, way.message, values)
     except (MeaningError, CodecError) as error:
         raise UsageError(f"{error}; {_spoken(layout, way)} has the fields {', '.join(fields)}") from None
+    _judge(layout, way, frame)
     _print(layout, way, arguments.format, frame)
     return 0
+
+
+def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
+    """Refuses a frame with a value that no codec can judge alone: one beyond the range of the parameter or of the
+    register that it is written to.
+    """
+    found = explained(layout, way.link, way.direction, frame, way.message)
+    wrong = [row for row in (*found.rows, *found.registers) if row.verdict.startswith("wrong")]
+    if wrong and way.direction == "request":
+        said = "; ".join(f"{_row_name(row)} is {row.value or repr(row.number)}: {row.verdict}" for row in wrong)
+        raise UsageError(f"out_of_range: {said}")
+
+
+def _row_name(row: ExplanationRow) -> str:
+    """The path of a value, with the parameter that it is."""
+    return row.path if not row.meanings or not row.meanings[0].name else f"{row.path} ({row.meanings[0].name})"
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +82,7 @@ def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, lis
     named = arguments.message is not None or arguments.words
     if not named and pairs and "=" not in pairs[0]:
         arguments.message = pairs.pop(0)
-    said = given(layout, arguments)
+    said = frame_options(layout, arguments)
     if not said.message:
         raise UsageError(f"nothing says which message it is; {layout.device.id} has {_some(layout.messages)}")
     if arguments.direction:
@@ -75,7 +99,7 @@ def _some(names: Collection[str]) -> str:
     return ", ".join(names) if len(names) <= _MOST else f"{len(names)} of them"
 
 
-def _written(pairs: list[str]) -> dict[str, object]:
+def _nested(pairs: list[str]) -> dict[str, object]:
     """`items.0.size=1` as nested mappings and lists."""
     root: dict[str, object] = {}
     for pair in pairs:
@@ -92,14 +116,14 @@ def _written(pairs: list[str]) -> dict[str, object]:
         if last in holder:
             raise UsageError(f"{name} is given twice")
         holder[last] = value
-    return {name: _listed(value) for name, value in root.items()}
+    return {name: _lists_of(value) for name, value in root.items()}
 
 
-def _listed(value: object) -> object:
+def _lists_of(value: object) -> object:
     """Mappings whose keys are 0, 1, ... as lists."""
     if not isinstance(value, dict):
         return value
-    inner = {key: _listed(held) for key, held in value.items()}
+    inner = {key: _lists_of(held) for key, held in value.items()}
     if sorted(inner, key=_order) == [str(number) for number in range(len(inner))]:
         return [inner[str(number)] for number in range(len(inner))]
     return inner
@@ -122,14 +146,50 @@ def _by_print(layout: DeviceLayout, way: _Way, written: dict[str, object]) -> No
 
 def _with_address(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
     """Puts the address of a register in the place of its name."""
-    accesses = layout.messages[message].message.accesses
+    device = layout.device
+    accesses = device.register_access(layout.messages[message].message)
     named = written.get(accesses.start) if accesses else None
-    register = layout.device.register(named) if isinstance(named, str) else None
-    if accesses is not None and register is not None:
-        written[accesses.start] = register.address
+    register = device.register(named) if isinstance(named, str) else None
+    if accesses is None or register is None:
+        return
+    theirs, ours = device.space_name(register.space), device.space_name(accesses.space)
+    if theirs != ours:
+        raise UsageError(f"{register.name} lies in {theirs}, and {message} {accesses.operation}s {ours}")
+    written[accesses.start] = register.address
 
 
-def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:
+def _with_words(layout: DeviceLayout, message: str, written: dict[str, object]) -> None:
+    """Puts the words of registers in the place of quantities in their units, and of names."""
+    access = layout.device.register_access(layout.messages[message].message)
+    if access is None or access.operation != "write":
+        return
+    text, start = written.get(access.values), written.get(access.start)
+    address = number_of(start) if isinstance(start, str) else start
+    if not isinstance(text, str) or not isinstance(address, int):
+        return
+    words = register_words(layout, access, address, text)
+    field = layout.messages[message].request.named(access.values)
+    if words is None or field is None:
+        return
+    if not field.is_list and len(words) != 1:
+        raise UsageError(f"{text} takes {len(words)} words, and {message} writes one")
+    written[access.values] = words if field.is_list else words[0]
+
+
+def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
+    """Refuses a request to write what can only be read, or to read what can only be written."""
+    accesses = layout.device.register_access(layout.messages[way.message].message)
+    if accesses is None or way.direction != "request":
+        return
+    held = values.get(accesses.values)
+    carried = bytes(2 * (len(held) if isinstance(held, list) else 0 if held is None else 1))
+    span = accessed(accesses, values, {}, 0, carried)
+    why = forbidden(layout, span, accesses.operation) if span is not None else ""
+    if why:
+        raise UsageError(f"{why}: no frame is made of it")
+
+
+def _count_of(layout: DeviceLayout, way: _Way, name: str, held: object) -> object:
     """A value as counts, where that needs more than its own field: the number of a named parameter, and what is a
     share of a power of two, of which hardly any value in the unit is a whole number. Says what it rounds.
     """
@@ -154,7 +214,7 @@ def _counted(layout: DeviceLayout, way: _Way, name: str, held: object) -> object
 def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
     """What can be given: the parts of the head that no other part decides, and the fields of the body."""
     shape = layout.links[way.link].frame(way.direction)
-    head = [part.name for part in shape.head if part.role in ("station", "plain")]
+    head = [part.name for part in shape.head if part.role in ("station", "plain") and not part.reserved]
     body = body_of(layout, way.link, way.direction, way.message, False)
     return [*head, *(field.name for field in body.fields if field.field.measures is None)]
 
@@ -178,4 +238,4 @@ def _print(layout: DeviceLayout, way: _Way, form: str, frame: bytes) -> None:
         return
     print(frame.hex(" ").upper())
     if form == "text" and characters is not None:
-        print(one_line(characters))
+        print(visible_text(characters))

@@ -7,13 +7,13 @@ import sys
 from pathlib import Path
 
 from fieldspec.commands import compiled
-from fieldspec.commands.lists import write
+from fieldspec.commands.list_files import write
 from fieldspec.commands.usage import UsageError
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Writes the list to a file, or to the output."""
-    from fieldspec.lists.exported import as_csv, as_json, as_xlsx
+    from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
     layout = compiled.asked(arguments)

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from fieldspec.classes import attributes, dataclass
-from fieldspec.commands import caching, compiler
-from fieldspec.reading.folders import PROTOCOLS
+from fieldspec.commands import caching
+from fieldspec.reading.findings import PROTOCOLS
 
 KIND = "builds"
 Hashes = dict[str, str]
@@ -63,7 +63,7 @@ class Earlier:
         self._held: dict[str, Any] = {}
         self._found: dict[str, str | None] = {}
         self._compiler = _running() if trusted else ""
-        kept = caching.kept(KIND, self._name) if self._compiler else None
+        kept = caching.cached(KIND, self._name) if self._compiler else None
         held = json.loads(kept) if kept else {}
         if held.get("compiler") == self._compiler:
             self._held = held
@@ -114,7 +114,7 @@ class Earlier:
             "shared": {**self.shared, **shared},
         }
         if data != self._held:
-            caching.keep(KIND, self._name, json.dumps(data, separators=(",", ":")).encode())
+            caching.store(KIND, self._name, json.dumps(data, separators=(",", ":")).encode())
 
 
 def devices_in(paths: Iterable[str]) -> list[str]:
@@ -129,9 +129,9 @@ _at_start: dict[str, str] = {}
 def _running() -> str:
     """The compiler that runs; empty where it cannot be told, as its files are not those any more that it began with."""
     try:
-        state = compiler.state(compiler.WHOLE)
+        state = caching.state(caching.WHOLE)
         if not _at_start:
-            _at_start[state] = compiler.identity()
+            _at_start[state] = caching.identity()
     except OSError:
         return ""
     return _at_start.get(state, "")

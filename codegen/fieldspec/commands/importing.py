@@ -7,11 +7,11 @@ import hashlib
 import re
 from pathlib import Path
 
-from fieldspec.commands import lists, specs
+from fieldspec.commands import list_files, specs
 from fieldspec.commands.compare import COLUMNS
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import has_errors
-from fieldspec.reading.folders import MAIN
+from fieldspec.reading.findings import MAIN
 from fieldspec.schema import schema
 
 _FOLDER = re.compile(r"[^a-z0-9]+")
@@ -19,8 +19,8 @@ _FOLDER = re.compile(r"[^a-z0-9]+")
 
 def run(arguments: argparse.Namespace) -> int:
     """Writes the file, or prints it for `-`; it refuses to write over another one, and what the check refuses."""
-    from fieldspec.lists.addresses import REFERENCE
-    from fieldspec.lists.listed import listing, moved
+    from fieldspec.lists.cells import REFERENCE
+    from fieldspec.lists.listing import listing, moved
     from fieldspec.lists.sheet import ListError
     from fieldspec.lists.skeleton import Origin, skeleton
 
@@ -28,11 +28,11 @@ def run(arguments: argparse.Namespace) -> int:
     device = _device(path)
     if arguments.to != "-" and path.exists():
         raise UsageError(f"there is a file {path} already")
-    data = lists.content(arguments.file)
+    data = list_files.content(arguments.file)
     file = Path(arguments.file).name if arguments.file != "-" else "list.txt"
     given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
     try:
-        sheet = lists.sheet(data, arguments.encoding or "", arguments.sheet or "")
+        sheet = list_files.sheet(data, arguments.encoding or "", arguments.sheet or "")
         found = listing(sheet, given, arguments.base or "")
         base = REFERENCE if REFERENCE in found.bases else found.bases[0]
         rows = list(moved(found.rows(base), arguments.offset or 0))
@@ -47,9 +47,9 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.to == "-":
         print(text, end="")
         return 0
-    lists.write(path, text.encode("utf-8"))
+    list_files.write(path, text.encode("utf-8"))
     skipped = f", {len(found.skipped)} rows without an address" if found.skipped else ""
-    print(f"{specs.shown(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
+    print(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
     return 0
 
 

@@ -6,16 +6,15 @@ import argparse
 from collections.abc import Iterator
 
 from fieldspec.commands import compiled
-from fieldspec.commands.given import number_of
+from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.output import print_blocks, print_findings
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
-from fieldspec.plc.layout.fitting import found
-from fieldspec.plc.layout.images import Images, PlainNaming, choices
-from fieldspec.plc.layout.memory import MEMORIES
-from fieldspec.plc.layout.placing import placed
+from fieldspec.plc.layout.fitting import misfit_findings
+from fieldspec.plc.layout.images import Images, SpecNaming, choices
+from fieldspec.plc.layout.memory import MEMORIES, placed
 from fieldspec.render.memory import blocks
 
 
@@ -29,10 +28,10 @@ def run(arguments: argparse.Namespace) -> int:
     for number, (record, fact, title) in enumerate(_asked(layout, arguments.record)):
         if number:
             print()
-        images = Images(layout, PlainNaming(), packed=memory.bits)
+        images = Images(layout, SpecNaming(), packed=memory.bits)
         image = placed(images.of(record, "record", fact, title), memory, images.structs)
         print_blocks(blocks(image, title))
-        wrong += found(image)
+        wrong += misfit_findings(image)
     if wrong:
         print()
         print_findings(wrong, "text", "")

@@ -12,13 +12,13 @@ from fieldspec.commands.sources import INDEX
 from fieldspec.commands.usage import UsageError
 
 if TYPE_CHECKING:
-    from fieldspec.audit.manual_index import ManualIndex
+    from fieldspec.audit.manual_lines import ManualIndex
     from fieldspec.commands.placing import Beside
     from fieldspec.diagnostics import Diagnostic
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class BuildRequest:
     """What is to be built: outputs, and devices with their versions, no version for all; no device for all."""
 
     outputs: tuple[str, ...]
@@ -36,13 +36,13 @@ class Wanted:
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class BuildResult:
     """What a build has found, the devices as they are now, and the files that were not as they should be.
 
     `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
     """
 
-    found: list[Diagnostic]
+    findings: list[Diagnostic]
     devices: dict[str, Built]
     shared: dict[str, Hashes]
     stale: list[str]
@@ -55,10 +55,12 @@ class _Plan:
 
     check: bool
     outputs: tuple[str, ...]
-    kept: dict[str, Hashes]
+    reused: dict[str, Hashes]
 
 
-def made(wanted: Wanted, path: str, files: Mapping[str, bytes], earlier: Earlier, beside: Beside | None = None) -> Made:
+def build_result(
+    wanted: BuildRequest, path: str, files: Mapping[str, bytes], earlier: Earlier, beside: Beside | None = None
+) -> BuildResult:
     """Makes what must be made of some spec files; nothing where something is found that stops a build.
 
     What is not the same as what lies there is written `beside` it.
@@ -69,11 +71,11 @@ def made(wanted: Wanted, path: str, files: Mapping[str, bytes], earlier: Earlier
     stale = frozenset(device for device, plan in plans.items() if plan.check or plan.outputs)
     everything = wanted.whole and not earlier.confined()
     if not stale and not everything and len(shared) == len(wanted.outputs):
-        return Made([], {device: earlier.devices[device] for device in plans}, shared, [], True)
+        return BuildResult([], {device: earlier.devices[device] for device in plans}, shared, [], True)
     return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
 
 
-def _plan(device: str, wanted: Wanted, earlier: Earlier) -> _Plan:
+def _plan(device: str, wanted: BuildRequest, earlier: Earlier) -> _Plan:
     if earlier.changed(device):
         return _Plan(True, wanted.outputs, {})
     before = earlier.devices[device]
@@ -83,7 +85,7 @@ def _plan(device: str, wanted: Wanted, earlier: Earlier) -> _Plan:
 
 
 def _anew(
-    wanted: Wanted,
+    wanted: BuildRequest,
     plans: Mapping[str, _Plan],
     shared: Mapping[str, Hashes],
     only: frozenset[str],
@@ -91,7 +93,7 @@ def _anew(
     files: Mapping[str, bytes],
     earlier: Earlier,
     beside: Beside | None,
-) -> Made:
+) -> BuildResult:
     """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
     from fieldspec import pipeline
     from fieldspec.commands import specs
@@ -100,7 +102,7 @@ def _anew(
     from fieldspec.reading.project import read
 
     project = read(files, only)  # without the folder, which outputs must not depend on
-    outputs = not has_errors(project.found)
+    outputs = not has_errors(project.findings)
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
@@ -112,10 +114,10 @@ def _anew(
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
     work = Work(project, earlier.out, beside)
     done = {one.device: one for one in carried_out(work, tasks, sum(map(len, files.values())))}
-    found = in_order([*project.found, *(finding for one in done.values() for finding in one.found)])
-    shown = _from_here(found, sources.shown(path))
+    found = in_order([*project.findings, *(finding for one in done.values() for finding in one.findings)])
+    shown = _from_here(found, sources.relative_path(path))
     if has_errors(found):
-        return Made(shown, {}, {}, [], False)
+        return BuildResult(shown, {}, {}, [], False)
     stale = [path for one in done.values() for path in one.stale]
     hashes = {name: settled(work, held, stale) for name, held in common.items()}
     marked = {finding.span.file.path for finding in found}
@@ -130,9 +132,9 @@ def _anew(
             {file: earlier.now[file] for file in sorted(files_read)},
             one.identities or earlier.devices[device].identities,
             not marked.isdisjoint(files_read),
-            {**plan.kept, **one.hashes},
+            {**plan.reused, **one.hashes},
         )
-    return Made(shown, devices, {**shared, **hashes}, stale, not found)
+    return BuildResult(shown, devices, {**shared, **hashes}, stale, not found)
 
 
 def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
@@ -155,7 +157,7 @@ def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
 
 def _manual(device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
     """The index of a device's manual, where there is one among its files."""
-    from fieldspec.audit.manual_index import ManualError, parsed
+    from fieldspec.audit.manual_lines import ManualError, parsed
 
     path = f"{device}/{INDEX}"
     if path not in files:

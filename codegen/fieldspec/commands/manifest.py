@@ -8,7 +8,7 @@ from pathlib import Path
 
 from fieldspec.classes import dataclass
 from fieldspec.commands.fresh import Earlier, Hashes
-from fieldspec.commands.making import Made, Wanted
+from fieldspec.commands.making import BuildRequest, BuildResult
 
 NAME = "manifest.json"
 _NAMED = 3
@@ -22,7 +22,7 @@ class Manifest:
     specs: dict[str, Hashes]
     files: Hashes
 
-    def written(self) -> bytes:
+    def text(self) -> bytes:
         """The file."""
         specs = {device: dict(sorted(files.items())) for device, files in sorted(self.specs.items())}
         data = {
@@ -32,7 +32,7 @@ class Manifest:
         }
         return (json.dumps(data, indent=1) + "\n").encode("utf-8")
 
-    def renewed(self, wanted: Wanted, result: Made, hashes: Hashes, gone: Sequence[str]) -> Manifest:
+    def renewed(self, wanted: BuildRequest, result: BuildResult, hashes: Hashes, gone: Sequence[str]) -> Manifest:
         """The manifest after a build that has made or kept files with some hashes, and removes others."""
         identities = {} if wanted.whole else dict(self.identities)
         specs = {} if wanted.whole else dict(self.specs)
@@ -49,7 +49,7 @@ class Manifest:
         ours = (path for path in self.files if path.partition("/")[0] in names and path not in hashes)
         return sorted(path for path in ours if ".." not in path.split("/"))
 
-    def reason(self, path: str, result: Made, earlier: Earlier) -> str:
+    def reason(self, path: str, result: BuildResult, earlier: Earlier) -> str:
         """Why a file is not what a build would write."""
         if path not in self.files:
             return "it is new"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fieldspec.audit.manual_index import NAME, ManualError, ManualIndex, index_of, parsed, written
-from fieldspec.commands import lists, specs
+from fieldspec.audit.manual_lines import NAME, ManualError, ManualIndex, index_of, index_text, parsed
+from fieldspec.commands import list_files, specs
 from fieldspec.commands.usage import UsageError
 from fieldspec.model.device import Device
 
@@ -25,7 +25,7 @@ def recorded(given: str | None, device: str) -> ManualIndex | None:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
         raise UsageError(f"cannot read {path}: {reason}") from None
-    shown = "/".join(filter(None, (specs.shown(folder), device, NAME)))
+    shown = "/".join(filter(None, (specs.relative_path(folder), device, NAME)))
     try:
         return parsed(shown, text.replace("\r\n", "\n"))
     except ManualError as error:
@@ -77,7 +77,7 @@ def record(given: str | None, device: Device, name: str | None) -> int:
             f"put its hash and its lines into the spec first: sha256: {manual.sha256}, lines: {len(manual.lines)}"
         )
     folder = specs.folder(given)
-    lists.write(folder / device.id / NAME, written(manual, device.id).encode())
-    shown = "/".join(filter(None, (specs.shown(folder), device.id, NAME)))
+    list_files.write(folder / device.id / NAME, index_text(manual, device.id).encode())
+    shown = "/".join(filter(None, (specs.relative_path(folder), device.id, NAME)))
     print(f"wrote {shown}: {len(manual.lines)} lines")
     return 0

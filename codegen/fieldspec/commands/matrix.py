@@ -21,7 +21,7 @@ def run(arguments: argparse.Namespace) -> int:
     if version:
         raise UsageError(f"the matrix is of all versions; leave out @{version}")
     spec, _ = specs.spec_at(arguments.specs, name)
-    found = matrix({version: rows(specs.laid(spec, version)) for version in each(spec)}, arguments.all)
+    found = matrix({version: rows(specs.layout_of(spec, version)) for version in each(spec)}, arguments.all)
     if arguments.format == "text":
         print_blocks([_table(found)] if found.rows else [Line(f"all versions of {name} have the same facts")])
     elif arguments.format == "csv":

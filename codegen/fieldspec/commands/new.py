@@ -11,7 +11,7 @@ from string import Template
 
 from fieldspec.commands import specs
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.reading.folders import MAIN, PROTOCOLS, VERSIONS
+from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.nodes import Mapping, identity, mappings
 from fieldspec.reading.project import DeviceSpec, read
 from fieldspec.reading.scalars import typed
@@ -35,7 +35,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"there is a file {path} already")
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, "utf-8", newline="\n")
-    print(specs.shown(path))
+    print(specs.relative_path(path))
     return 0
 
 
@@ -96,7 +96,7 @@ def _overlays(path: Path) -> Iterator[str]:
     """A line for each item of a protocol that a device has to cite."""
     node, _ = parsed(decoded(path.name, path.read_bytes())[0])
     tree = typed(node)[0] if node is not None else None
-    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": path.read_bytes()}).found:
+    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": path.read_bytes()}).findings:
         raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
     for section, needed in _CITED.items():
         items = list(mappings(tree.values.get(section)))

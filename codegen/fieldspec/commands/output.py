@@ -11,8 +11,7 @@ from itertools import zip_longest
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.render.blocks import Block, Line
-from fieldspec.render.columns import aligned, one_line
+from fieldspec.render.blocks import Block, Line, aligned, visible_text
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -46,7 +45,7 @@ def print_blocks(blocks: Iterable[Block]) -> None:
         if pretty:
             _print_pretty(block)
         elif isinstance(block, Line):
-            print(one_line(block.text))
+            print(visible_text(block.text))
         else:
             print(aligned(block.headings, block.rows), end="")
 
@@ -56,13 +55,13 @@ def _print_pretty(block: Block) -> None:
     from rich.text import Text
 
     if isinstance(block, Line):
-        _console().print(Text(one_line(block.text), block.style), soft_wrap=block.drawn)
+        _console().print(Text(visible_text(block.text), block.style), soft_wrap=block.drawn)
         return
     table = Table(box=None, header_style="bold", pad_edge=False)
     for heading in block.headings:
         table.add_column(heading)
     for row, style in zip_longest(block.rows, block.styles, fillvalue=""):
-        table.add_row(*(Text(one_line(cell)) for cell in row), style=style)
+        table.add_row(*(Text(visible_text(cell)) for cell in row), style=style)
     _console().print(table)
 
 

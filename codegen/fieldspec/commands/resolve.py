@@ -10,14 +10,14 @@ from fieldspec.reading.nodes import Mapping, Sequence
 from fieldspec.render.resolved import resolved
 
 # What the tree has written out already; read again, it would be written out twice.
-_WRITTEN_OUT = {"registers": "copies", "enums": "derived"}
+_EXPANDED = {"registers": "copies", "enums": "derived"}
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the spec as YAML; protocols, overlays and copies are in it, and only facts of the version."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version).without("uses")
-    for section, key in _WRITTEN_OUT.items():
+    for section, key in _EXPANDED.items():
         held = tree.values.get(section)
         if isinstance(held, Sequence):
             items = tuple(item.without(key) if isinstance(item, Mapping) else item for item in held.items)

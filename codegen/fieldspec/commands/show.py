@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from fieldspec.commands import compiled
-from fieldspec.commands.given import number_of
+from fieldspec.commands.frame_options import number_of
 from fieldspec.commands.output import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout

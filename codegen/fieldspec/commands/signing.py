@@ -7,10 +7,10 @@ import time
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from fieldspec.audit.review import FILE, State, is_day, states, written
-from fieldspec.audit.sourcing import section_order
+from fieldspec.audit.review import FILE, State, is_day, review_entry, states
+from fieldspec.audit.sources import section_order
 from fieldspec.commands import specs
-from fieldspec.commands.lists import write
+from fieldspec.commands.list_files import write
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.facts import of_versions
 from fieldspec.layout.device import DeviceLayout
@@ -33,7 +33,7 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     held = list(layouts)
     signed = _picked(states(of_versions(held)), arguments.sign)
     manual = held[-1].device.manual
-    entry = written(spec, signed, arguments.by.strip(), day, manual.sha256, manual.edition, arguments.how or "")
+    entry = review_entry(spec, signed, arguments.by.strip(), day, manual.sha256, manual.edition, arguments.how or "")
     folder = specs.folder(arguments.specs)
     path = folder / spec.id / FILE
     before = _before(path)
@@ -41,7 +41,7 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     _must_be_sound(folder, spec.id, text)
     write(path, text.encode("utf-8"))
     count = sum(len(state.digests) for state in signed.values())
-    print(f"{specs.shown(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}")
+    print(f"{specs.relative_path(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}")
     return 0
 
 
@@ -70,7 +70,7 @@ def _must_be_sound(folder: Path, device: str, text: str) -> None:
     """Reads the spec with the new file before anything is written."""
     files = specs.files(folder, frozenset([device]))
     files[f"{device}/{FILE}"] = text.encode("utf-8")
-    if read(files, frozenset([device])).found:
+    if read(files, frozenset([device])).findings:
         raise UsageError(
             f"an entry cannot follow in {device}/{FILE}, which must end with the list `reviews`; nothing was written"
         )

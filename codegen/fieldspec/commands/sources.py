@@ -6,7 +6,7 @@ import os
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.reading.folders import MAIN, PROTOCOLS, VERSIONS
+from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -39,7 +39,7 @@ def folder(given: str | None) -> str:
 def devices(path: str | os.PathLike[str]) -> list[str]:
     """The devices of a folder of specs, each of them a folder with a file of a fixed name."""
     try:
-        return sorted(name for name in _listed(path) if os.path.isfile(os.path.join(path, name, MAIN)))
+        return sorted(name for name in _folder_entries(path) if os.path.isfile(os.path.join(path, name, MAIN)))
     except OSError:  # which nobody may look into
         return []
 
@@ -48,7 +48,7 @@ def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> d
     """The files of specs below a folder by relative path; of all devices' folders, or of `only` some."""
     found: dict[str, bytes] = {}
     try:
-        for device in sorted(_listed(path)):
+        for device in sorted(_folder_entries(path)):
             if only and device not in only and device != PROTOCOLS:
                 continue
             for inner in sorted(_of_specs(os.path.join(path, device))):
@@ -62,13 +62,13 @@ def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> d
 def _of_specs(path: str) -> Iterator[str]:
     """The files of a device's folder that are specs, or the index of its manual."""
     for folder in ("", VERSIONS):
-        for name in _listed(os.path.join(path, folder)):
+        for name in _folder_entries(os.path.join(path, folder)):
             hidden = name.startswith(".")  # what editors leave beside a file
             if not hidden and (name.endswith(".yaml") or (name == INDEX and not folder)):
                 yield f"{folder}/{name}" if folder else name
 
 
-def _listed(path: str | os.PathLike[str]) -> list[str]:
+def _folder_entries(path: str | os.PathLike[str]) -> list[str]:
     """The names in a folder; none where there is no such folder."""
     try:
         return os.listdir(path)
@@ -87,7 +87,7 @@ def of_devices(given: str | None, wanted: frozenset[str] = frozenset()) -> tuple
     return path, files(path, wanted)
 
 
-def shown(path: str | os.PathLike[str]) -> str:
+def relative_path(path: str | os.PathLike[str]) -> str:
     """The folder as findings show it: from here, so that editors and code reviews find the files."""
     text, here = os.path.realpath(path), os.getcwd()
     if text == here:

@@ -4,15 +4,27 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fieldspec.checks.laying_out import can_be_laid_out
+from fieldspec.checks.layout_conditions import has_layout
 from fieldspec.commands import sources
-from fieldspec.commands.sources import FOLDER, VARIABLE, files, of_devices, shown, split
+from fieldspec.commands.sources import FOLDER, VARIABLE, files, of_devices, relative_path, split
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import JOINT, DeviceSpec, Project, read
 
-__all__ = ["FOLDER", "VARIABLE", "files", "folder", "laid", "picked", "project", "shown", "spec_at", "split", "unsound"]
+__all__ = [
+    "FOLDER",
+    "VARIABLE",
+    "files",
+    "folder",
+    "layout_of",
+    "picked",
+    "project",
+    "relative_path",
+    "spec_at",
+    "split",
+    "unsound",
+]
 
 
 def folder(given: str | None) -> Path:
@@ -23,7 +35,7 @@ def folder(given: str | None) -> Path:
 def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project:
     """The project in the specs' folder; devices that are asked for must be there."""
     path, held = of_devices(given, devices)
-    return read(held, devices, shown(path))
+    return read(held, devices, relative_path(path))
 
 
 def picked(spec: DeviceSpec, version: str) -> str:
@@ -52,9 +64,9 @@ def unsound(name: str) -> UsageError:
     return UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
 
 
-def laid(spec: DeviceSpec, version: str) -> DeviceLayout:
+def layout_of(spec: DeviceSpec, version: str) -> DeviceLayout:
     """The layout of a device at a version."""
     device, broken = spec.at(version)
-    if has_errors(broken) or not can_be_laid_out(device):
+    if has_errors(broken) or not has_layout(device):
         raise unsound(spec.id)
     return device_layout(device)

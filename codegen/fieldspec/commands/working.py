@@ -20,7 +20,7 @@ from fieldspec.proofs.running import Outcome, outcome
 from fieldspec.reading.project import DeviceSpec, Project
 
 if TYPE_CHECKING:
-    from fieldspec.audit.manual_index import ManualIndex
+    from fieldspec.audit.manual_lines import ManualIndex
 
 DOCUMENTATION = "docs"
 """The output that audits are a part of, where all versions of a device are built."""
@@ -51,7 +51,7 @@ class Done:
     """
 
     device: str
-    found: list[Diagnostic]
+    findings: list[Diagnostic]
     identities: Hashes
     hashes: dict[str, Hashes]
     stale: list[str]
@@ -85,7 +85,7 @@ def carried_out(work: Work, tasks: Sequence[Task], size: int) -> list[Done]:
         return _in_processes(work, tasks, processes)
     known = {task.device: outcome(devices[task.device]) for task in tasks if task.check}
     checked = [Done(task.device, known[task.device].findings if task.check else [], {}, {}, []) for task in tasks]
-    if any(has_errors(done.found) for done in checked):
+    if any(has_errors(done.findings) for done in checked):
         return checked
     single = [replace(task, check=False, outputs=names) for task in tasks for names in _families(task.outputs)]
     parts = _in_processes(replace(work, known=known), single, processes) if single else []
@@ -118,9 +118,9 @@ def _size(spec: DeviceSpec) -> int:
 
 
 def _joined(done: Done, parts: list[Done]) -> Done:
-    found, identities, hashes, stale = [*done.found], dict(done.identities), dict(done.hashes), [*done.stale]
+    found, identities, hashes, stale = [*done.findings], dict(done.identities), dict(done.hashes), [*done.stale]
     for part in parts:
-        found += part.found
+        found += part.findings
         identities |= part.identities
         hashes |= part.hashes
         stale += part.stale
@@ -145,7 +145,9 @@ def carry_out(work: Work, task: Task) -> Done:
     if has_errors(found):
         return Done(task.device, found, {}, {}, [])
     identities = {
-        f"{spec.id}@{version}": laid.identity for laid in layouts for version in (laid.device.version, *laid.twins)
+        f"{spec.id}@{version}": laid.identity
+        for laid in layouts
+        for version in (laid.device.version, *laid.equal_versions)
     }
     hashes: dict[str, Hashes] = {}
     stale: list[str] = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.facts.row import Cell, Row
+from fieldspec.facts.row import Cell, FactRow
 
 SAME = "same"
 # What places a fact in the spec and in the manual, and not what it says.
@@ -30,7 +30,7 @@ class Matrix:
     rows: tuple[MatrixRow, ...]
 
 
-def matrix(facts: Mapping[str, Sequence[Row]], everything: bool) -> Matrix:
+def matrix(facts: Mapping[str, Sequence[FactRow]], everything: bool) -> Matrix:
     """The matrix of the facts of each version, in their order; of those that differ, or of all."""
     columns = {version: _by_path(rows) for version, rows in facts.items()}
     paths: dict[str, None] = {}
@@ -39,32 +39,32 @@ def matrix(facts: Mapping[str, Sequence[Row]], everything: bool) -> Matrix:
     made = []
     for path in paths:
         rows = [held.get(path) for held in columns.values()]
-        if everything or len({_said(row) for row in rows}) > 1:
+        if everything or len({_row_values(row) for row in rows}) > 1:
             kind = next(str(row["kind"]) for row in rows if row is not None)
             made.append(MatrixRow(path, kind, tuple(_cells(rows))))
     return Matrix(tuple(facts), tuple(made))
 
 
-def _by_path(rows: Sequence[Row]) -> dict[str, Row]:
+def _by_path(rows: Sequence[FactRow]) -> dict[str, FactRow]:
     """The first row of each path; the others are the same fact, printed again."""
-    found: dict[str, Row] = {}
+    found: dict[str, FactRow] = {}
     for row in rows:
         found.setdefault(str(row["path"]), row)
     return found
 
 
-def _said(row: Row | None) -> tuple[tuple[str, str], ...] | None:
+def _row_values(row: FactRow | None) -> tuple[tuple[str, str], ...] | None:
     """What a fact says, as far as two versions may differ in it."""
     if row is None:
         return None
     return tuple((key, _text(cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)
 
 
-def _cells(rows: Sequence[Row | None]) -> list[str]:
+def _cells(rows: Sequence[FactRow | None]) -> list[str]:
     cells: list[str] = []
     before: dict[str, str] | None = None
     for row in rows:
-        said = _said(row)
+        said = _row_values(row)
         if said is None:
             cells.append("")
             continue

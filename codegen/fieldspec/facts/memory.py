@@ -5,23 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from fieldspec.facts.row import Kept, Row, of_fact, of_flag, of_ranges, of_value, row
+from fieldspec.facts.row import FactRow, SharedRows, of_fact, of_flag, of_ranges, of_value, row
 from fieldspec.facts.wire import fields
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.register import Register, RegisterGroup
+from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
 
 
-def memory(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
-    """The rows of groups of registers, of tables and of sets of parameters."""
+def memory(layout: DeviceLayout, kept: SharedRows) -> Iterator[FactRow]:
+    """The rows of address spaces, groups of registers, of tables and of sets of parameters."""
+    for space in layout.device.spaces.values():
+        yield from of_fact("address_space", space, None, number=space.first_number, **of_ranges(space.bounds))
     for group in layout.device.groups:
         yield from _group(group, kept)
     yield from _tables(layout)
     yield from _parameters(layout.device, kept)
 
 
-def _group(group: RegisterGroup, kept: Kept) -> Iterator[Row]:
+def _group(group: RegisterGroup, kept: SharedRows) -> Iterator[FactRow]:
     yield from of_fact("register_group", group)
     for number, gap in enumerate(group.gaps):
         low, high = gap.addresses.low, gap.addresses.high
@@ -31,15 +32,16 @@ def _group(group: RegisterGroup, kept: Kept) -> Iterator[Row]:
         yield from kept.rows(register, partial(_register, register))
 
 
-def _register(register: Register) -> Iterator[Row]:
+def _register(register: Register) -> Iterator[FactRow]:
     if register.count > 1:
         return _series(register)
     return of_fact("register", register, register.value, **_cells(register))
 
 
-def _cells(register: Register) -> Row:
+def _cells(register: Register) -> FactRow:
     return {
         "address": register.address,
+        "position": register.space,
         "words": register.width,
         "access": register.access,
         "number": register.number,
@@ -47,15 +49,16 @@ def _cells(register: Register) -> Row:
     }
 
 
-def _series(register: Register) -> Iterator[Row]:
+def _series(register: Register) -> Iterator[FactRow]:
     """A row for several equal registers, and one for each, with its own line where the spec has it."""
-    whole: Row = {"address": register.address, "words": register.end - register.address, "count": register.count}
+    whole: FactRow = {"address": register.address, "words": register.end - register.address, "count": register.count}
+    whole |= {"position": register.space}
     yield from of_fact("register_series", register, register.value, **whole)
     for number in range(register.count):
         index = register.index_from + number
         sources = register.element_sources[number : number + 1] or register.sources
         printed = register.element_name.format(n=index) if register.element_name else register.printed_name
-        cells: Row = {
+        cells: FactRow = {
             **of_value(register.value),
             **_cells(register),
             "name": f"{register.name}_{index}",
@@ -66,38 +69,39 @@ def _series(register: Register) -> Iterator[Row]:
         yield row("register", f"{register.place.path}/{index}", sources, **cells)
 
 
-def _tables(layout: DeviceLayout) -> Iterator[Row]:
+def _tables(layout: DeviceLayout) -> Iterator[FactRow]:
     done: set[str] = set()
     for laid in layout.tables.values():
         table = laid.table
-        cells: Row = {"address": table.base, "words": laid.words, "access": table.access, "count": table.count}
+        cells: FactRow = {"address": table.base, "words": laid.words, "access": table.access, "count": table.count}
+        cells |= {"position": table.space}
         yield from of_fact("table", table, None, **cells)
         yield from _elements(laid)
         if laid.record.name not in done:
             done.add(laid.record.name)
             yield from of_fact("record", laid.record.record, words=laid.words, bytes=laid.record.size)
-            yield from fields("table_field", laid.record, base=table.base)
+            yield from fields("table_field", laid.record, base=table.base, access=table.access)
 
 
-def _elements(laid: TableLayout) -> Iterator[Row]:
+def _elements(laid: TableLayout) -> Iterator[FactRow]:
     """The elements of which the manual prints the addresses."""
     for element in laid.table.elements:
         name = f"{laid.name}_{element.index}"
-        cells: Row = {"name": name, "address": laid.table.address(element.index), "words": laid.words}
+        cells: FactRow = {"name": name, "address": laid.table.address(element.index), "words": laid.words}
         yield row("table_element", element.place.path, element.sources, **cells)
 
 
-def _parameters(device: Device, kept: Kept) -> Iterator[Row]:
+def _parameters(device: Device, kept: SharedRows) -> Iterator[FactRow]:
     for held in device.parameters.values():
         yield from of_fact("parameter_set", held, None, number=held.base, **of_ranges(held.numbers))
         for parameter in held.parameters:
             yield from kept.rows(parameter, partial(_parameter, held, parameter), held.base)
 
 
-def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[Row]:
+def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[FactRow]:
     """A parameter, or a run of equal ones; its elements, and what it is for."""
     kind = "parameter" if parameter.count == 1 else "parameter_series"
-    cells: Row = {"code": parameter.number, "number": held.base + parameter.number, "access": parameter.access}
+    cells: FactRow = {"code": parameter.number, "number": held.base + parameter.number, "access": parameter.access}
     cells.update(restart=of_flag(parameter.restart), count=parameter.elements)
     if parameter.count > 1:
         cells.update(count=parameter.count)
@@ -105,7 +109,13 @@ def _parameter(held: ParameterSet, parameter: Parameter) -> Iterator[Row]:
     path, sources = parameter.place.path, parameter.sources
     for number in range(parameter.number, parameter.number + parameter.count) if parameter.count > 1 else ():
         name = f"{parameter.name}_{number}"
-        own: Row = {**of_value(parameter.value), **cells, "code": number, "number": held.base + number, "name": name}
+        own: FactRow = {
+            **of_value(parameter.value),
+            **cells,
+            "code": number,
+            "number": held.base + number,
+            "name": name,
+        }
         own.update(count=parameter.elements)
         yield row("parameter", f"{path}/{number}", sources, **own)
     for inner in parameter.subindices:

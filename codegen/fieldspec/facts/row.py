@@ -6,12 +6,10 @@ from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from typing import TypeAlias
 
-from fieldspec.model.fact import Citation, Claim, Fact
-from fieldspec.model.message import Message
-from fieldspec.model.parameter import Parameter
-from fieldspec.model.provenance import PRINTED, REPORTED, STANDARD, Report
-from fieldspec.model.ranges import Ranges, intervals
-from fieldspec.model.value import Value, exact_scale
+from fieldspec.model.fact import PRINTED, REPORTED, STANDARD, Citation, Claim, Fact, Report
+from fieldspec.model.record import Message
+from fieldspec.model.registers import Parameter
+from fieldspec.model.value import Ranges, Value, exact_scale, intervals
 
 COLUMNS = (
     "kind",
@@ -43,6 +41,7 @@ COLUMNS = (
     "restart",
     "unverified",
     "sources",
+    "write_ranges",
     "provenance",
     "inferred",
     "standard",
@@ -51,9 +50,9 @@ COLUMNS = (
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
-Row: TypeAlias = dict[str, Cell]
+FactRow: TypeAlias = dict[str, Cell]
 
-_BLANK: Row = dict.fromkeys(COLUMNS)
+_BLANK: FactRow = dict.fromkeys(COLUMNS)
 
 # What another place states again, and the column that shows it.
 _CLAIMED = {
@@ -81,13 +80,13 @@ _CLAIMED = {
 }
 
 
-class Kept:
+class SharedRows:
     """The rows that are made of nouns of the model, which versions share as long as these are the same objects."""
 
     def __init__(self) -> None:
-        self._rows: dict[tuple[int, int], list[Row]] = {}
+        self._rows: dict[tuple[int, int], list[FactRow]] = {}
 
-    def rows(self, noun: object, make: Callable[[], Iterable[Row]], base: int = 0) -> list[Row]:
+    def rows(self, noun: object, make: Callable[[], Iterable[FactRow]], base: int = 0) -> list[FactRow]:
         """The rows of a noun, and of a number on which they depend too."""
         key = id(noun), base
         if key not in self._rows:
@@ -95,7 +94,7 @@ class Kept:
         return self._rows[key]
 
 
-def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row:
+def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> FactRow:
     """A row with the first place of the manual; cells that are empty texts stay empty."""
     made = _BLANK.copy()
     made["kind"], made["path"], made["errata"] = kind, path, []
@@ -109,9 +108,9 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Row
     return made
 
 
-def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[Row]:
+def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[FactRow]:
     """The row of a fact, then one for each place of the manual that states it again."""
-    known: Row = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
+    known: FactRow = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
     yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **_implied(fact), **cells})
@@ -124,9 +123,9 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
         yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
 
 
-def _implied(fact: Fact) -> Row:
+def _implied(fact: Fact) -> FactRow:
     """What the manual does not print of a fact: keys with the reasons, and with the standards that give them."""
-    cells: Row = {"roles": ", ".join(fact.roles)}
+    cells: FactRow = {"roles": ", ".join(fact.roles)}
     if fact.inferred:
         cells["inferred"] = dict(fact.inferred)
     if fact.standard:
@@ -136,13 +135,13 @@ def _implied(fact: Fact) -> Row:
     return cells
 
 
-def _reported(kind: str, value: Value | None, report: Report, known: Row) -> Row:
+def _reported(kind: str, value: Value | None, report: Report, known: FactRow) -> FactRow:
     """The row of a report: what makes the fact known, what others say of it, and who. It has no place in the manual."""
     cells = _restated(kind, value, Claim(report.place, (), report.values), known, "number")
     return {**cells, "provenance": REPORTED, "evidence": f"{report.by}: {report.how}"}
 
 
-def of_value(value: Value | None) -> Row:
+def of_value(value: Value | None) -> FactRow:
     """The cells of a value; bounds and defaults are counts."""
     if value is None:
         return {}
@@ -153,6 +152,7 @@ def of_value(value: Value | None) -> Row:
         "scale": value.scale if value.scaled else None,
         "default": value.default if value.const is None else value.const,
         **of_ranges(value.ranges),
+        "write_ranges": value.write_ranges.text() if value.write_ranges is not None else None,
     }
 
 
@@ -161,12 +161,12 @@ def of_flag(given: bool | None) -> str:
     return "" if given is None else "yes" if given else "no"
 
 
-def of_ranges(ranges: Ranges | None) -> Row:
+def of_ranges(ranges: Ranges | None) -> FactRow:
     """The least value, the greatest, and all intervals."""
     return {} if ranges is None else {"min": ranges.low, "max": ranges.high, "ranges": ranges.text()}
 
 
-def _restated(kind: str, value: Value | None, claim: Claim, known: Row, number: str) -> Row:
+def _restated(kind: str, value: Value | None, claim: Claim, known: FactRow, number: str) -> FactRow:
     """The row of a claim: what makes the fact known, and what the other place says of it.
 
     `number` is the column of the claim's `number`.
@@ -194,7 +194,7 @@ def _restated(kind: str, value: Value | None, claim: Claim, known: Row, number: 
     return row(kind, claim.place.path, claim.sources, **cells)
 
 
-def _bounds(text: str, value: Value | None) -> Row:
+def _bounds(text: str, value: Value | None) -> FactRow:
     """The bounds of intervals; with a `value`, of intervals in its unit, as counts."""
     pairs = intervals(text)
     if value is not None:

@@ -1,20 +1,20 @@
-"""The facts that are not on the wire by themselves: look-up tables, limits, tasks, notes, examples, versions."""
+"""Facts without bytes: lookup tables, limits, tasks, notes, examples, and errata beside the facts that they correct."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
 
-from fieldspec.facts.row import Kept, Row, of_fact, row
+from fieldspec.facts.row import FactRow, SharedRows, of_fact, row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.provenance import COMPUTED, INFERRED
+from fieldspec.model.fact import COMPUTED, INFERRED
 from fieldspec.model.task import Task, argument_text, value_text
+from fieldspec.model.texts import Lookup
 
 
-def texts(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
-    """The rows of look-up tables, limits, tasks, notes, examples and versions."""
+def texts(layout: DeviceLayout, kept: SharedRows) -> Iterator[FactRow]:
+    """The rows of look-up tables, limits, notes, examples and versions."""
     device = layout.device
     for lookup in device.lookups:
         yield from kept.rows(lookup, partial(_lookup, lookup))
@@ -29,11 +29,11 @@ def texts(layout: DeviceLayout, kept: Kept) -> Iterator[Row]:
     yield from _versions(device)
 
 
-def _lookup(lookup: Lookup) -> Iterator[Row]:
+def _lookup(lookup: Lookup) -> Iterator[FactRow]:
     yield from of_fact("lookup", lookup)
     for number, line in enumerate(lookup.rows):
         first = line.cells[0] if line.cells else None
-        cells: Row = {
+        cells: FactRow = {
             "name": f"{lookup.name}_{number + 1}",
             "label": " | ".join("" if cell is None else str(cell) for cell in line.cells),
             "code": first if isinstance(first, int) and not isinstance(first, bool) else None,
@@ -41,19 +41,19 @@ def _lookup(lookup: Lookup) -> Iterator[Row]:
         yield row(lookup.kind, line.place.path, line.sources or lookup.sources, **cells)
 
 
-def _limits(device: Device) -> Iterator[Row]:
+def _limits(device: Device) -> Iterator[FactRow]:
     for limit in device.limits:
         low = limit.low if limit.value is None else limit.value
         high = limit.high if limit.value is None else limit.value
         yield from of_fact(limit.kind, limit, unit=limit.unit, min=low, max=high, ranges=limit.text)
 
 
-def _task(task: Task) -> Iterator[Row]:
+def _task(task: Task) -> Iterator[FactRow]:
     """A task, and a row for each of its steps: what is done, with what, and the value or the argument."""
     yield from of_fact("task", task, label=task.open or task.not_applicable or task.label, ranges=task.kind)
     for number, step in enumerate(task.steps):
         value = argument_text(step.argument) if step.argument else step.value
-        cells: Row = {
+        cells: FactRow = {
             "number": number + 1,
             "name": step.action,
             "label": step.target,
@@ -68,11 +68,11 @@ def _task(task: Task) -> Iterator[Row]:
             yield row("step_value", f"{step.place.path}/{field}", step.sources, name=field, ranges=value_text(content))
 
 
-def _examples(layout: DeviceLayout) -> Iterator[Row]:
+def _examples(layout: DeviceLayout) -> Iterator[FactRow]:
     for example in layout.device.examples.values():
         laid = layout.messages.get(example.message)
         code = laid.message.code if laid else None
-        cells: Row = {
+        cells: FactRow = {
             "code": laid.message.number if laid and code is None else code,
             "bytes": len(example.frame),
             "name": example.id,
@@ -85,11 +85,37 @@ def _examples(layout: DeviceLayout) -> Iterator[Row]:
         yield row("example", example.place.path, example.sources, **cells)
 
 
-def _versions(device: Device) -> Iterator[Row]:
+def _versions(device: Device) -> Iterator[FactRow]:
     for line in device.lines:
         for version in line.versions:
             path = f"versions/{line.name}/{version.id}"
-            cells: Row = {"name": version.id, "label": version.title}
+            cells: FactRow = {"name": version.id, "label": version.title}
             if version.inferred:
                 cells.update(provenance=INFERRED, evidence=version.inferred)
             yield row("version", path, version.sources, **cells)
+
+
+def with_errata(device: Device, found: list[FactRow]) -> list[FactRow]:
+    """The rows with every erratum at the innermost fact that it is about.
+
+    A fact of which there is no row, because it does not hold for this version, gets one of the kind `fact`.
+    """
+    by_path: dict[str, int] = {}
+    for number, listed in enumerate(found):
+        by_path.setdefault(str(listed["path"]), number)
+    for erratum in device.errata:
+        path = erratum.fact
+        while path and path not in by_path:
+            path = path.rpartition("/")[0]
+        if path not in by_path:
+            path = erratum.fact
+            by_path[path] = len(found)
+            found.append(row("fact", path, erratum.sources, name=path.rpartition("/")[2]))
+        held = found[by_path[path]]
+        ids, before = held["errata"], held["printed"]
+        assert isinstance(ids, list)
+        added: FactRow = {"errata": [*ids, erratum.id]}
+        if erratum.printed:
+            added["printed"] = {**(before if isinstance(before, dict) else {}), **erratum.printed}
+        found[by_path[path]] = {**held, **added}  # others may share the row
+    return found

@@ -1,22 +1,78 @@
-"""The facts of frames: links with their parts, signals and conversions, messages, and records."""
+"""Facts of frames: links, signals, conversions, messages, records, enums and bit fields."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from fieldspec.facts.row import Cell, Row, of_fact, of_flag, of_ranges, row
+from fieldspec.facts.row import Cell, FactRow, SharedRows, of_fact, of_flag, of_ranges, row
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.model.access import narrowed
+from fieldspec.model.device import Device
+from fieldspec.model.enums import Enum, Flags, Member
+from fieldspec.model.fact import STANDARD
 from fieldspec.model.link import Link
-from fieldspec.model.message import Message
-from fieldspec.model.provenance import STANDARD
-from fieldspec.model.signal import Conversion
+from fieldspec.model.record import Message
+from fieldspec.model.value import Conversion
+
+
+def codes(device: Device, kept: SharedRows) -> Iterator[FactRow]:
+    """The rows of enums and of words of flags."""
+    for enum in device.enums.values():
+        yield from kept.rows(enum, partial(_enum, enum))
+    for word in device.flags.values():
+        yield from kept.rows(word, partial(_flags, word))
+
+
+def _enum(enum: Enum) -> Iterator[FactRow]:
+    kind = "enum_value" if enum.kind == "enum" else enum.kind
+    values = [member.value for member in enum.members]
+    yield from of_fact("enum", enum, min=min(values, default=None), max=max(values, default=None))
+    for member in enum.members:
+        yield from of_fact(kind, member, code=member.value, number=member.number)
+        yield from _remedies(member)
+
+
+def _remedies(member: Member) -> Iterator[FactRow]:
+    """The causes of a code, and what to do about it, in our own words."""
+    path = member.place.path
+    for number, cause in enumerate(member.causes):
+        name, inner = f"{member.name}_cause_{number + 1}", f"{path}/causes/{number}"
+        sources = cause.sources or member.sources
+        yield row("cause", inner, sources, code=member.value, name=name, label=cause.cause)
+        for at, remedy in enumerate(cause.remedies):
+            cells: FactRow = {"code": member.value, "name": f"{name}_remedy_{at + 1}", "label": remedy}
+            yield row("remedy", f"{inner}/remedies/{at}", sources, **cells)
+    for at, remedy in enumerate(member.remedies):
+        cells = {"code": member.value, "name": f"{member.name}_remedy_{at + 1}", "label": remedy}
+        yield row("remedy", f"{path}/remedies/{at}", member.sources, **cells)
+
+
+def _flags(word: Flags) -> Iterator[FactRow]:
+    cells: FactRow = {"type": word.type.name, "bytes": word.type.size, **of_ranges(word.ranges)}
+    yield from of_fact("flags", word, None, **cells)
+    for bit in word.bits:
+        number: Cell = bit.first if bit.width == 1 else f"{bit.first}..{bit.last}"
+        yield from of_fact("bit", bit, bit=number)
+    for state in word.states:
+        mask, value = word.masked(state)
+        yield from of_fact("state", state, code=value, bit=_bits(mask))
+
+
+def _bits(mask: int) -> str:
+    """The bits of a mask: `0..2, 6`."""
+    bits = [bit for bit in range(mask.bit_length()) if mask >> bit & 1]
+    firsts = [bit for bit in bits if bit - 1 not in bits]
+    lasts = [bit for bit in bits if bit + 1 not in bits]
+    return ", ".join(str(a) if a == b else f"{a}..{b}" for a, b in zip(firsts, lasts, strict=True))
+
 
 _MESSAGE = "message"
 
 
-def wire(layout: DeviceLayout) -> Iterator[Row]:
+def wire(layout: DeviceLayout) -> Iterator[FactRow]:
     """The rows of links, signals, messages and of records that no table holds."""
     for link in layout.device.links.values():
         yield from _link(link)
@@ -34,11 +90,20 @@ def wire(layout: DeviceLayout) -> Iterator[Row]:
 
 
 def fields(
-    kind: str, record: RecordLayout, code: int | None = None, base: int | None = None, direction: str = ""
-) -> Iterator[Row]:
-    """The rows of a record's fields; `base` is the address of the first element of a table of such records."""
+    kind: str,
+    record: RecordLayout,
+    code: int | None = None,
+    base: int | None = None,
+    direction: str = "",
+    access: str = "",
+) -> Iterator[FactRow]:
+    """The rows of a record's fields.
+
+    `base` is the address of the first element of a table of such records, and `access` that of the table.
+    """
     for field in record.fields:
-        cells: Row = {"code": code, "access": field.field.access, "direction": direction, **_placed(field, base)}
+        allowed = narrowed(access, field.field.access)
+        cells: FactRow = {"code": code, "access": allowed, "direction": direction, **_placed(field, base)}
         cells.update(count=field.field.count, restart=of_flag(field.field.restart), position=_position(field))
         if field.record is not None:
             cells.update(type=field.record.name, bytes=field.record.size)
@@ -49,7 +114,7 @@ def fields(
             yield from _case(case, code, direction)
 
 
-def _case(laid: CaseLayout, code: int | None, direction: str) -> Iterator[Row]:
+def _case(laid: CaseLayout, code: int | None, direction: str) -> Iterator[FactRow]:
     """What may lie in a field, and for which values of the deciding one."""
     case = laid.case
     yield from of_fact("case", case, case.value, code=code, direction=direction)
@@ -63,9 +128,9 @@ def _position(field: FieldLayout) -> str:
     return "" if span is None else f"{span[0]}" if span[0] == span[1] else f"{span[0]}-{span[1]}"
 
 
-def _conversion(conversion: Conversion) -> Iterator[Row]:
+def _conversion(conversion: Conversion) -> Iterator[FactRow]:
     """A conversion; its full scale is the count that stands for the whole reference."""
-    cells: Row = {"type": conversion.type.name, "bytes": conversion.type.size, "max": conversion.full_scale}
+    cells: FactRow = {"type": conversion.type.name, "bytes": conversion.type.size, "max": conversion.full_scale}
     if conversion.printed:
         cells["printed_name"] = conversion.printed
     yield from of_fact("conversion", conversion, None, **cells)
@@ -78,7 +143,7 @@ def _conversion(conversion: Conversion) -> Iterator[Row]:
             yield row(kind, f"{path}/{key}/{number}", conversion.sources, name=name)
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[Row]:
+def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[FactRow]:
     """A message, its printed sizes, the messages beside which it is sent, and its fields."""
     message, kind = laid.message, _kind(layout, laid.message)
     code = message.number if message.code is None else message.code
@@ -90,7 +155,7 @@ def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[Row]:
         yield from fields(f"{kind}_field", laid.data(direction), code, direction=direction)
 
 
-def _placed(field: FieldLayout, base: int | None) -> Row:
+def _placed(field: FieldLayout, base: int | None) -> FactRow:
     if base is None:
         return {}
     return {"address": base + field.offset // 2, "words": (field.size * (field.count or 1) + 1) // 2}
@@ -106,12 +171,12 @@ def _kind(layout: DeviceLayout, message: Message) -> str:
     return codes[0] if codes else _MESSAGE
 
 
-def _lengths(message: Message, code: int | None) -> Iterator[Row]:
+def _lengths(message: Message, code: int | None) -> Iterator[FactRow]:
     """The printed lengths of a message's frames, and the printed words of its data."""
     for direction, length in (("request", message.request_length), ("response", message.response_length)):
         if length is not None:
             path = f"{message.place.path}/frame_length/{direction}"
-            cells: Row = {"code": code, "bytes": length, "name": direction, "direction": direction}
+            cells: FactRow = {"code": code, "bytes": length, "name": direction, "direction": direction}
             yield row("frame_length", path, message.sources, **cells)
     for direction, words in (("request", message.request_words), ("response", message.response_words)):
         if words is not None:
@@ -120,12 +185,12 @@ def _lengths(message: Message, code: int | None) -> Iterator[Row]:
             yield row("data_words", path, message.sources, **cells)
 
 
-def _link(link: Link) -> Iterator[Row]:
+def _link(link: Link) -> Iterator[FactRow]:
     path = link.place.path
     yield from of_fact("link", link)
     for name, mark in (("start", link.start), ("end", link.end)):
         if mark:
-            cells: Row = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
+            cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
     if link.error is not None:
         cells = {"name": "error", "code": link.error.flag, "type": link.error.record}
@@ -148,7 +213,7 @@ def _link(link: Link) -> Iterator[Row]:
             yield from of_fact("frame_part", part, part.value, direction=direction)
 
 
-def _stations(link: Link) -> Iterator[Row]:
+def _stations(link: Link) -> Iterator[FactRow]:
     stations = link.stations
     if stations is None:
         return
@@ -158,7 +223,7 @@ def _stations(link: Link) -> Iterator[Row]:
         yield row("station", f"{path}/broadcast", sources, name="broadcast", code=stations.broadcast)
 
 
-def _serial(link: Link) -> Iterator[Row]:
+def _serial(link: Link) -> Iterator[FactRow]:
     serial = link.serial
     if serial is None:
         return

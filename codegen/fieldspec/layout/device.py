@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec import classes
-from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.layout.frame import LinkLayout, link_layout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import Orders, RecordLayout, record_layout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.classes import dataclass
+from fieldspec.layout.frame import LinkLayout, MessageLayout, link_layout
+from fieldspec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout, record_layout
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
-from fieldspec.model.record import Record
-from fieldspec.model.register import Register
-from fieldspec.model.table import Table
-
-if TYPE_CHECKING:
-    from fieldspec.layout.explanation import Explanation
+from fieldspec.model.record import Field, Record
+from fieldspec.model.registers import Register, Table
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,13 +22,32 @@ class TableLayout:
     record: RecordLayout
     words: int
 
+    def access(self, field: Field) -> str:
+        """What may be done with a field of an element: what the field and the table both allow."""
+        return narrowed(self.table.access, field.access)
+
+    @property
+    def read_only(self) -> tuple[str, ...]:
+        """The fields that cannot be written, in a table that does not say so of all of them."""
+        if self.table.access == "ro":
+            return ()
+        return tuple(field.name for field in self.record.fields if self._read_only(field))
+
+    @property
+    def writable(self) -> bool:
+        """Whether an element may be written as a whole: nothing in it can only be read."""
+        return self.table.access != "ro" and not self.read_only
+
+    def _read_only(self, field: FieldLayout) -> bool:
+        inner = field.record.fields if field.record is not None else ()
+        return field.field.access == "ro" or any(map(self._read_only, inner))
+
 
 @dataclass(frozen=True, slots=True)
 class DeviceLayout:
     """All numbers of a device at one version. `identity` is equal if and only if what is on the wire is.
 
     `twins` are the versions of other lines that have no outputs of their own, and share those of this one.
-    `explanations` holds those of examples by id, which several outputs ask for.
     """
 
     device: Device
@@ -44,8 +57,7 @@ class DeviceLayout:
     messages: Mapping[str, MessageLayout]
     registers: tuple[RegisterLayout, ...]
     tables: Mapping[str, TableLayout]
-    twins: tuple[str, ...] = ()
-    explanations: dict[str, Explanation] = classes.field(default_factory=dict, repr=False, compare=False)
+    equal_versions: tuple[str, ...] = ()
 
 
 def device_layout(device: Device) -> DeviceLayout:

@@ -1,21 +1,54 @@
-"""Where each part of a frame lies."""
+"""The parts of a frame with their offsets, message data, and checksums."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import Orders
+from fieldspec.layout.record import Orders, RecordLayout
 from fieldspec.model.link import CHECK_SIZES, Link, Part
+from fieldspec.model.record import Message
 from fieldspec.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)
-class PartLayout:
-    """A part before the body at `offset` bytes from the first part, or the check behind it.
+class MessageLayout:
+    """The data of a message's request and response."""
 
-    The offset of the check counts from the end of the frame and is negative.
+    message: Message
+    name: str
+    request: RecordLayout
+    response: RecordLayout
+
+    def data(self, direction: str) -> RecordLayout:
+        """The data in one direction."""
+        return self.request if direction == "request" else self.response
+
+
+def _crc16_modbus(data: bytes) -> int:
+    crc = 0xFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return crc
+
+
+CHECKSUMS: Mapping[str, Callable[[bytes], int]] = {
+    "crc16_modbus": _crc16_modbus,
+    "lrc": lambda data: -sum(data) & 0xFF,
+    "sum8": lambda data: sum(data) & 0xFF,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class PartLayout:
+    """A part of a frame, at `offset` bytes from the first part; behind the body, from the end, and negative.
+
+    `start` and `stop` bound the bytes that a check covers, as a slice of the parts does: from the first part, or
+    negative from the end, where None is the end itself. A length of n means that all parts have
+    `unit_size` * n + `base` bytes. `constant` is what is always sent; `reserved` says that
+    something else may be received.
     """
 
     part: Part
@@ -26,6 +59,26 @@ class PartLayout:
     value: Value | None
     algorithm: str
     order: str
+    start: int = 0
+    stop: int | None = None
+    unit_size: int = 1
+    base: int = 0
+    constant: int | None = None
+    reserved: bool = False
+
+    @property
+    def is_argument(self) -> bool:
+        """Whether users give its value."""
+        return self.role in ("station", "plain") and self.constant is None
+
+    def at(self, length: int) -> int:
+        """Where it begins in a frame whose parts have so many bytes."""
+        return self.offset if self.offset >= 0 else length + self.offset
+
+    def number(self, length: int) -> int | None:
+        """What a length part holds where all parts have so many bytes; None where no number says it."""
+        units, over = divmod(length - self.base, self.unit_size)
+        return units if not over and self.value and self.value.type.low <= units <= self.value.type.high else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,14 +94,24 @@ class FrameLayout:
     tail: tuple[PartLayout, ...]
     tail_size: int
 
+    @property
+    def parts(self) -> tuple[PartLayout, ...]:
+        """All parts but the body, in the order of the wire."""
+        return (*self.head, *self.tail)
+
     def role(self, role: str) -> PartLayout | None:
         """The part with a role."""
-        return next((part for part in (*self.head, *self.tail) if part.role == role), None)
+        return next((part for part in self.parts if part.role == role), None)
 
     @property
     def check(self) -> PartLayout | None:
         """The check."""
         return self.role("check")
+
+    @property
+    def constants(self) -> tuple[PartLayout, ...]:
+        """The parts that a receiver compares with what is always sent."""
+        return tuple(part for part in self.parts if part.constant is not None and not part.reserved)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,22 +141,45 @@ def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout
 
 def _frame(link: Link, direction: str) -> FrameLayout:
     parts = link.parts(direction)
-    body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
     orders = Orders(link.byte_order or "big", link.word_order or link.byte_order or "big")
-    head, head_size = _laid(parts[:body], orders)
-    tail, tail_size = _laid(parts[body + 1 :], orders)
-    behind = tuple(
-        PartLayout(p.part, p.name, p.role, p.offset - tail_size, p.size, p.value, p.algorithm, p.order) for p in tail
-    )
-    return FrameLayout(direction, head, head_size, behind, tail_size)
+    sizes = [_size(part) for part in parts]
+    body = next((number for number, part in enumerate(parts) if part.role == "body"), len(parts))
+    around = sum(sizes)
+
+    def place(number: int) -> int:
+        """Where a part begins: from the first part, or behind the body from the end."""
+        return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - around
+
+    placed = []
+    for number, part in enumerate(parts):
+        first, last = link.span(direction, part) or (0, len(parts) - 1)
+        stop = sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - around or None
+        value = part.value
+        order = (part.byte_order or "little") if part.algorithm else orders.of(value)[0]
+        fill = (value.const or 0 if part.reserved else value.const) if value and part.role == "plain" else None
+        placed.append(
+            PartLayout(
+                part,
+                part.name,
+                part.role,
+                place(number),
+                sizes[number],
+                value,
+                part.algorithm,
+                order,
+                start=place(first) if part.role == "check" else 0,
+                stop=stop if part.role == "check" else None,
+                unit_size=part.unit_size,
+                base=around - sum(sizes[first : last + 1]) - part.plus * part.unit_size if part.role == "length" else 0,
+                constant=fill,
+                reserved=part.reserved,
+            )
+        )
+    head, tail = tuple(placed[:body]), tuple(placed[body + 1 :])
+    return FrameLayout(direction, head, sum(sizes[:body]), tail, sum(sizes[body + 1 :]))
 
 
-def _laid(parts: tuple[Part, ...], orders: Orders) -> tuple[tuple[PartLayout, ...], int]:
-    at = 0
-    laid = []
-    for part in parts:
-        size = CHECK_SIZES[part.algorithm] if part.algorithm else part.value.size if part.value else 0
-        order = (part.byte_order or "little") if part.algorithm else orders.of(part.value)[0]
-        laid.append(PartLayout(part, part.name, part.role, at, size, part.value, part.algorithm, order))
-        at += size
-    return tuple(laid), at
+def _size(part: Part) -> int:
+    if part.algorithm:
+        return CHECK_SIZES[part.algorithm]
+    return part.value.size if part.value else 0

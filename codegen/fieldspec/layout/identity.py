@@ -6,11 +6,11 @@ import hashlib
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
+from fieldspec.model.record import RegisterAccess
 from fieldspec.model.value import Value
 
 Words = tuple[object, ...]
@@ -29,6 +29,7 @@ def identity(
         _links(links),
         *map(_record, records.values()),
         _messages(messages),
+        _spaces(device),
         _registers(registers),
         _tables(device),
         _parameters(device),
@@ -42,7 +43,7 @@ def identity(
 def _value(value: Value | None) -> Words:
     if value is None:
         return ()
-    sentinels = [(sentinel.value, sentinel.name) for sentinel in value.sentinels]
+    sentinels = [(one.value, one.name, "NaN") if one.is_nan else (one.value, one.name) for one in value.sentinels]
     scaled = (value.scale, value.offset, value.unit)
     return (
         value.type.name,
@@ -54,6 +55,7 @@ def _value(value: Value | None) -> Words:
         value.flags,
         sentinels,
         value.parameter,
+        *((value.write_ranges,) if value.write_ranges is not None else ()),
     )
 
 
@@ -64,8 +66,16 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         error = (link.error.flag, link.error.record) if link.error else ()
         yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
         for frame in (laid.request, laid.response):
-            for part in (*frame.head, *frame.tail):
+            for part in frame.parts:
                 yield part.name, part.role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
+                yield from _span(part)
+
+
+def _span(part: PartLayout) -> Iterator[Words]:
+    """What a part counts or covers, and whether it is reserved; nothing where it is as in most frames."""
+    usual = part.role != "check" or (part.start, part.stop) == (0, part.offset)
+    if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
+        yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
 
 
 def _record(record: RecordLayout) -> Iterator[Words]:
@@ -84,12 +94,36 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)
 
 
+def _access(access: RegisterAccess | None) -> str | None:
+    """What a message does with registers; in which space is said of the spaces."""
+    if access is None:
+        return None
+    parts = (access.operation, access.start, access.count, access.values)
+    return "RegisterAccess(operation={!r}, start={!r}, count={!r}, values={!r})".format(*parts)
+
+
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
     for laid in messages.values():
         message = laid.message
-        yield "message", message.name, message.code, message.number, message.broadcast, message.accesses
+        yield "message", message.name, message.code, message.number, message.broadcast, _access(message.accesses)
         for data in (laid.request, laid.response):
             yield from _record(data)
+
+
+def _spaces(device: Device) -> Iterator[Words]:
+    """The spaces, and what lies in each, as far as there are several."""
+    for space in device.spaces.values() if device.several_spaces else ():
+        yield "space", space.name, space.unit
+        yield "registers", [one.name for one in device.registers() if device.space_name(one.space) == space.name]
+        yield "tables", [one.name for one in device.tables.values() if device.space_name(one.space) == space.name]
+        yield (
+            "messages",
+            [
+                one.name
+                for one in device.messages.values()
+                if one.accesses is not None and device.space_name(one.accesses.space) == space.name
+            ],
+        )
 
 
 def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
@@ -102,6 +136,10 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
 def _tables(device: Device) -> Iterator[Words]:
     for table in device.tables.values():
         yield "table", table.name, table.base, table.stride, table.count, table.index_from, table.record, table.access
+        for field in device.records[table.record].fields:
+            access = narrowed(table.access, field.access)
+            if access in ("ro", "wo") and access != table.access:
+                yield "field of table", field.name, access
 
 
 def _parameters(device: Device) -> Iterator[Words]:

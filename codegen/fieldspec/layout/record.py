@@ -1,4 +1,4 @@
-"""Where each field of a record lies."""
+"""The offset of each field of a record, and the address of each register."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Mapping
 
 from fieldspec import classes
 from fieldspec.classes import TYPE_CHECKING, dataclass, replace
-from fieldspec.model.enum import Enum
-from fieldspec.model.primitive import Primitive
+from fieldspec.model.enums import Enum
 from fieldspec.model.record import Case, Choice, Field, Record
-from fieldspec.model.value import Value
+from fieldspec.model.registers import Register
+from fieldspec.model.value import Primitive, Value
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -55,7 +55,7 @@ class FieldLayout:
         return self.value.type
 
     @property
-    def listed(self) -> bool:
+    def is_list(self) -> bool:
         """Whether the field holds a list of elements."""
         return self.field.count is not None or self.field.repeat is not None
 
@@ -185,3 +185,17 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
     assert repeat is not None
     most = at + repeat.high * repeated.size
     return RecordLayout(record, record.name, tuple(fields), None, at + repeat.low * repeated.size, most)
+
+
+@dataclass(frozen=True, slots=True)
+class RegisterLayout:
+    """A register: addresses and words; `order` and `swapped` as in a field."""
+
+    register: Register
+    name: str
+    address: int
+    words: int
+    count: int
+    stride: int
+    order: str
+    swapped: bool

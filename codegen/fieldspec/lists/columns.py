@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.lists.addresses import spelled
+from fieldspec.lists.cells import address_text
 from fieldspec.lists.sheet import ListError, Sheet, SheetRow, letters
 
 _HEADED_BY = 40
@@ -103,14 +103,14 @@ def columns(sheet: Sheet, given: Mapping[str, str]) -> Columns:
             best = found
     if best is None:
         best = _without_heading(sheet, given)
-    _told(sheet, best, given)
+    _refuse_unreadable(sheet, best, given)
     return best
 
 
 def _is_heading(row: SheetRow) -> bool:
     """Whether a row may be a heading: several texts, none of them an address with digits."""
     filled = [cell for cell in row.cells if cell]
-    numbers = sum(cell[:1].isdigit() and spelled(cell) is not None for cell in filled)
+    numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
     return bool(filled) and not numbers
 
 
@@ -179,7 +179,7 @@ def _without_heading(sheet: Sheet, given: Mapping[str, str]) -> Columns:
     return Columns(places, heads, rows)
 
 
-def _told(sheet: Sheet, found: Columns, given: Mapping[str, str]) -> None:
+def _refuse_unreadable(sheet: Sheet, found: Columns, given: Mapping[str, str]) -> None:
     """Refuses what the used columns cannot hold: formulas, and cells that are merged."""
     if not found.rows:
         raise ListError("has a heading and no rows")

@@ -7,10 +7,10 @@ from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 
 from fieldspec.classes import dataclass
-from fieldspec.lists.addresses import BASES
+from fieldspec.lists.cells import BASES
 from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS, Item
-from fieldspec.lists.listed import Listed, Listing, moved
+from fieldspec.lists.listing import Listing, ListRow, moved
 
 ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "count", "stride")
 """What is compared, where both sides say it."""
@@ -35,7 +35,7 @@ class Pair:
     """An item and the row about it, and what they say otherwise; nothing where they agree."""
 
     item: Item
-    row: Listed
+    row: ListRow
     differences: tuple[Difference, ...]
 
 
@@ -57,7 +57,7 @@ class Missing:
 class Extra:
     """A row about which the device has nothing, and what is there instead, where something is."""
 
-    row: Listed
+    row: ListRow
     remark: str
 
 
@@ -106,14 +106,14 @@ class _Known:
                 for word in range(1, item.words or 1):
                     self.inside[item.space, address + word] = item
 
-    def space(self, row: Listed) -> str:
+    def space(self, row: ListRow) -> str:
         """The space that a row is about: the one that it names, the registers, or the only one."""
         named = folded(row.texts.get("space", ""))
         if named in self.spaces:
             return self.spaces[named]
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
 
-    def at(self, row: Listed) -> Sequence[Item]:
+    def at(self, row: ListRow) -> Sequence[Item]:
         """The items that begin where a row does."""
         return self.starts.get((self.space(row), row.address), ())
 
@@ -137,8 +137,8 @@ def compared(
 
 
 def _likeliest(
-    known: _Known, ways: Sequence[tuple[str, int, list[Listed]]], aspects: Collection[str]
-) -> tuple[str, int, list[Listed]]:
+    known: _Known, ways: Sequence[tuple[str, int, list[ListRow]]], aspects: Collection[str]
+) -> tuple[str, int, list[ListRow]]:
     """The way of reading addresses by which the most fits. Another offset than 0 must explain clearly more."""
     best, most = ways[0], -1.0
     for way in ways:
@@ -154,7 +154,7 @@ def _likeliest(
     return best
 
 
-def _fit(item: Item, row: Listed, aspects: Collection[str]) -> float:
+def _fit(item: Item, row: ListRow, aspects: Collection[str]) -> float:
     """How well a row fits an item: 1 for the address, more for what is the same beside it, above all the name."""
     names = "name" in aspects and _names(item) & {folded(name) for name in row.names}
     wrong = sum(difference.aspect in ("type", "access", "words") for difference in _differences(item, row, aspects))
@@ -162,7 +162,7 @@ def _fit(item: Item, row: Listed, aspects: Collection[str]) -> float:
 
 
 def _paired(
-    known: _Known, rows: Sequence[Listed], aspects: Collection[str]
+    known: _Known, rows: Sequence[ListRow], aspects: Collection[str]
 ) -> tuple[list[Pair], list[Extra], dict[int, set[int]]]:
     pairs: list[Pair] = []
     extras: list[Extra] = []
@@ -191,7 +191,7 @@ def _paired(
     return pairs, extras, covered
 
 
-def _others(known: _Known, item: Item, row: Listed) -> list[Item]:
+def _others(known: _Known, item: Item, row: ListRow) -> list[Item]:
     """The single items that a row with a count stands for beside the first one: several equal registers."""
     step = row.stride or row.words or item.words or 1
     if item.count > 1:
@@ -218,7 +218,7 @@ def _names(item: Item) -> set[str]:
     return {folded(name) for name in names} - {""}
 
 
-def _differences(item: Item, row: Listed, aspects: Collection[str]) -> Iterator[Difference]:
+def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
     texts, value = row.texts, item.value
     if "name" in aspects and row.names and _names(item).isdisjoint(map(folded, row.names)):
         yield Difference("name", item.name, row.names[0])
@@ -239,9 +239,10 @@ def _differences(item: Item, row: Listed, aspects: Collection[str]) -> Iterator[
     if "scale" in aspects and (scale := _scale(texts.get("scale", ""))) is not None and scale != value.scale:
         yield Difference("scale", f"{value.scale:f}", texts["scale"])
     default = value.default if value.const is None else value.const
+    ranges = value.written_ranges
     held = (
-        ("min", value.ranges.low if value.ranges else None, row.low),
-        ("max", value.ranges.high if value.ranges else None, row.high),
+        ("min", ranges.low if ranges else None, row.low),
+        ("max", ranges.high if ranges else None, row.high),
         ("default", default if isinstance(default, int) else None, row.default),
     )
     for aspect, ours, theirs in held:

@@ -8,8 +8,8 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import dataclass
-from fieldspec.lists.addresses import HEXADECIMAL, said_by_heading, spelled
-from fieldspec.lists.listed import Listing, listing
+from fieldspec.lists.cells import HEXADECIMAL, address_text, base_of_heading
+from fieldspec.lists.listing import Listing, listing
 from fieldspec.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.lists.text_sheet import decoded
 from fieldspec.spreadsheet import clean
@@ -91,9 +91,9 @@ def dump(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Dump:
     if "value" not in held.columns.places:
         shown = ", ".join(text for text in held.columns.headings if text) or "no headings"
         raise ListError(f"has no column that looks like values ({shown}); name it with --value, by heading or number")
-    texts = {row.number: held.columns.cell(row, "value") for row, _ in held.written}
+    texts = {row.number: held.columns.cell(row, "value") for row, _ in held.addresses}
     lettered = any(_lettered(piece) for text in texts.values() for piece in _pieces(text))
-    hexadecimal = lettered or said_by_heading(held.columns.heading("value")) == HEXADECIMAL
+    hexadecimal = lettered or base_of_heading(held.columns.heading("value")) == HEXADECIMAL
     values = {row: _values(text, row, hexadecimal) for row, text in texts.items() if text.lower() not in _NOT_READ}
     if not values:
         raise ListError(f"has no value under {held.columns.heading('value')}")
@@ -104,7 +104,9 @@ def dump(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Dump:
 def _bare(sheet: Sheet) -> bool:
     """Whether all rows are two cells, the first of which is an address."""
     first = sheet.rows[0].cells[0] if sheet.rows else ""
-    return first[:1].isdigit() and all(len(row.cells) == 2 and spelled(row.cells[0]) is not None for row in sheet.rows)
+    return first[:1].isdigit() and all(
+        len(row.cells) == 2 and address_text(row.cells[0]) is not None for row in sheet.rows
+    )
 
 
 def _pieces(text: str) -> Sequence[str]:

@@ -8,14 +8,15 @@ from decimal import Decimal
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout, TableLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.model.enum import Enum
+from fieldspec.model.access import narrowed
+from fieldspec.model.device import Device
+from fieldspec.model.enums import Enum
 from fieldspec.model.fact import Citation
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.register import Register
+from fieldspec.model.registers import Parameter, ParameterSet, Register
 from fieldspec.model.value import Value
 
 REGISTERS = "registers"
-"""The space of registers; each space of parameters bears its own name."""
+"""The first space of registers; each further one, and each space of parameters, bears its own name."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,7 +40,7 @@ class Item:
     first: int = 0
     printed_name: str = ""
     label: str = ""
-    members: tuple[tuple[int, str], ...] = ()
+    members: tuple[tuple[str, str], ...] = ()
     source: Citation | None = None
     unverified: bool = False
 
@@ -52,22 +53,22 @@ class Item:
 def items(layout: DeviceLayout) -> list[Item]:
     """All items of a device: registers, tables and parameters, each by address."""
     enums = layout.device.enums
-    found = [item for register in layout.device.registers() for item in _register(register, enums)]
-    found += [item for table in layout.tables.values() for item in _table(table, enums)]
+    found = [item for register in layout.device.registers() for item in _register(layout.device, register, enums)]
+    found += [item for table in layout.tables.values() for item in _table(layout.device, table, enums)]
     found.sort(key=lambda item: item.address)
     for held in layout.device.parameters.values():
         found += [item for parameter in held.parameters for item in _parameter(held, parameter, enums)]
     return found
 
 
-def _register(register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
     for number in range(register.count):
         index = register.index_from + number
         many = register.count > 1
         sources = register.element_sources[number : number + 1] or register.sources
         printed = register.element_name.format(n=index) if register.element_name and many else register.printed_name
         yield Item(
-            space=REGISTERS,
+            space=_space(device, register.space),
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if many else register.name,
             words=register.width,
@@ -82,16 +83,16 @@ def _register(register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
         )
 
 
-def _table(laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _table(device: Device, laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
     table = laid.table
-    for name, field, byte in _flat(laid.record):
+    for name, field, byte, access in _flat(laid.record, table.access):
         yield Item(
-            space=REGISTERS,
+            space=_space(device, table.space),
             address=table.base + byte // 2,
             name=f"{table.name}.{name}",
             words=(byte % 2 + field.size + 1) // 2,
             type=field.value.type.name if field.value else "bytes",
-            access=field.field.access or table.access,
+            access=access,
             value=field.value,
             count=table.count,
             stride=table.stride,
@@ -104,17 +105,28 @@ def _table(laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
         )
 
 
-def _flat(record: RecordLayout, before: str = "", at: int = 0) -> Iterator[tuple[str, FieldLayout, int]]:
-    """The values in a record with their names and their bytes; those of records in it too, and each of several."""
+def _space(device: Device, name: str) -> str:
+    own = device.space_name(name)
+    return REGISTERS if own == device.space_name("") else own
+
+
+def _flat(
+    record: RecordLayout, access: str, before: str = "", at: int = 0
+) -> Iterator[tuple[str, FieldLayout, int, str]]:
+    """The values in a record with their names, their bytes and their access, also those of records in it.
+
+    Each of several is there. `access` is that of what the record lies in.
+    """
     for field in record.fields:
+        allowed = narrowed(access, field.field.access)
         count = field.count or 1
         for number in range(count):
             name = f"{before}{field.name}" + (f"_{number}" if count > 1 else "")
             byte = at + field.offset + number * field.size
             if field.record is None:
-                yield name, field, byte
+                yield name, field, byte, allowed
             else:
-                yield from _flat(field.record, f"{name}.", byte)
+                yield from _flat(field.record, allowed, f"{name}.", byte)
 
 
 def _parameter(held: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
@@ -140,11 +152,13 @@ def _first(sources: tuple[Citation, ...]) -> Citation | None:
     return sources[0] if sources else None
 
 
-def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[int, str], ...]:
+def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str, str], ...]:
+    """The values that have names: members of the enum, and sentinels."""
     enum = enums.get(value.enum) if value is not None and value.enum else None
-    return tuple((member.value, member.name) for member in enum.members) if enum is not None else ()
+    named = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
+    return (*named, *((one.text, one.name) for one in (value.sentinels if value is not None else ())))
 
 
-def plain(number: Decimal) -> int | Decimal:
+def exact_number(number: Decimal) -> int | Decimal:
     """An exact number, as a whole one where it is."""
     return int(number) if number == number.to_integral_value() else number

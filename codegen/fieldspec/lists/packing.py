@@ -22,7 +22,7 @@ LONGEST = 32_767
 LONGEST_TITLE = 31
 """The most characters of the title of a sheet."""
 
-_MADE = {"created": datetime(1980, 1, 1)}  # else it is the time of the run
+_CREATED = {"created": datetime(1980, 1, 1)}  # else it is the time of the run
 _FORMULAS = ("=", "+", "-", "@")
 _NOT_XML = re.compile("[\ufffe\uffff]")
 _WIDEST = 40
@@ -41,7 +41,7 @@ def packed(held: Workbook) -> bytes:
         for name, text in held.properties.items():
             book.set_custom_property(name, text, "text")
 
-    return _written(fill)
+    return _file_bytes(fill)
 
 
 def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> bytes:
@@ -65,7 +65,7 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
         sheet.freeze_panes(1, 0)
         sheet.autofilter(0, 0, last, len(columns) - 1)
 
-    return _written(fill)
+    return _file_bytes(fill)
 
 
 def _put(sheet: Any, row: int, column: int, value: object, quoted: object) -> str:
@@ -78,10 +78,10 @@ def _put(sheet: Any, row: int, column: int, value: object, quoted: object) -> st
     return shown
 
 
-def _written(fill: Callable[[Any], None]) -> bytes:
+def _file_bytes(fill: Callable[[Any], None]) -> bytes:
     made = io.BytesIO()
     with Book(made, {"in_memory": True}) as book:
-        book.set_properties(_MADE)
+        book.set_properties(_CREATED)
         fill(book)
     stored = io.BytesIO()
     with zipfile.ZipFile(made) as parts, zipfile.ZipFile(stored, "w", zipfile.ZIP_STORED) as package:

@@ -1,25 +1,55 @@
-"""The first file of a device, written from a list: every register is there, and none is verified."""
+"""The first spec of a device, from a register list, with names derived from the list."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Sequence
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 
 from fieldspec.classes import dataclass
 from fieldspec.lists.columns import folded
 from fieldspec.lists.item import REGISTERS
-from fieldspec.lists.listed import Listed
-from fieldspec.lists.naming import named
+from fieldspec.lists.listing import ListRow
 from fieldspec.lists.sheet import ListError
-from fieldspec.model.primitive import PRIMITIVES, Kind
+from fieldspec.model.value import PRIMITIVES, Kind
 from fieldspec.schema import schema
+
+_NAME = schema()["$defs"]["name"]
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
+_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+_LONGEST = 48
+
+
+def named(texts: Iterable[str], address: int) -> str:
+    """The first text that is English as a name, `register_2000` where none is."""
+    for text in texts:
+        name = snake(text)
+        if name:
+            return name
+    return f"register_{address:04x}"
+
+
+def snake(text: str) -> str:
+    """`Target Position (0.01 mm)` as `target_position`; nothing where the words are not English."""
+    plain = unicodedata.normalize("NFKD", _ASIDE.sub(" ", text))
+    plain = "".join(sign for sign in plain if not unicodedata.combining(sign))
+    if any(sign.isalpha() and not sign.isascii() for sign in plain):
+        return ""
+    name = ""
+    for word in _WORD.findall(plain):
+        longer = f"{name}_{word}".strip("_").lower()
+        if len(longer) > _LONGEST:
+            break
+        name = longer
+    return name if re.fullmatch(_NAME["pattern"], name) and len(name) > 1 else ""
+
 
 _MOST_WORDS = 1 << 20
 _BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
 _UNITS = {folded(unit) or unit: unit for unit in schema()["$defs"]["unit"]["enum"]}
-_PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_./-]*")
+_BARE_SCALAR = re.compile(r"[A-Za-z][A-Za-z0-9_./-]*")
 
 _HEAD = """\
 # yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.schema.json
@@ -46,7 +76,7 @@ class _Shape:
     inferred: bool
 
 
-def skeleton(device: str, origin: Origin, rows: Sequence[Listed]) -> str:
+def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
     """The text of a spec file. Two rows about the same word are refused."""
     other = next((row for row in rows if folded(row.texts.get("space", "")) not in ("", REGISTERS)), None)
     if other is not None:
@@ -72,7 +102,7 @@ def skeleton(device: str, origin: Origin, rows: Sequence[Listed]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _shape(row: Listed) -> _Shape:
+def _shape(row: ListRow) -> _Shape:
     """The type and the words of a register; where the list contradicts itself, its words count."""
     known = row.type.of_words(row.words) if row.type else ""
     if not known:
@@ -88,7 +118,7 @@ def _shape(row: Listed) -> _Shape:
     return _Shape(_BY_WORDS.get(row.words, "bytes"), row.words, (doubt,), False)
 
 
-def _refuse_overlaps(rows: Sequence[Listed], shapes: Sequence[_Shape]) -> None:
+def _refuse_overlaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> None:
     held: dict[int, int] = {}
     twice: list[tuple[int, int, int]] = []
     for row, shape in zip(rows, shapes, strict=True):
@@ -105,7 +135,7 @@ def _refuse_overlaps(rows: Sequence[Listed], shapes: Sequence[_Shape]) -> None:
         raise ListError(f"has two rows about the same word: {shown}{more}; put their addresses or words right")
 
 
-def _gaps(rows: Sequence[Listed], shapes: Sequence[_Shape]) -> Iterator[str]:
+def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
     """The declared gaps between the first register and the last; the rows ascend."""
     gaps = []
     end = rows[0].address
@@ -120,7 +150,7 @@ def _gaps(rows: Sequence[Listed], shapes: Sequence[_Shape]) -> Iterator[str]:
         yield f"      - {{at: {at}, reason: The list leaves them out.}}"
 
 
-def _row(row: Listed, shape: _Shape, names: set[str], labels: set[str]) -> str:
+def _row(row: ListRow, shape: _Shape, names: set[str], labels: set[str]) -> str:
     texts = row.texts
     doubts = list(shape.doubts)
     kind = PRIMITIVES[shape.type]
@@ -149,7 +179,7 @@ def _row(row: Listed, shape: _Shape, names: set[str], labels: set[str]) -> str:
     return f"      - {{{', '.join(parts)}}}"
 
 
-def _numbers(row: Listed, is_integer: bool, lowest: int, highest: int, doubts: list[str]) -> list[str]:
+def _numbers(row: ListRow, is_integer: bool, lowest: int, highest: int, doubts: list[str]) -> list[str]:
     """Scale, range and default, as far as they are whole counts of the type; else they are told as doubts."""
     texts, parts = row.texts, []
     scale = _decimal(texts.get("scale", ""))
@@ -184,7 +214,7 @@ def _counts(low: Decimal, high: Decimal, lowest: int, highest: int) -> bool:
     return whole and lowest <= low <= high <= highest
 
 
-def _words(row: Listed, name: str, labels: set[str]) -> Iterator[str]:
+def _words(row: ListRow, name: str, labels: set[str]) -> Iterator[str]:
     """What the list calls it; what two rows have, and a name that a blank breaks, are allowed to stand there."""
     texts = row.texts
     printed = texts.get("printed_name", "") or texts.get("name", "")
@@ -222,7 +252,17 @@ def _decimal(text: str) -> Decimal | None:
 
 def _quoted(text: str) -> str:
     """A text as YAML has it within brackets, plain where it is a word."""
-    if _PLAIN.fullmatch(text) and text.casefold() not in ("true", "false", "yes", "no", "on", "off", "null", "y", "n"):
+    if _BARE_SCALAR.fullmatch(text) and text.casefold() not in (
+        "true",
+        "false",
+        "yes",
+        "no",
+        "on",
+        "off",
+        "null",
+        "y",
+        "n",
+    ):
         return text
     escaped = (sign if sign.isprintable() or sign == " " else f"\\U{ord(sign):08X}" for sign in text)
     return '"' + "".join(json.dumps(one)[1:-1] if one in '"\\' else one for one in escaped) + '"'

@@ -5,24 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.model.acceptance import Acceptance
-from fieldspec.model.enum import Enum
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.fact import Citation
-from fieldspec.model.flags import Flags
-from fieldspec.model.limit import Limit
+from fieldspec.model.address_space import WORD, WORDS, AddressSpace
+from fieldspec.model.enums import Enum, Flags
+from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.message import Message
-from fieldspec.model.note import Note
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.place import Place
-from fieldspec.model.record import Record
-from fieldspec.model.register import Register, RegisterGroup
-from fieldspec.model.signal import Conversion, Signal
-from fieldspec.model.table import Table
+from fieldspec.model.record import Message, Record, RegisterAccess
+from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
 from fieldspec.model.task import Task
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.value import Conversion, Signal
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +72,7 @@ class Device:
     records: Mapping[str, Record]
     enums: Mapping[str, Enum]
     flags: Mapping[str, Flags]
+    spaces: Mapping[str, AddressSpace]
     groups: tuple[RegisterGroup, ...]
     tables: Mapping[str, Table]
     parameters: Mapping[str, ParameterSet]
@@ -102,6 +94,24 @@ class Device:
     def register(self, name: str) -> Register | None:
         """The register with a name."""
         return next((register for register in self.registers() if register.name == name), None)
+
+    def space(self, name: str) -> AddressSpace:
+        """The address space with a name; the first one for an empty name, or a name that no space has."""
+        return self.spaces.get(name) or next(iter(self.spaces.values()), WORDS)
+
+    def space_name(self, name: str) -> str:
+        """The name of that space: empty where the device declares none."""
+        return name or next(iter(self.spaces), "")
+
+    def register_access(self, message: Message) -> RegisterAccess | None:
+        """How a message accesses registers; None where it accesses none, or a space of bits or bytes."""
+        access = message.accesses
+        return access if access is not None and self.space(access.space).unit == WORD else None
+
+    @property
+    def several_spaces(self) -> bool:
+        """Whether an address alone does not say where it lies."""
+        return len(self.spaces) > 1
 
     def sets(self, name: str) -> list[ParameterSet]:
         """The set of parameters with a name, or all sets of the space with that name."""

@@ -1,4 +1,4 @@
-"""What every fact of a manual has."""
+"""A fact of a manual, and its place in the spec."""
 
 from __future__ import annotations
 
@@ -6,13 +6,45 @@ from collections.abc import Mapping
 from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
-from fieldspec.model.place import Place
-from fieldspec.model.provenance import Report, Standard
 
 if TYPE_CHECKING:
     from typing import TypeAlias
 
-Plain: TypeAlias = bool | int | Decimal | str | None
+    from fieldspec.source import Span, Spanned
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Place:
+    """The place of a fact: its path, what stands there, and the values of its keys.
+
+    These are whatever has a span: the nodes that were read, which are worked into spans when somebody asks, or spans.
+    """
+
+    path: str
+    stated: Spanned
+    values: Mapping[str, Spanned]
+
+    @property
+    def whole(self) -> Span:
+        """Where the fact stands."""
+        return self.stated.span
+
+    @property
+    def spans(self) -> dict[str, Span]:
+        """Where the values of its keys stand."""
+        return {key: value.span for key, value in self.values.items()}
+
+    def __getitem__(self, key: str) -> Span:
+        """The span of a key's value; where the key is not given, that of the fact's name."""
+        values = self.values
+        value = values.get(key) or values.get("name") or values.get("id") or self.stated
+        return value.span
+
+    def __contains__(self, key: object) -> bool:
+        return key in self.values
+
+
+PlainValue: TypeAlias = bool | int | Decimal | str | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +70,40 @@ class Claim:
 
     place: Place
     sources: tuple[Citation, ...]
-    values: Mapping[str, Plain]
+    values: Mapping[str, PlainValue]
+
+
+PRINTED, INFERRED, STANDARD, COMPUTED, REPORTED = "printed", "inferred", "standard", "computed", "reported"
+PROVENANCES: Mapping[str, str] = {
+    PRINTED: "the manual prints it, in a section and on a line",
+    INFERRED: "the manual implies it, and a reason says how",
+    STANDARD: "a standard gives it in a clause, and the manual does not print it",
+    COMPUTED: "we have computed it from other facts",
+    REPORTED: "somebody reports it, and the manual does not print it",
+}
+"""Every provenance of a fact, with what it means."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standard:
+    """A standard, by title and edition, and the clause that gives a fact."""
+
+    name: str
+    clause: str
+
+    def text(self) -> str:
+        """The standard and the clause in one line."""
+        return ", ".join(part for part in (self.name, self.clause) if part)
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What somebody reports of a fact, key by key, who that is and how they know it. No codec uses it."""
+
+    place: Place
+    by: str
+    how: str
+    values: Mapping[str, PlainValue]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,10 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.classes import dataclass, field
-from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.place import Place
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.value import Ranges, Value
 
 CHECK_SIZES = {"crc16_modbus": 2, "lrc": 1, "sum8": 1}
 """The bytes of each check algorithm's result."""
@@ -17,17 +15,31 @@ CHECK_STARTS = {"crc16_modbus": 0xFFFF, "lrc": 0, "sum8": 0}
 """The value from which each check algorithm begins."""
 
 
+@dataclass(frozen=True, slots=True)
+class PartSpan:
+    """Neighbouring parts of a frame, by the names of the first and the last one; an empty name is not printed."""
+
+    first: str
+    last: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part(Fact):
     """One part of a frame. Its role is station, code, length, body, check or plain.
 
-    `byte_order` is that of a check; empty where the spec leaves it to the algorithm.
+    `byte_order` is that of a check; empty where the spec leaves it to the algorithm. `span` is what a length counts, in
+    units of `unit_size` bytes and `plus` more, or what a check covers. A `reserved` part has no meaning: its constant
+    or 0 is sent, and anything is received.
     """
 
     role: str
     value: Value | None
     algorithm: str
     byte_order: str
+    span: PartSpan
+    unit_size: int
+    plus: int
+    reserved: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +100,21 @@ class Link(Fact):
     silence_characters: Decimal | None
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
+
+    def span(self, direction: str, part: Part) -> tuple[int, int] | None:
+        """The numbers of the first and the last part that a length counts or a check covers; None for unknown names.
+
+        Without names, a length counts the whole frame, and a check covers what stands before it. One that begins
+        behind itself goes on to the end.
+        """
+        parts = self.parts(direction)
+        names = [one.name for one in parts]
+        if not {part.span.first, part.span.last} <= {"", *names}:
+            return None
+        own, end = names.index(part.name), len(parts) - 1
+        first = names.index(part.span.first) if part.span.first else 0
+        last = own - 1 if part.role == "check" and first <= own else end
+        return first, names.index(part.span.last) if part.span.last else last
 
     def parts(self, direction: str) -> tuple[Part, ...]:
         """The parts of a frame in one direction."""

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
+from fieldspec.model.enums import Bit
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Bit
-from fieldspec.model.message import Message
-from fieldspec.model.record import Field
+from fieldspec.model.record import Field, Message
 from fieldspec.model.value import Value
 
 REGISTERS, PARAMETERS, COMMANDS, FRAMES = "registers", "parameters", "commands", "frames"

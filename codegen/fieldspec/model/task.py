@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.classes import dataclass
-from fieldspec.model.fact import Citation, Fact, Plain
-from fieldspec.model.place import Place
+from fieldspec.model.fact import Citation, Fact, Place, PlainValue
 
 ACTIONS = ("write", "set", "clear", "pulse", "send", "read", "wait")
 """What a step does with its target."""
@@ -23,7 +22,7 @@ class Step:
     place: Place
     action: str
     target: str
-    value: Plain
+    value: PlainValue
     argument: str
     values: Mapping[str, object]
     arguments: Mapping[str, str]

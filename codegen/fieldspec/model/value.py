@@ -1,13 +1,142 @@
-"""How a number, a text or some bytes lie on the wire, and what they mean."""
+"""Values: encoding, range, scale, handling; signals and conversions."""
 
 from __future__ import annotations
 
 from decimal import Context, Decimal
+from enum import Enum
 
-from fieldspec.classes import dataclass
-from fieldspec.model.fact import Citation
-from fieldspec.model.primitive import Primitive
-from fieldspec.model.ranges import Ranges
+from fieldspec.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.model.fact import Citation, Fact
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+
+class Kind(Enum):
+    """What a primitive holds."""
+
+    INTEGER = "integer"
+    FLOAT = "float"
+    BOOLEAN = "boolean"
+    TEXT = "text"
+    BYTES = "bytes"
+
+
+@dataclass(frozen=True, slots=True)
+class Primitive:
+    """A type: its name, its width in bytes (0 where a length says it), and the letter that `struct` gives it."""
+
+    name: str
+    kind: Kind
+    size: int
+    signed: bool = False
+    letter: str = ""
+
+    @property
+    def low(self) -> int:
+        """The least integer that it holds."""
+        return -(1 << (8 * self.size - 1)) if self.signed else 0
+
+    @property
+    def high(self) -> int:
+        """The greatest integer that it holds; 1 for a boolean."""
+        if self.kind is Kind.BOOLEAN:
+            return 1
+        return (1 << (8 * self.size - self.signed)) - 1
+
+
+PRIMITIVES = {
+    primitive.name: primitive
+    for primitive in (
+        Primitive("u8", Kind.INTEGER, 1, False, "B"),
+        Primitive("i8", Kind.INTEGER, 1, True, "b"),
+        Primitive("u16", Kind.INTEGER, 2, False, "H"),
+        Primitive("i16", Kind.INTEGER, 2, True, "h"),
+        Primitive("u32", Kind.INTEGER, 4, False, "I"),
+        Primitive("i32", Kind.INTEGER, 4, True, "i"),
+        Primitive("u64", Kind.INTEGER, 8, False, "Q"),
+        Primitive("i64", Kind.INTEGER, 8, True, "q"),
+        Primitive("f32", Kind.FLOAT, 4, True, "f"),
+        Primitive("bool8", Kind.BOOLEAN, 1, False, "B"),
+        Primitive("bool16", Kind.BOOLEAN, 2, False, "H"),
+        Primitive("text", Kind.TEXT, 0, False, "s"),
+        Primitive("bytes", Kind.BYTES, 0, False, "s"),
+    )
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Ranges:
+    """Intervals of whole numbers, both ends included, in the order of the spec."""
+
+    intervals: tuple[tuple[int, int], ...]
+
+    @property
+    def low(self) -> int:
+        """The least value."""
+        return min(low for low, _ in self.intervals)
+
+    @property
+    def high(self) -> int:
+        """The greatest value."""
+        return max(high for _, high in self.intervals)
+
+    def __contains__(self, value: object) -> bool:
+        return isinstance(value, int | float) and any(low <= value <= high for low, high in self.intervals)
+
+    def text(self) -> str:
+        """`0..127, 10000..10127`"""
+        return ", ".join(f"{low}" if low == high else f"{low}..{high}" for low, high in self.intervals)
+
+
+def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
+    """`0..127, 10000..10127` as pairs of exact numbers."""
+    pairs = []
+    for part in text.split(", "):
+        low, _, high = part.partition("..")
+        pairs.append((_number(low), _number(high or low)))
+    return tuple(pairs)
+
+
+def whole_intervals(text: str) -> tuple[tuple[int, int], ...] | None:
+    """The same as pairs of whole numbers, or None where a bound is written as a fraction."""
+    pairs = []
+    for part in text.split(", "):
+        low, _, high = part.partition("..")
+        try:
+            pairs.append((_whole(low), _whole(high or low)))
+        except ValueError:
+            return None
+    return tuple(pairs)
+
+
+def _whole(text: str) -> int:
+    return int(text, 16) if "x" in text else int(text)
+
+
+def _number(text: str) -> Decimal:
+    return Decimal(int(text, 16)) if "x" in text else Decimal(text)
+
+
+@dataclass(frozen=True, slots=True)
+class Handling:
+    """Which memory a value is in, what reading does to it, and which fact says the same the other way round.
+
+    `memory` is `volatile`, `nonvolatile`, or empty where the manual does not say it. `saved_by` is the path of what
+    saves a value that would be lost with the power. `endurance` is how often it may be written: a number, `limited`,
+    `unlimited`, or empty. `opposite_of` is a path, empty where there is none.
+    """
+
+    memory: str = ""
+    saved_by: str = ""
+    endurance: str = ""
+    clears_on_read: bool = False
+    opposite_of: str = ""
+
+
+UNSPECIFIED = Handling()
+"""What is known where the manual says nothing."""
+
 
 # Wide enough for the product of a 64-bit count and any scale that the language takes.
 _EXACT = Context(prec=120)
@@ -15,12 +144,21 @@ _EXACT = Context(prec=120)
 
 @dataclass(frozen=True, slots=True)
 class Sentinel:
-    """A value that stands for something else than a quantity."""
+    """A value that stands for something else than a quantity: a count, of a float a number.
+
+    Of a float that is no number, `value` is its bits, and `is_nan` says so; every NaN stands for it.
+    """
 
     value: int
     name: str
     doc: str
     sources: tuple[Citation, ...]
+    is_nan: bool = False
+
+    @property
+    def text(self) -> str:
+        """What it is on the wire: `65535`, or `NaN 0x7FC00000`."""
+        return f"NaN 0x{self.value:08X}" if self.is_nan else str(self.value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +174,9 @@ class ParameterPart:
 class Value:
     """A value on the wire: `size` in bytes; value in the unit = raw * scale + offset.
 
-    `scale_text` is the scale as the spec writes it. `ranges`, `default` and `const` are raw counts. `enum` and `flags`
-    are names, empty where there is none.
+    `scale_text` is the scale as the spec writes it. `ranges`, `write_ranges`, `default` and `const` are raw counts.
+    `write_ranges` are given where others may be written than reading gives. `enum` and `flags` are names, empty where
+    there is none.
     """
 
     type: Primitive
@@ -55,11 +194,40 @@ class Value:
     flags: str
     parameter: ParameterPart | None
     sentinels: tuple[Sentinel, ...]
+    write_ranges: Ranges | None = None
+
+    @property
+    def written_ranges(self) -> Ranges | None:
+        """The counts that may be written, None where nothing bounds them but the type. Sentinels may be, too."""
+        return self.ranges if self.write_ranges is None else self.write_ranges
 
     @property
     def scaled(self) -> bool:
         """Whether the value in the unit is another number than the raw one."""
         return self.scale != 1 or self.offset != 0
+
+    def sentinel(self, raw: float) -> Sentinel | None:
+        """The sentinel with a raw count, or with a floating-point number."""
+        if raw != raw:
+            return next((sentinel for sentinel in self.sentinels if sentinel.is_nan), None)
+        return next((sentinel for sentinel in self.sentinels if sentinel.value == raw and not sentinel.is_nan), None)
+
+    @property
+    def absent_nan(self) -> bool:
+        """Whether a NaN stands for an absent value."""
+        return any(sentinel.is_nan for sentinel in self.sentinels)
+
+    def as_answer(self, trigger: bool) -> Value:
+        """The value as a device answers it: a constant binds only what is written.
+
+        What reading a `trigger` gives is not what was written, so a closed enum does not bind the answer either.
+        """
+        enum = "" if trigger else self.enum
+        return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)
+
+    def as_written(self) -> Value:
+        """The value as it may be written: its range is that of writing."""
+        return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: int) -> Decimal:
         """A raw count in the unit, exactly."""
@@ -87,3 +255,33 @@ def exact_scale(text: str) -> Decimal | None:
         if (number * 10**places).denominator == 1:
             return Decimal((number * 10**places).numerator).scaleb(-places, _EXACT)
     return None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Signal(Fact):
+    """A value that fields of messages place. `direction` is request or response, empty where it is not printed."""
+
+    value: Value
+    direction: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Conversion(Fact):
+    """quantity = reference * raw / full_scale; with `complement`, reference * (1 - raw / full_scale).
+
+    `signals` are those for which it holds, `type` is that of the raw value, and `references` are the paths of the
+    facts that hold the reference. `printed` is the formula as printed.
+    """
+
+    title: str
+    signals: tuple[str, ...]
+    type: Primitive
+    full_scale: int
+    complement: bool
+    references: tuple[str, ...]
+    printed: str
+
+    def quantity(self, raw: int, reference: Fraction) -> Fraction:
+        """The quantity that a count stands for."""
+        share = reference * raw / self.full_scale
+        return reference - share if self.complement else share

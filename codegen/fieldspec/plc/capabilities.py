@@ -14,6 +14,7 @@ CONSTRUCTS = {
     "wide_numbers": "whole numbers of 64 bits",
     "wide_lists": "lists of whole numbers of 64 bits",
     "floats": "floating-point numbers",
+    "absent_reals": "sentinels of floating-point numbers that are no number",
     "booleans": "booleans",
     "texts": "texts and bytes",
     "text_lists": "lists of texts",
@@ -74,6 +75,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         found["closed_enums"] = lossy("are numbers with constants; the functions refuse numbers that are not listed")
     found["open_enums"] = lossy("are numbers with constants, because a variable of an enum holds nothing else")
     found["floats"] = lossy("infinity and NaN are refused, because comparing them differs between controllers")
+    found["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     found["choices"] = lossy("are bit strings as wide as the widest type, with a function that says which it is")
     if dialect.bits == "packed":
         found["bit_fields"] = lossy("are masks and single bits in images, because a BOOL is one bit")

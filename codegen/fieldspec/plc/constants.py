@@ -8,11 +8,10 @@ from decimal import Decimal
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 from fieldspec.plc.enums import available
+from fieldspec.plc.routines.expressions import BITS, LREAL, SIGNED, UINT, UNSIGNED, Elementary
 from fieldspec.plc.routines.remarks import count_of, source
-from fieldspec.plc.routines.types import BITS, LREAL, SIGNED, UINT, UNSIGNED, Elementary
 from fieldspec.plc.routines.world import narrowest
 
 
@@ -60,16 +59,24 @@ def _addresses(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for laid in layout.registers:
         if laid.register.reserved:
             continue
-        beside = f"{_printed(laid.register)} {laid.register.access}".strip()
-        yield Draft(laid.name, UINT, laid.address, _told(beside, laid.register), laid.register, hexadecimal=True)
+        space = _space(layout, laid.register.space)
+        beside = f"{_printed(laid.register)} {laid.register.access} {space}".strip()
+        yield Draft(laid.name, UINT, laid.address, _comment(beside, laid.register), laid.register, hexadecimal=True)
         if laid.count > 1:
             for word, number in (("count", laid.count), ("stride", laid.stride)):
                 yield Draft(f"{laid.name}_{word}", UINT, number, _OF_SEVERAL[word], laid.register, derived=True)
     for table in layout.tables.values():
         held = table.table
-        yield Draft(f"{held.name}_base", UINT, held.base, _told(held.title, held), held, hexadecimal=True)
+        beside = f"{held.title} {_space(layout, held.space)}".strip()
+        yield Draft(f"{held.name}_base", UINT, held.base, _comment(beside, held), held, hexadecimal=True)
         for word, number in (("stride", held.stride), ("count", held.count), ("first_index", held.index_from)):
             yield Draft(f"{held.name}_{word}", UINT, number, _OF_SEVERAL[word], held, derived=True)
+
+
+def _space(layout: DeviceLayout, name: str) -> str:
+    """`in input_registers`; empty where the device has only one space."""
+    device = layout.device
+    return f"in {device.space_name(name)}" if device.several_spaces else ""
 
 
 _OF_SEVERAL = {
@@ -83,8 +90,8 @@ def _parameters(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for held in layout.device.parameters.values():
         for one in held.parameters:
             if not one.reserved:
-                text = f"{held.written(one.number)} {_printed(one)}"
-                yield Draft(one.name, UINT, held.base + one.number, _told(text, one), one, hexadecimal=held.base > 0)
+                text = f"{held.number_text(one.number)} {_printed(one)}"
+                yield Draft(one.name, UINT, held.base + one.number, _comment(text, one), one, hexadecimal=held.base > 0)
                 if one.count > 1:
                     yield Draft(f"{one.name}_count", UINT, one.count, _OF_SEVERAL["count"], one, derived=True)
 
@@ -95,7 +102,7 @@ def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         for word, number in (("code", held.code), ("number", held.number)):
             if number is not None:
                 hexadecimal = word == "code"
-                yield Draft(f"{held.name}_{word}", UINT, number, _told(held.title, held), held, hexadecimal)
+                yield Draft(f"{held.name}_{word}", UINT, number, _comment(held.title, held), held, hexadecimal)
         for data in (message.request, message.response):
             if data.size:
                 remark = "bytes of its data"
@@ -110,14 +117,14 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
                 continue
             text = "; ".join(f"{n} = {meaning}" for n, meaning in enumerate((bit.zero, bit.one)) if meaning)
             place = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
-            told = _told(f"{place} {_printed(bit)} {text}", bit)
+            told = _comment(f"{place} {_printed(bit)} {text}", bit)
             yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, told, bit, hexadecimal=True)
             if bit.width > 1:
                 yield Draft(f"{word.name}_{bit.name}_first", UINT, bit.first, "its lowest bit", bit, derived=True)
         for state in word.states:
             mask, value = word.masked(state)
             name = f"{word.name}_{state.name}"
-            told = _told(f"{_printed(state)} the bits that show it", state)
+            told = _comment(f"{_printed(state)} the bits that show it", state)
             yield Draft(f"{name}_mask", kind, mask, told, state, hexadecimal=True)
             yield Draft(f"{name}_value", kind, value, "what these are in it", state, True, derived=True)
 
@@ -128,18 +135,18 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         if members:
             kind = narrowest(min(0, *(one.value for one in members)), max(one.value for one in members))
             for member in members:
-                told = _told(_printed(member), member)
+                told = _comment(_printed(member), member)
                 yield Draft(f"{enum.name}_{member.name}", kind, member.value, told, member)
 
 
 def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for name, fact, value in _ranged(layout):
-        ranges = value.ranges
-        assert ranges is not None
         kind = (SIGNED if value.type.signed else UNSIGNED)[value.size]
         unit = f"1 count = {count_of(value)}." if value.scaled or value.unit else ""
-        for word, number in (("min", ranges.low), ("max", ranges.high)):
-            yield Draft(f"{name}_{word}", kind, number, _told(unit, fact), fact)
+        for word, ranges in (("", value.ranges), ("write_", value.write_ranges)):
+            if ranges is not None and (ranges.low, ranges.high) != (value.type.low, value.type.high):
+                yield Draft(f"{name}_{word}min", kind, ranges.low, _comment(unit, fact), fact)
+                yield Draft(f"{name}_{word}max", kind, ranges.high, _comment(unit, fact), fact)
 
 
 def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
@@ -154,9 +161,7 @@ def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
 
 
 def _narrow(name: str, fact: Fact, value: Value | None) -> Iterator[tuple[str, Fact, Value]]:
-    if value is None or value.ranges is None or value.type.kind is not Kind.INTEGER or value.const is not None:
-        return
-    if (value.ranges.low, value.ranges.high) != (value.type.low, value.type.high):
+    if value is not None and value.type.kind is Kind.INTEGER and value.const is None:
         yield name, fact, value
 
 
@@ -167,7 +172,7 @@ def _limits(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             if number is not None:
                 kind = _of_limit(number)
                 whole = kind is not LREAL
-                told = _told(limit.unit, limit)
+                told = _comment(limit.unit, limit)
                 name = f"{limit.name}_{word}" if word else limit.name
                 yield Draft(name, kind, int(number) if whole else number, told, limit)
 
@@ -181,7 +186,7 @@ def _printed(fact: Fact) -> str:
     return " ".join(text for text in (fact.printed_name, fact.label) if text)
 
 
-def _told(text: str, fact: Fact) -> str:
+def _comment(text: str, fact: Fact) -> str:
     return " ".join(part for part in (*text.split(), source(fact)) if part)
 
 

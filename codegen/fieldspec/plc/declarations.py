@@ -7,30 +7,27 @@ from collections.abc import Iterator, Sequence
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Flags
 from fieldspec.model.value import Value
 from fieldspec.names import Name
+from fieldspec.plc.absent import absent_reals
 from fieldspec.plc.constants import LISTS, Constant, ConstantList, Draft
-from fieldspec.plc.dialects import Dialect
-from fieldspec.plc.enums import EnumDeclaration, EnumMember, available
+from fieldspec.plc.dialects import Dialect, Scope
+from fieldspec.plc.enums import EnumDeclaration, EnumMember, TextTable, available, coded
 from fieldspec.plc.layout import fitting
-from fieldspec.plc.layout.images import Images, PlainNaming, titled
-from fieldspec.plc.layout.memory import MEMORIES
-from fieldspec.plc.layout.placing import Placed, placed
-from fieldspec.plc.naming import Scope
+from fieldspec.plc.layout.images import Images, SpecNaming, titled
+from fieldspec.plc.layout.memory import MEMORIES, Placed, placed
 from fieldspec.plc.narrowing import narrowed
-from fieldspec.plc.routines.choices import choice_type
-from fieldspec.plc.routines.groups import register_type, registers_of
-from fieldspec.plc.routines.records import field_type, given
+from fieldspec.plc.routines.expressions import EnumType, StructType, Type
+from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.records import choice_type, field_type, is_user_field
+from fieldspec.plc.routines.registers import answer_name, answer_type, register_type, registers_of
 from fieldspec.plc.routines.remarks import source
-from fieldspec.plc.routines.status import BASE, STATUSES, Status
-from fieldspec.plc.routines.telegrams import telegrams
-from fieldspec.plc.routines.types import EnumType, StructType, Type
+from fieldspec.plc.routines.routine import BASE, STATUSES, Status
 from fieldspec.plc.routines.world import Names, World
-from fieldspec.plc.structs import Member, Struct, fixed
-from fieldspec.plc.texts import TextTable, coded
+from fieldspec.plc.structs import Struct, StructMember, fixed
 
 _STATUS = "codec_status"
 
@@ -52,7 +49,7 @@ class Declarations:
     images: tuple[Struct, ...]
     constants: tuple[ConstantList, ...]
     texts: tuple[TextTable, ...]
-    found: tuple[Diagnostic, ...]
+    findings: tuple[Diagnostic, ...]
 
     @property
     def status(self) -> EnumDeclaration:
@@ -72,7 +69,7 @@ class Declarations:
 def declarations(layout: DeviceLayout, dialect: Dialect) -> Declarations:
     """The declarations of a device that has passed the checks."""
     laid, found = narrowed(layout, dialect)
-    declaring = _Declaring(laid, dialect, [*found])
+    declaring = _Declaring(laid, dialect, [*found, *absent_reals(layout, dialect)])
     enums = tuple(declaring.enums())
     structs = tuple(declaring.structs())
     images = tuple(declaring.images())
@@ -118,7 +115,7 @@ class _Declaring:
 
     def member_of_enum(self, name: str) -> str:
         """The name of a member of an enum."""
-        return self.dialect.spelled(Name.of(name).pascal())
+        return self.dialect.legal_name(Name.of(name).pascal())
 
     def enums(self) -> Iterator[EnumDeclaration]:
         """The status, and the enums that are types."""
@@ -136,8 +133,8 @@ class _Declaring:
             name = self._enum_name(enum.name, enum)
             self._enums[enum.name] = EnumType(name, base)
             self._enum_members[enum.name] = named
-            made = (EnumMember(named[one.name], one.value, _told(one, _printed(one)), one) for one in listed)
-            yield EnumDeclaration(name, base, _told(enum, enum.title or _printed(enum)), tuple(made), enum)
+            made = (EnumMember(named[one.name], one.value, _comment(one, _printed(one)), one) for one in listed)
+            yield EnumDeclaration(name, base, _comment(enum, enum.title or _printed(enum)), tuple(made), enum)
 
     def structs(self) -> Iterator[Struct]:
         """The structs of records, of groups of registers, and of the data of telegrams."""
@@ -158,45 +155,57 @@ class _Declaring:
                     kind = register_type(self.world, one)
                     name = scope.take(self.member(one.name, kind), one.register)
                     remark = self.remark(one.register, one.register.value)
-                    members.append(Member(name, kind, remark, one.register, one.register.value))
+                    members.append(StructMember(name, kind, remark, one.register, one.register.value))
                     self._members.setdefault(group.name, {})[one.name] = name
+                    answer = answer_type(self.world, one)
+                    if answer is not None:
+                        members.append(self._answer(scope, group.name, one, answer))
                 title = group.title or Name.of(group.name).title()
                 yield self._struct(group.name, "registers", group, title, members)
+
+    def _answer(self, scope: Scope, group: str, laid: RegisterLayout, kind: Type) -> StructMember:
+        """The member that receives what the device answers, beside the one that holds what is written."""
+        name = scope.take(self.member(answer_name(laid), kind), laid.register)
+        remark = f"What reading {laid.register.printed_name or laid.name} gives, which may be any number."
+        self._members[group][answer_name(laid)] = name
+        return StructMember(name, kind, remark, laid.register, laid.register.answer)
 
     def _of_record(self, record: RecordLayout, kind: str, fact: Fact, title: str) -> Struct:
         scope = Scope(self.dialect, f"member of {record.name}", self.found)
         members = []
         self._members[record.name] = {}
         for field in record.fields:
-            if given(field):
+            if is_user_field(field):
                 type_of = self._type(field)
                 name = scope.take(self.member(field.name, type_of), field.field)
-                members.append(Member(name, type_of, self.remark(field.field, field.value), field.field, field.value))
+                members.append(
+                    StructMember(name, type_of, self.remark(field.field, field.value), field.field, field.value)
+                )
                 self._members[record.name][field.name] = name
         return self._struct(record.name, kind, fact, title, members)
 
-    def _struct(self, key: str, kind: str, fact: Fact, title: str, members: list[Member]) -> Struct:
+    def _struct(self, key: str, kind: str, fact: Fact, title: str, members: list[StructMember]) -> Struct:
         name = self.scope.take(self._form(self.dialect.struct, key), fact)
         self._structs[key] = name
-        return Struct(name, key, kind, _told(fact, title), tuple(members), None, fact)
+        return Struct(name, key, kind, _comment(fact, title), tuple(members), None, fact)
 
     def images(self) -> Iterator[Struct]:
         """The images of telegrams, which must be exact, and of those records that can be read as they lie."""
         memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
-        plain, named = (Images(self.layout, naming, packed) for naming in (PlainNaming(), _Naming(self)))
+        plain, named = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
         for message in telegrams(self.layout):
             for data in (message.request, message.response):
                 if data.size and fixed(data):
                     title = message.message.title or Name.of(message.name).title()
-                    image = named.of(data, "telegram", message.message, _told(message.message, title))
-                    self.found += fitting.found(placed(image, memory, named.structs))
+                    image = named.of(data, "telegram", message.message, _comment(message.message, title))
+                    self.found += fitting.misfit_findings(placed(image, memory, named.structs))
                     if data.size > self.dialect.longest_image:
                         self.found.append(_too_long(self.dialect, message.message, data.size))
         for record in self.layout.records.values():
             if fixed(record):
                 image = plain.of(record, "record", record.record, record.record.label)
                 if fitting.readable(placed(image, memory, plain.structs)):
-                    named.of(record, "record", record.record, _told(record.record, titled(record.record)))
+                    named.of(record, "record", record.record, _comment(record.record, titled(record.record)))
         yield from named.structs.values()
 
     def _type(self, field: FieldLayout) -> Type:
@@ -210,7 +219,7 @@ class _Declaring:
 
     def remark(self, fact: Fact, value: Value | None) -> str:
         """What a comment says of a member."""
-        told = self.world.told(fact, value)
+        told = self.world.comment(fact, value)
         joint = " " if told.startswith("[") else ": "
         return joint.join(part for part in (_printed(fact), told) if part)
 
@@ -237,7 +246,7 @@ class _Declaring:
         texts = []
         for one in drafts:
             name = (before + Name.of(one.name)).upper()
-            texts.append(name if self.dialect.spelled(name) == name else f"{name}_VALUE")
+            texts.append(name if self.dialect.legal_name(name) == name else f"{name}_VALUE")
         given_names: dict[int, str] = {}
         for derived in (False, True):
             for number, one in enumerate(drafts):
@@ -251,7 +260,7 @@ class _Declaring:
         scope = Scope(self.dialect, "table of texts", self.found)
         for enum, texts in coded(self.layout.device):
             name = scope.take(Name.of(f"{enum.name}_texts").upper(), enum)
-            yield TextTable(name, _told(enum, enum.title or _printed(enum)), enum, texts)
+            yield TextTable(name, _comment(enum, enum.title or _printed(enum)), enum, texts)
 
 
 class _Naming:
@@ -293,5 +302,5 @@ def _printed(fact: Fact) -> str:
     return " ".join(text for text in (fact.printed_name, fact.label) if text)
 
 
-def _told(fact: Fact, text: str) -> str:
+def _comment(fact: Fact, text: str) -> str:
     return " ".join(part for part in (text, source(fact)) if part)

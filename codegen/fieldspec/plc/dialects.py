@@ -1,10 +1,57 @@
-"""The dialects of programmable controllers: one row of facts each."""
+"""The dialects of programmable controllers, one row of facts each, and names as they accept them."""
 
 from __future__ import annotations
 
-from fieldspec.classes import dataclass, replace
-from fieldspec.plc.routines.spelling import SCL, STRUCTURED_TEXT, Spelling
+import re
+from collections.abc import Mapping
+
+from fieldspec.classes import dataclass, field, replace
+from fieldspec.diagnostics import Diagnostic, Label
+from fieldspec.model.fact import Fact
+from fieldspec.plc.routines.routine import SECTIONS
 from fieldspec.reserved import TARGETS
+
+
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """What differs between dialects where a routine is written.
+
+    `variable` and `routine` hold a name, `shift` holds the function, the value and the number of bits. `member` holds
+    an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
+    numbers. `struct` holds the name of a declared type. `sections` are the words for the roles of variables.
+    """
+
+    variable: str = "{}"
+    routine: str = "{}"
+    shift: str = "{}({}, {})"
+    member: str = "{0}.{1}"
+    struct: str = "{}"
+    enums: bool = True
+    sections: Mapping[str, str] = field(default_factory=lambda: SECTIONS)
+    head: str = "FUNCTION {} : {}"
+    begin: str = ""
+    end: str = "END_FUNCTION"
+    attributes: tuple[str, ...] = ()
+
+
+STRUCTURED_TEXT = Spelling()
+SCL = Spelling(
+    variable="#{}",
+    routine='"{}"',
+    shift="{}(IN := {}, N := {})",
+    member="{2}",
+    struct='"{}"',
+    enums=False,
+    sections={
+        "input": "VAR_INPUT",
+        "output": "VAR_OUTPUT",
+        "in_out": "VAR_IN_OUT",
+        "local": "VAR_TEMP",
+    },
+    head="FUNCTION {} : {}",
+    begin="BEGIN",
+    attributes=("{ S7_Optimized_Access := 'TRUE' }", "VERSION : 0.1"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,9 +98,9 @@ class Dialect:
     byte_order_mark: str = ""
     line_end: str = "\n"
 
-    def spelled(self, text: str) -> str:
+    def legal_name(self, text: str) -> str:
         """A name as the dialect accepts it."""
-        return TARGETS[self.reserved].spelled(text)
+        return TARGETS[self.reserved].legal_name(text)
 
 
 STRUCTURED = Dialect(
@@ -126,3 +173,61 @@ DIALECTS = {
         SIEMENS,
     )
 }
+
+
+_IDENTIFIER = re.compile("[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
+
+
+@dataclass(slots=True)
+class Scope:
+    """Names that must differ, whatever the case of their letters. `what` says what they are names of.
+
+    Names are taken in the order of the spec, so that a new fact behind the others changes none of theirs.
+    """
+
+    dialect: Dialect
+    what: str
+    findings: list[Diagnostic]
+    _taken: dict[str, tuple[str, Fact | None]] = field(default_factory=dict)
+
+    def take(self, text: str, fact: Fact | None) -> str:
+        """The name of a fact as it is spelled; a name that another fact has, or that is too long, is a finding."""
+        spelled = self.dialect.legal_name(text)
+        most = self.dialect.name_length
+        bare = spelled.strip('"')
+        before = self._taken.setdefault(bare.lower(), (text, fact))
+        if fact is not None:
+            if before[1] is not fact:
+                self.findings.append(_same(self, text, fact, *before))
+            if len(bare) > most or not _IDENTIFIER.fullmatch(bare):
+                self.findings.append(_long(self, text, fact, most))
+        return spelled
+
+    def free(self, text: str) -> str:
+        """A name that no fact has chosen: where it is taken, a number stands behind it."""
+        number, tried = 1, text
+        while self.dialect.legal_name(tried).strip('"').lower() in self._taken:
+            number += 1
+            tried = f"{text}{number}"
+        return self.take(tried, None)
+
+
+def _same(scope: Scope, text: str, fact: Fact, other: str, first: Fact | None) -> Diagnostic:
+    beside = f"{fact.name} and {first.name} are" if first is not None else f"{fact.name} and a name of our own are"
+    labels = (Label(first.place["name"], f"this one is {other}"),) if first is not None else ()
+    return Diagnostic(
+        "plc_names_distinct",
+        f"{beside} the same {scope.what} in {scope.dialect.title}: {text}",
+        fact.place["name"],
+        labels,
+        help="give one of them another name; capital letters and underscores make no difference there",
+    )
+
+
+def _long(scope: Scope, text: str, fact: Fact, most: int) -> Diagnostic:
+    return Diagnostic(
+        "plc_names_fit",
+        f"{text} is no {scope.what} in {scope.dialect.title}: {most} letters, digits and single underscores",
+        fact.place["name"],
+        help="give it a shorter name",
+    )

@@ -1,10 +1,14 @@
-"""Enums: those that are types, and the numbers of all."""
+"""Enums, and texts of codes."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.classes import dataclass
-from fieldspec.model.enum import Enum, Member
-from fieldspec.plc.routines.types import Elementary
+from fieldspec.model.device import Device
+from fieldspec.model.enums import Enum, Member
+from fieldspec.names import Name
+from fieldspec.plc.routines.expressions import Elementary
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,3 +39,46 @@ def available(enum: Enum) -> list[Member]:
         if not member.unavailable:
             found.setdefault(member.value, member)
     return list(found.values())
+
+
+KINDS = ("alarm", "fault", "warning", "error", "exception")
+"""The enums that are codes of something that happens, as opposed to values that are set."""
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """What a code means, in a line that an operator reads."""
+
+    code: int
+    text: str
+    member: Member
+
+
+@dataclass(frozen=True, slots=True)
+class TextTable:
+    """The codes of an enum with their texts, by number. `name` is that of the constant."""
+
+    name: str
+    title: str
+    enum: Enum
+    texts: tuple[Text, ...]
+
+    @property
+    def longest(self) -> int:
+        """The characters of the longest text."""
+        return max(len(one.text) for one in self.texts)
+
+
+def coded(device: Device) -> Iterator[tuple[Enum, tuple[Text, ...]]]:
+    """The enums of codes that have members, with the texts of these, the least number first."""
+    for enum in device.enums.values():
+        members = sorted(available(enum), key=lambda member: member.value)
+        if enum.kind in KINDS and members:
+            yield enum, tuple(Text(member.value, meaning(enum, member), member) for member in members)
+
+
+def meaning(enum: Enum, member: Member) -> str:
+    """What stands on the device's own panel, if that is a form of the code, then the name, then what is wrong."""
+    shown = f"{member.printed_name} " if enum.printed_as and member.printed_name else ""
+    title = shown + Name.of(member.name).title()
+    return f"{title}: {member.problem}" if member.problem else title

@@ -7,13 +7,10 @@ from collections.abc import Iterator
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
-from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.primitive import PRIMITIVES, Kind
-from fieldspec.model.register import Register
-from fieldspec.model.value import Value
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.model.registers import Register
+from fieldspec.model.value import PRIMITIVES, Kind, Value
 from fieldspec.plc.dialects import Dialect
 from fieldspec.plc.routines.world import every_record
 
@@ -72,7 +69,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> tuple[DeviceLayout, list
 def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
     for record in every_record(layout):
         for field in record.fields:
-            if field.listed and field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES):
+            if field.is_list and field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES):
                 yield field
 
 
@@ -90,7 +87,7 @@ def _record(
     for field in record.fields:
         if field.record is not None and laid_again:
             fields.append(replace(field, record=laid_again.get(id(field.record), field.record)))
-        elif _wide(field.value) and not field.listed and field.field.measures is None:
+        elif _wide(field.value) and not field.is_list and field.field.measures is None:
             fields += _fields(field)
         else:
             if _wide(field.value) or any(_wide(case.value) for case in field.cases):

@@ -43,6 +43,15 @@ Example: a field with `type: u64, count: 4`.
 
 Cure: Leave the output out for the device (`--to`), or state the numbers as fields of their own.
 """,
+    "plc_reals_present": """No sentinel of a floating-point number is a NaN.
+
+Why: comparing a NaN differs between controllers, so the functions refuse every one, and a value that is absent would
+refuse the whole message.
+
+Example: `sentinels: [{bits: 0x7FC00000, name: not_measured}]` on an `f32`.
+
+Cure: Leave the output out for the device (`--to`), or state the value as a `u32` of bits.
+""",
     "plc_telegrams_fit": """The process data of a telegram fits a frame of the fieldbus.
 
 Why: no engineering tool can configure more, so that the types could not be used.

@@ -6,16 +6,22 @@ from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Flags
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
-from fieldspec.plc.routines.holders import places
-from fieldspec.plc.routines.types import BITS, BYTE, REAL, SIGNED, UNSIGNED, Elementary, Type, sequence
+from fieldspec.model.value import Kind, Value
+from fieldspec.plc.routines.expressions import BITS, BYTE, REAL, SIGNED, UNSIGNED, Elementary, Type, sequence
+
+
+def places(size: int, order: str, swapped: bool) -> list[int]:
+    """By how many bits each byte of a number is moved to the left, the byte at the lowest place first."""
+    steps = [8 * at for at in range(size)]
+    if (order == "big") != swapped:
+        steps.reverse()
+    return [steps[at ^ 1] for at in range(size)] if swapped else steps
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class StructMember:
     """A member of a struct. `remark` is what a comment says of it.
 
     In an image, `at` is its place in bytes behind the begin of the record, and `order` and `swapped` are as in a
@@ -45,7 +51,7 @@ class Struct:
     key: str
     kind: str
     title: str
-    members: tuple[Member, ...]
+    members: tuple[StructMember, ...]
     size: int | None = None
     fact: Fact | None = None
 

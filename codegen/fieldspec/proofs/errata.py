@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterable, Iterator
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
-from fieldspec.model.erratum import JUDGEMENT, Erratum
+from fieldspec.model.texts import JUDGEMENT, Erratum
 from fieldspec.reading.building.device import built
-from fieldspec.reading.nodes import Mapping, Node, Scalar, exact
-from fieldspec.reading.paths import find, keys, node_at, put, schema_path
+from fieldspec.reading.nodes import Mapping, Node, Scalar, exact, find, keys, node_at, put, schema_path
 from fieldspec.reading.project import DeviceSpec
 from fieldspec.reading.scalars import part_at, violations_at
 
@@ -118,7 +117,7 @@ def put_back(
     again.
     """
     wrong, broken = printed_tree(tree, erratum)
-    return (device, broken) if broken else built(wrong, version, spec.kept)
+    return (device, broken) if broken else built(wrong, version, spec.reused)
 
 
 def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:

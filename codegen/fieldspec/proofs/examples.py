@@ -1,4 +1,4 @@
-"""Every example means what its bytes say, and the other way round."""
+"""Proves that every example means what its bytes say, once for all versions that share it."""
 
 from __future__ import annotations
 
@@ -7,13 +7,65 @@ import struct
 from collections.abc import Iterator
 from typing import Any
 
+from fieldspec.checks.layout_conditions import has_layout
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.meaning import MeaningError, Raw, raw_values
-from fieldspec.model.example import Example
-from fieldspec.reference.device import DeviceCodec
-from fieldspec.reference.error import CodecError
-from fieldspec.reference.frames import Decoded
+from fieldspec.layout.device import DeviceLayout, device_layout
+from fieldspec.layout.values import MeaningError, Raw, raw_values
+from fieldspec.model.device import Device
+from fieldspec.model.texts import Example
+from fieldspec.reference.frames import Decoded, DeviceCodec
+from fieldspec.reference.records import CodecError
+
+Meaning = tuple[int, ...]
+
+
+class FindingsCache:
+    """What is found of the examples of a device at its versions, and with prints put back.
+
+    What is built of the same rows is the same object, so that devices which give examples the same meaning are known by
+    the objects that they hold.
+    """
+
+    def __init__(self) -> None:
+        self._laid: dict[Meaning, tuple[DeviceLayout, DeviceCodec] | None] = {}
+        self._known: dict[tuple[Meaning, int], list[Diagnostic]] = {}
+        self._devices: list[Device] = []  # as long as they are there, no other objects have their identities
+
+    def findings(self, device: Device, sound: bool = False) -> list[Diagnostic]:
+        """The findings of a device's examples; none of one that cannot be laid out, as a `sound` one is known to be."""
+        if not device.examples:
+            return []  # nobody waits for the reference and its library
+        meaning = _meaning(device)
+        if meaning not in self._laid:
+            self._devices.append(device)
+            self._laid[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
+        laid = self._laid[meaning]
+        if laid is None:
+            return []
+        return [found for example in device.examples.values() for found in self._of(meaning, laid, device, example)]
+
+    def _of(
+        self, meaning: Meaning, laid: tuple[DeviceLayout, DeviceCodec], device: Device, example: Example
+    ) -> list[Diagnostic]:
+        key = meaning, id(example)
+        if key not in self._known:
+            self._devices.append(device)
+            self._known[key] = [*example_proven(*laid, example)]
+        return self._known[key]
+
+
+def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:
+    from fieldspec.reference.frames import codec
+
+    layout = device_layout(device)
+    return layout, codec(layout)
+
+
+def _meaning(device: Device) -> Meaning:
+    """The identities of all objects that decide what the values in a frame are; what they are for does not count."""
+    held = (device.links, device.messages, device.records, device.enums, device.flags)
+    return tuple(id(one) for named in held for one in named.values())
+
 
 CHECKS = {"wrong_check": "check_code_correct", "wrong_length": "length_byte_correct"}
 
@@ -45,7 +97,7 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
     except MeaningError as error:
         yield Diagnostic("meaning_matches_bytes", str(error), example.place["values"], help="see the message's fields")
         return
-    yield from _meaning(layout, example, decoded, written)
+    yield from _compare_meaning(layout, example, decoded, written)
     yield from _bytes(reference, example, decoded, written)
 
 
@@ -57,13 +109,13 @@ def _mend(code: str) -> str:
 
 def _characters(layout: DeviceLayout, example: Example) -> Iterator[Diagnostic]:
     if example.characters and example.characters.encode("latin-1", "replace") != example.frame:
-        label = Label(example.place["frame"], f"these bytes read {_shown(example.frame)}")
-        text = f"the characters are {_shown(example.characters.encode('latin-1', 'replace'))}"
+        label = Label(example.place["frame"], f"these bytes read {_hex_text(example.frame)}")
+        text = f"the characters are {_hex_text(example.characters.encode('latin-1', 'replace'))}"
         help = "put the row right that is misprinted, and write an erratum"
         yield Diagnostic("characters_match_bytes", text, example.place["characters"], (label,), help)
 
 
-def _shown(data: bytes) -> str:
+def _hex_text(data: bytes) -> str:
     return data.decode("latin-1").replace("\r", "\\r").replace("\n", "\\n")
 
 
@@ -80,7 +132,9 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
     yield Diagnostic("meaning_matches_bytes", text, example.place["refused"], help="give its meaning instead")
 
 
-def _meaning(layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:
+def _compare_meaning(
+    layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]
+) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. What a field measures need not be written."""
     head = layout.links[example.link].frame(example.direction).head
     told = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}

@@ -1,20 +1,57 @@
-"""Runs checks and proofs on a device."""
+"""Runs checks and proofs on a device, and judges the accepted changes."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from fieldspec import checks
-from fieldspec.checks.laying_out import LAYING_OUT
+from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.model.device import Device
-from fieldspec.proofs.accepted import accepted
+from fieldspec.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.proofs.errata import Findings, Proof, errata_by_version, proofs
-from fieldspec.proofs.remembered import Remembered
-from fieldspec.proofs.twins import lines_alike, twins
+from fieldspec.proofs.examples import FindingsCache
 from fieldspec.reading.project import DeviceSpec
+
+if TYPE_CHECKING:
+    from fieldspec.changes.judging import Compared
+
+
+def previous(spec: DeviceSpec, version: str) -> str | None:
+    """The version that another one is based on, or that comes before it on its line; None for the first one."""
+    if version in spec.bases:
+        return spec.bases[version]
+    place = spec.lines.place.get(version)
+    before = [one for one, (line, order) in spec.lines.place.items() if place and (line, order + 1) == place]
+    return before[0] if before else None
+
+
+def accepted(spec: DeviceSpec) -> list[Diagnostic]:
+    """The findings of the acceptances that belong to versions; those of the spec are judged by a comparison with it."""
+    if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
+        return []
+    from fieldspec.changes import RULES
+    from fieldspec.changes.judging import accepts_used, rules_known
+
+    devices = {version: spec.at(version)[0] for version in spec.versions()}
+    rules = {name for name, _, _ in RULES}
+    named = (one for device in devices.values() for one in device.accepts)
+    return [*rules_known(named, rules), *accepts_used([*_steps(spec, devices)])]
+
+
+def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared]:
+    from fieldspec.changes import changes
+    from fieldspec.changes.judging import Compared
+
+    for version, new in devices.items():
+        before = previous(spec, version)
+        if before is not None and any(version in one.since for one in new.accepts):
+            old = devices[before] if before in devices else spec.at(before)[0]
+            yield Compared(old, new, changes(old, new), step=True)
+
 
 EXAMPLE_PROOFS = (
     "check_code_correct",
@@ -33,7 +70,7 @@ READING_PROOFS = (
 )
 
 
-def findings(device: Device, name: str, remembered: Remembered) -> list[Diagnostic]:
+def findings(device: Device, name: str, remembered: FindingsCache) -> list[Diagnostic]:
     """The findings of one check or proof of examples; what reading finds has been found before."""
     if name in READING_PROOFS:
         return []
@@ -46,7 +83,7 @@ def everything(
     device: Device,
     broken: Sequence[Diagnostic],
     examples: bool = True,
-    remembered: Remembered | None = None,
+    remembered: FindingsCache | None = None,
     without: Container[str] = (),
 ) -> list[Diagnostic]:
     """The findings of all checks, and of the proofs of examples where the device can be laid out.
@@ -55,9 +92,9 @@ def everything(
     `remembered` has those that are found already. Checks that are not asked for are named by `without`.
     """
     found = [*broken, *checks.run(device, without)]
-    if not examples or has_errors(broken) or any(one.code in LAYING_OUT for one in found):
+    if not examples or has_errors(broken) or any(one.code in LAYOUT_CONDITIONS for one in found):
         return found
-    return [*found, *(remembered or Remembered()).findings(device, sound=True)]
+    return [*found, *(remembered or FindingsCache()).findings(device, sound=True)]
 
 
 def known() -> frozenset[str]:
@@ -67,7 +104,7 @@ def known() -> frozenset[str]:
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:
     """What becomes of every erratum of a device, each at the newest version that has it, in the order of the spec."""
-    finding = _finding(Remembered())
+    finding = _finding(FindingsCache())
     made = [
         proof
         for version, device, errata in errata_by_version(spec)
@@ -76,7 +113,7 @@ def errata_proofs(spec: DeviceSpec) -> list[Proof]:
     return _in_order(made)
 
 
-def _finding(remembered: Remembered) -> Findings:
+def _finding(remembered: FindingsCache) -> Findings:
     return lambda device, name: findings(device, name, remembered)
 
 
@@ -95,7 +132,7 @@ class Outcome:
     findings: list[Diagnostic]
     proofs: list[Proof]
     by_version: Mapping[str, Sequence[Diagnostic]]
-    remembered: Remembered
+    remembered: FindingsCache
     layouts: Mapping[str, DeviceLayout]
     shared: Mapping[str, str]
 
@@ -113,7 +150,7 @@ def outcome(spec: DeviceSpec) -> Outcome:
     settled: set[str] = set()
     layouts: dict[str, DeviceLayout] = {}
     shared: dict[str, str] = {}
-    remembered = Remembered()
+    remembered = FindingsCache()
     for version in reversed(spec.versions()):
         device, broken = spec.at(version)
         broken = everything(device, broken, remembered=remembered)
@@ -128,6 +165,6 @@ def outcome(spec: DeviceSpec) -> Outcome:
         found += (fault for proof in of_version for fault in proof.faults)
         made += of_version
     if len(layouts) == len(spec.versions()):
-        shared = twins(spec, {version: layout.identity for version, layout in layouts.items()})
+        shared = equal_versions(spec, {version: layout.identity for version, layout in layouts.items()})
         found += lines_alike(spec, shared)
     return Outcome([*found, *accepted(spec)], _in_order(made), by_version, remembered, layouts, shared)

@@ -1,10 +1,15 @@
-"""What all findings of reading share: how many there may be, and how they quote a file."""
+"""Findings of reading: their limit, quoting of files, and the names of folders."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 
 from fieldspec.diagnostics import Diagnostic
+
+PROTOCOLS = "protocols"
+MAIN = "device.yaml"
+VERSIONS = "versions"
+
 
 MOST_FINDINGS = 200
 """How many findings of one kind of trouble are listed; more of them help nobody."""

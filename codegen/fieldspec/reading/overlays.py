@@ -1,146 +1,327 @@
-"""Versions that are written as changes of others, a file each, and the places that they take on their lines."""
+"""Applies a version overlay to the tree that it is based on."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping as Table
-
-from fieldspec.classes import dataclass, field
+from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.reading.findings import near, quoted
-from fieldspec.reading.nodes import Mapping, Scalar, Sequence, identity, mappings
-from fieldspec.reading.paths import keys, node_at, put
-from fieldspec.reading.yaml_reader import key_span
-from fieldspec.source import Span
+from fieldspec.reading.nodes import (
+    Mapping,
+    Node,
+    Scalar,
+    Sequence,
+    exact,
+    identity,
+    keys,
+    mappings,
+    node_at,
+    put,
+    schema_path,
+)
+from fieldspec.reading.scalars import part_at, typed_at
+from fieldspec.schema import schema
 
-PARTS = ("adds", "changes", "removes", "renames")
-# What a section `overlay` says beyond what a line says of its members.
-_ITS_OWN = ("line", "based_on", "after")
+# The keys by which the rows of lists are in order.
+_ORDERED_BY = ("at", "number", "value", "bit", "base")
+# Where a name of each section is referred to, besides paths.
+_REFERENCES = {
+    "enums": ("enum",),
+    "flags": ("flags",),
+    "records": ("record",),
+    "signals": ("signal", "signals"),
+    "messages": ("message", "messages", "supplements"),
+    "links": ("link", "links"),
+    "registers": ("same_as", "copy_of", "of"),
+    "parameters": ("set",),
+}
+_PATHS = ("fact", "about", "references", "saved_by", "opposite_of")
+_REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key in keys)))
 
 
-@dataclass(slots=True)
-class Overlays:
-    """The overlays of a device by version, in an order in which each stands behind the one that it is based on.
+class Silent:
+    """Knows the parts of trees that refer to nothing, so that they are not searched again for every new name."""
 
-    `heads` are their sections `overlay`, `bases` the versions that they are based on. `found` is what is wrong with
-    how they refer to each other.
+    def __init__(self) -> None:
+        self._known: dict[int, Node] = {}
+
+    def __call__(self, node: Mapping | Sequence) -> bool:
+        """Whether a part refers to nothing."""
+        if id(node) in self._known:
+            return True
+        if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):
+            return False
+        silent = True
+        for item in node.values.values() if isinstance(node, Mapping) else node.items:
+            if not isinstance(item, Scalar) and not self(item):
+                silent = False  # the others are looked at all the same: they are then known
+        if silent:
+            self._known[id(node)] = node  # keeping the node keeps its id from being given to another one
+        return silent
+
+
+def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, list[Diagnostic]]:
+    """The tree of the version that an overlay makes of another one's, and what does not fit.
+
+    All paths are those of the other version: names change last.
     """
+    work = _Application(tree, silent)
+    for part, apply in (
+        ("changes", work.change),
+        ("removes", work.remove),
+        ("adds", work.add),
+        ("renames", work.rename),
+    ):
+        for entry in mappings(overlay.values.get(part)):
+            apply(entry)
+    return _accepting(work.tree, overlay), work.found
 
-    trees: dict[str, Mapping] = field(default_factory=dict)
-    heads: dict[str, Mapping] = field(default_factory=dict)
-    bases: dict[str, str] = field(default_factory=dict)
-    found: list[Diagnostic] = field(default_factory=list)
+
+def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
+    """The tree with the changes that an overlay accepts; they come with its version."""
+    own = overlay.values.get("accepts")
+    head = overlay.values["overlay"]
+    if not isinstance(own, Sequence) or not isinstance(head, Mapping):
+        return tree
+    entries = tuple(entry.with_value("since", head.values["id"]) for entry in mappings(own))
+    have = tree.values.get("accepts")
+    before = have.items if isinstance(have, Sequence) else ()
+    return tree.with_value("accepts", Sequence(own.file, own.start, own.end, (*before, *entries)))
 
 
-def overlays(files: Table[str, Mapping], base: Mapping) -> tuple[Overlays, Mapping]:
-    """The overlays of a device, given the files of its folder `versions` by name, and the base with their versions."""
-    result = Overlays()
-    for name, tree in files.items():
-        head = tree.values.get("overlay")
-        if not isinstance(head, Mapping):
-            text = "the key `overlay` is missing"
-            result.found.append(
-                Diagnostic("missing_key", text, Span(tree.file, 0, 1), help="say which version the file is about")
+class _Application:
+    """A tree while the entries of an overlay are applied to it, one after the other."""
+
+    def __init__(self, tree: Mapping, silent: Silent) -> None:
+        self.tree = tree
+        self.silent = silent
+        self.found: list[Diagnostic] = []
+
+    def _refuse(self, code: str, text: str, node: Node, help: str, *labels: Label) -> None:
+        self.found.append(Diagnostic(code, text, node.span, labels, help))
+
+    def _at(self, entry: Mapping, key: str = "fact") -> tuple[list[str | int], Node] | None:
+        """The keys of the fact that an entry is about, and the fact; what is not there is a finding."""
+        path = entry.values[key]
+        assert isinstance(path, Scalar)
+        at = keys(self.tree, path.text)
+        if at is None:
+            self._refuse(
+                "overlay_fact_missing",
+                f"there is no fact {quoted(path.text)} in the version that this one is based on",
+                path,
+                "see `fieldspec facts` for the paths",
             )
-            continue
-        own = _text(head, "id")
-        if own != name:
-            text = f"the id is {quoted(own)}, the file is `{name}`"
-            result.found.append(Diagnostic("id_matches_path", text, head.values["id"].span, help="rename one of them"))
-            continue
-        for key in tree.values:
-            if key not in (*PARTS, "overlay", "accepts"):
-                text = f"there is no key `{key}` here"
-                help = "a file of the folder `versions` says what a version changes; write new facts under `adds`"
-                result.found.append(Diagnostic("unknown_key", text, key_span(tree, key), help=help))
-        result.heads[own], result.trees[own] = head, tree
-    declared = _declared(base)
-    for version, head in result.heads.items():
-        if version in declared:
-            text = f"the version `{version}` is declared twice"
-            label = Label(declared[version].span, "the first one")
-            help = "remove it from the list of versions, or remove the file"
-            result.found.append(Diagnostic("version_twice", text, head.values["id"].span, (label,), help))
-    return _ordered(result, base, declared)
+            return None
+        return at, node_at(self.tree, at)
+
+    def _put(self, at: list[str | int], new: Node | None) -> None:
+        tree = put(self.tree, at, new)
+        assert isinstance(tree, Mapping)
+        self.tree = tree
+
+    def change(self, entry: Mapping) -> None:
+        """Sets keys of a fact that have the values that they should have had."""
+        held = self._at(entry)
+        if held is None:
+            return
+        at, fact = held
+        if not isinstance(fact, Mapping):
+            self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name a fact, not a list")
+            return
+        keys_set = entry.values["set"]
+        assert isinstance(keys_set, Mapping)
+        new, sound = fact, True
+        for key, pair in keys_set.values.items():
+            assert isinstance(pair, Mapping)
+            was, now = pair.values["was"], pair.values["is"]
+            old = fact.values.get(key)
+            if not self._was(key, was, old, fact, at):
+                sound = False
+            elif _same(was, now):
+                text = f"`{key}` is what it was"
+                self._refuse("overlay_changes_nothing", text, pair, "give another value, or remove the entry")
+                sound = False
+            elif _absent(now):
+                new = new.without(key)
+            else:
+                new = new.with_entry(key, now, keys_set)
+        if sound:
+            self._typed(at, new)
+
+    def _was(self, key: str, was: Node, old: Node | None, fact: Node, at: list[str | int]) -> bool:
+        """Whether a key had the value that an entry says; if not, both places are shown."""
+        if _absent(was) and old is None:
+            return True
+        part = schema_path(at)
+        known = key in part_at(part).get("properties", {})
+        if not known:
+            return True  # the schema says that there is no such key
+        if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
+            return True
+        have = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
+        text = f"`{key}` {have} in the version that this one is based on, not {quoted(_node_text(was))}"
+        label = Label((old or fact).span, "what it is there")
+        self._refuse(
+            "overlay_base_differs", text, was, "the base has changed: look at both, and put `was` right", label
+        )
+        return False
+
+    def _typed(self, at: list[str | int], new: Mapping) -> None:
+        """Puts a mapping in its place, typed as the schema wants it there."""
+        node, found = typed_at(new, schema_path(at))
+        self.found += found
+        if not found:
+            self._put(at, node)
+
+    def remove(self, entry: Mapping) -> None:
+        """Takes a fact out of its list."""
+        held = self._at(entry)
+        if held is None:
+            return
+        if not isinstance(held[0][-1], int):
+            self._refuse("overlay_fact_missing", "this is no fact", entry.values["fact"], "name an item of a list")
+            return
+        self._put(held[0], None)
+
+    def rename(self, entry: Mapping) -> None:
+        """Gives a fact another name, wherever the spec refers to it."""
+        held = self._at(entry)
+        if held is None:
+            return
+        at, fact = held
+        to, path = entry.values["to"], entry.values["fact"]
+        assert isinstance(to, Scalar)
+        assert isinstance(path, Scalar)
+        if not isinstance(fact, Mapping) or "name" not in fact.values:
+            self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
+            return
+        around = node_at(self.tree, at[:-1])
+        taken = next((item for item in mappings(around) if identity(item) == to.text), None)
+        if taken is not None:
+            text = f"there is a {quoted(to.text)} already"
+            same = taken is fact
+            code = "overlay_changes_nothing" if same else "overlay_name_taken"
+            self._refuse(code, text, to, "give another name", Label(taken.span, "this one"))
+            return
+        old = path.text.rpartition("/")[2]
+        self._put(at, fact.with_value("name", to))
+        renaming = _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(at) == 2)
+        tree = _referring(self.tree, renaming, self.silent)
+        assert isinstance(tree, Mapping)
+        self.tree = tree
+
+    def add(self, entry: Mapping) -> None:
+        """Puts a new fact into a list."""
+        path, item = entry.values["in"], entry.values["item"]
+        assert isinstance(path, Scalar)
+        assert isinstance(item, Mapping)
+        at = keys(self.tree, path.text)
+        if at is None and "/" not in path.text and path.text in _LISTS:
+            empty = Sequence(path.file, path.start, path.end, ())
+            self.tree = self.tree.with_value(path.text, empty)
+            at = [path.text]
+        if at is None:
+            self._at(entry, "in")
+            return
+        node = node_at(self.tree, at)
+        if isinstance(node, Mapping):
+            inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
+            if inner is None:
+                self._refuse("overlay_fact_missing", "nothing can be added to this", path, "name a list of facts")
+                return
+            at, node = [*at, inner], node.values[inner]
+        assert isinstance(node, Sequence)
+        name = identity(item)
+        taken = next((one for one in node.items if name is not None and identity(one) == name), None)
+        if taken is not None:
+            label = Label(taken.span, "this one")
+            help = "change it under `changes`, or give another name"
+            self._refuse("overlay_name_taken", f"there is a {quoted(name or '')} already", item, help, label)
+            return
+        new, found = typed_at(item, (*schema_path(at), "items"))
+        self.found += found
+        place = self._behind(entry, node, new)
+        if not found and place is not None:
+            self._put(at, Sequence(node.file, node.start, node.end, (*node.items[:place], new, *node.items[place:])))
+
+    def _behind(self, entry: Mapping, held: Sequence, new: Node) -> int | None:
+        """The number that a new item gets in its list."""
+        after = entry.values.get("after")
+        if isinstance(after, Scalar):
+            names = [identity(item) for item in held.items]
+            if after.text not in names:
+                text = f"there is no {quoted(after.text)} in this list"
+                hint = near(after.text, [name for name in names if name])
+                self._refuse("overlay_fact_missing", text, after, hint)
+                return None
+            return names.index(after.text) + 1
+        for key in _ORDERED_BY:
+            own = _number(new, key)
+            if own is not None:
+                later = (n for n, item in enumerate(held.items) if (_number(item, key) or 0) > own)
+                return next(later, len(held.items))
+        return len(held.items)
 
 
-def _declared(base: Mapping) -> dict[str, Scalar]:
-    """The ids of the versions that the device lists."""
-    found = {}
-    for line in mappings(base.values.get("versions")):
-        for member in mappings(line.values.get("members")):
-            held = member.values.get("id")
-            if isinstance(held, Scalar):
-                found[held.text] = held
-    return found
+_LISTS = frozenset(key for key, part in schema()["properties"].items() if part["type"] == "array")
 
 
-def _ordered(overlays: Overlays, base: Mapping, declared: Table[str, Scalar]) -> tuple[Overlays, Mapping]:
-    """The overlays in order, and the base with their versions in the places that they take on their lines."""
-    waiting = {version: head for version, head in overlays.heads.items() if version not in declared}
-    known = set(declared)
-    ordered: dict[str, Mapping] = {}
-    while ready := [v for v, head in waiting.items() if {_text(head, "based_on"), _follows(head)} <= known]:
-        for version in ready:
-            base, found = _listed(base, waiting.pop(version), ordered)
-            overlays.found += found
-            known.add(version)
-            ordered[version] = overlays.trees[version]
-    for version, head in waiting.items():
-        for key in ("based_on", "after"):
-            named = head.values.get(key)
-            if isinstance(named, Scalar) and named.text not in known | waiting.keys():
-                text = f"the device has no version {quoted(named.text)}"
-                hint = near(named.text, known | waiting.keys())
-                overlays.found.append(Diagnostic("version_unknown", text, named.span, help=hint))
-                break
-        else:
-            text = f"the version `{version}` is based on itself, by way of others"
-            if _text(head, "based_on") == version:
-                text = f"the version `{version}` is based on itself"
-            span = head.values["based_on"].span
-            overlays.found.append(
-                Diagnostic("overlay_cycle", text, span, help="base it on a version that does not need it")
-            )
-    bases = {version: _text(overlays.heads[version], "based_on") for version in ordered}
-    return Overlays(ordered, overlays.heads, bases, overlays.found), base
+@dataclass(frozen=True, slots=True)
+class _Renaming:
+    """That the fact at a path, which stands in a section, has another name; `whole` if it is an item of the section."""
+
+    path: str
+    section: str
+    old: str
+    new: str
+    whole: bool
+
+    @property
+    def referred(self) -> bool:
+        """Whether others refer to it by its name alone."""
+        return self.whole or self.section == "registers"
+
+    def path_of(self, text: str) -> str:
+        """A path under the new name."""
+        if text == self.path or text.startswith(f"{self.path}/"):
+            return f"{self.path.rpartition('/')[0]}/{self.new}{text[len(self.path) :]}"
+        return text
 
 
-def _follows(head: Mapping) -> str:
-    return _text(head, "after") or _text(head, "based_on")
+def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -> Node:
+    """The tree with every reference to a fact under its new name."""
+    if key not in _REFERRING and not isinstance(node, Scalar) and silent(node):
+        return node
+    if isinstance(node, Sequence):
+        items = tuple([_referring(item, renaming, silent, key) for item in node.items])
+        same = all(new is old for new, old in zip(items, node.items, strict=True))
+        return node if same else Sequence(node.file, node.start, node.end, items)
+    if isinstance(node, Mapping):
+        values = {name: _referring(value, renaming, silent, name) for name, value in node.values.items()}
+        same = all(values[name] is node.values[name] for name in values)
+        return node if same else Mapping(node.file, node.start, node.end, values, node.keys)
+    text = node.text
+    if key in _PATHS:
+        text = renaming.path_of(text)
+    elif text == renaming.old and renaming.referred and key in _REFERENCES.get(renaming.section, ()):
+        text = renaming.new
+    return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
 
 
-def _listed(base: Mapping, head: Mapping, others: Table[str, Mapping]) -> tuple[Mapping, list[Diagnostic]]:
-    """The base with a version on its line, behind the one that it follows."""
-    line = head.values["line"]
-    assert isinstance(line, Scalar)
-    at = keys(base, f"versions/{line.text}/members")
-    if at is None:
-        known = [identity(held) or "" for held in mappings(base.values.get("versions"))]
-        text = f"the device has no line of versions {quoted(line.text)}"
-        return base, [Diagnostic("version_unknown", text, line.span, help=near(line.text, known))]
-    members = node_at(base, at)
-    assert isinstance(members, Sequence)
-    ids = [identity(item) for item in members.items]
-    follows = _follows(head)
-    if follows not in ids:
-        text = f"the line `{line.text}` has no version `{follows}` behind which this one could stand"
-        help = "name the version of its own line that it follows, under `after`"
-        return base, [Diagnostic("version_unknown", text, head.values["id"].span, help=help)]
-    behind = ids.index(follows) + 1
-    found = []
-    if behind < len(ids) and ids[behind] in others:
-        text = f"two versions of the line `{line.text}` follow `{follows}`"
-        label = Label(members.items[behind].span, "the other one")
-        help = "say under `after` which of them comes first"
-        found = [Diagnostic("version_twice", text, head.values["id"].span, (label,), help)]
-    for key in _ITS_OWN:
-        head = head.without(key)
-    items = (*members.items[:behind], head, *members.items[behind:])
-    made = put(base, at, Sequence(members.file, members.start, members.end, items))
-    assert isinstance(made, Mapping)
-    return made, found
+def _number(node: Node, key: str) -> int | None:
+    held = node.values.get(key) if isinstance(node, Mapping) else None
+    return held.value if isinstance(held, Scalar) and isinstance(held.value, int) else None
 
 
-def _text(mapping: Mapping, key: str) -> str:
-    held = mapping.values.get(key)
-    return held.text if isinstance(held, Scalar) else ""
+def _absent(node: Node) -> bool:
+    return isinstance(node, Scalar) and node.value is None
+
+
+def _same(was: Node, now: Node) -> bool:
+    return exact(was) == exact(now)
+
+
+def _node_text(node: Node | None) -> str:
+    if isinstance(node, Scalar):
+        return node.text
+    return "a list" if isinstance(node, Sequence) else "a mapping"

@@ -8,19 +8,95 @@ from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.names import Name
-from fieldspec.reading.applying import Silent, applied
+from fieldspec.reading.building.context import Reused
 from fieldspec.reading.building.device import built
-from fieldspec.reading.building.keeping import Kept
-from fieldspec.reading.expanding import expanded
-from fieldspec.reading.findings import bounded, near, quoted
-from fieldspec.reading.folders import MAIN, PROTOCOLS, VERSIONS
-from fieldspec.reading.joining import joined, laid_over
-from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.reading.overlays import overlays
+from fieldspec.reading.expansion import expanded
+from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
+from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, identity
+from fieldspec.reading.overlays import Silent, applied
 from fieldspec.reading.scalars import typed
-from fieldspec.reading.versions import Lines, selected
+from fieldspec.reading.versions import Lines, overlays, selected
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
 from fieldspec.source import Span
+
+_DEVICE_SECTIONS = ("device", "protocol", "uses", "versions")
+
+
+def joined(files: list[Mapping]) -> tuple[Mapping, list[Diagnostic]]:
+    """One tree of all files: the items of lists follow each other, every other section stands once."""
+    whole = files[0]
+    found: list[Diagnostic] = []
+    for tree in files[1:]:
+        for key, value in tree.values.items():
+            have = whole.values.get(key)
+            if isinstance(have, Sequence) and isinstance(value, Sequence):
+                whole = whole.with_value(key, _concatenated(have, value))
+            elif have is None:
+                whole = whole.with_entry(key, value, tree)
+            else:
+                first = Label(key_span(whole, key), "the first one")
+                text = f"the section `{key}` stands in two files of the device"
+                found.append(Diagnostic("section_twice", text, key_span(tree, key), (first,), "keep one of them"))
+    return whole, found
+
+
+def _concatenated(first: Sequence, second: Sequence) -> Sequence:
+    return Sequence(first.file, first.start, first.end, first.items + second.items)
+
+
+def merged_over(device: Mapping, protocol: Mapping, use: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The device's tree with what it takes from a protocol; where both have an item, the device's keys win."""
+    found: list[Diagnostic] = []
+    for section, base in protocol.values.items():
+        if section in _DEVICE_SECTIONS or not isinstance(base, Sequence):
+            continue
+        chosen, missing = _chosen(base, use.values.get(section), section)
+        found += missing
+        own = device.values.get(section)
+        value = chosen if own is None else _merged(chosen, own)
+        if section in device.values:
+            device = device.with_value(section, value)
+        else:
+            device = device.with_entry(section, value, protocol)
+    return device, found
+
+
+def _chosen(base: Sequence, names: Node | None, section: str) -> tuple[Sequence, list[Diagnostic]]:
+    """The items of a section whose names are listed, or all where nothing is listed."""
+    if not isinstance(names, Sequence):
+        return base, []
+    have = {identity(item): item for item in base.items}
+    found = []
+    items = []
+    for name in names.items:
+        if isinstance(name, Scalar) and name.text not in have:
+            text = f"the protocol has no {section[:-1]} `{name.text}`"
+            hint = near(name.text, [known for known in have if known is not None])
+            found.append(Diagnostic("references_resolve", text, name.span, help=hint))
+        elif isinstance(name, Scalar):
+            items.append(have[name.text])
+    return Sequence(base.file, base.start, base.end, tuple(items)), found
+
+
+def _merged(base: Node, over: Node) -> Node:
+    """`over` laid over `base`: mappings key by key, lists of named items name by name, all else whole."""
+    if isinstance(base, Mapping) and isinstance(over, Mapping):
+        values, keys = dict(base.values), {key: base.holder(key) for key in base.values}
+        for key, value in over.values.items():
+            have = base.values.get(key)
+            values[key] = value if have is None else _merged(have, value)
+            keys[key] = over.holder(key)
+        return Mapping(over.file, over.start, over.end, values, keys)
+    if isinstance(base, Sequence) and isinstance(over, Sequence) and _named(base) and _named(over):
+        extra = {identity(item): item for item in over.items}
+        items = [_merged(item, extra.pop(identity(item), item)) for item in base.items]
+        return Sequence(over.file, over.start, over.end, (*items, *extra.values()))
+    return over
+
+
+def _named(sequence: Sequence) -> bool:
+    return bool(sequence.items) and all(identity(item) is not None for item in sequence.items)
+
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
 _NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
@@ -46,9 +122,9 @@ class DeviceSpec:
     trees: Table[str, Mapping]
     bases: Table[str, str]
     files: frozenset[str]
-    kept: Kept = field(default_factory=dict, repr=False, compare=False)
+    reused: Reused = field(default_factory=dict, repr=False, compare=False)
     picked: dict[str, Mapping] = field(default_factory=dict, repr=False, compare=False)
-    made: dict[str, tuple[Device, list[Diagnostic]]] = field(default_factory=dict, repr=False, compare=False)
+    built: dict[str, tuple[Device, list[Diagnostic]]] = field(default_factory=dict, repr=False, compare=False)
 
     def versions(self) -> list[str]:
         """The versions that outputs are written for, the oldest first."""
@@ -56,10 +132,10 @@ class DeviceSpec:
 
     def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
         """The model at one version."""
-        if version not in self.made:
-            device, found = built(self.tree_at(version), version, self.kept)
-            self.made[version] = device, bounded(found)
-        return self.made[version]
+        if version not in self.built:
+            device, found = built(self.tree_at(version), version, self.reused)
+            self.built[version] = device, bounded(found)
+        return self.built[version]
 
     def tree_at(self, version: str) -> Mapping:
         """The tree with the facts of one version."""
@@ -77,7 +153,7 @@ class Project:
     """The devices by id, and what is wrong with the files."""
 
     devices: Table[str, DeviceSpec]
-    found: list[Diagnostic]
+    findings: list[Diagnostic]
 
 
 def read(files: Table[str, bytes], only: frozenset[str] = frozenset(), folder: str = "") -> Project:
@@ -162,7 +238,7 @@ class _Reader:
         self.uses[""] = set()
         files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
         versions, whole = overlays(files, self._with_protocols(whole, ()))
-        self.found += bounded(versions.found)
+        self.found += bounded(versions.findings)
         lines = Lines(whole)
         self.found += bounded(lines.found) + bounded(lines.unknown(whole))
         layers: dict[str, Mapping] = {}
@@ -211,7 +287,7 @@ class _Reader:
                 self.uses.setdefault(within[-1] if within else "", set()).add(name.text)
             protocol = self._protocol(name, within)
             if protocol is not None:
-                tree, found = laid_over(tree, protocol, use)
+                tree, found = merged_over(tree, protocol, use)
                 self.found += bounded(found)
         return tree
 

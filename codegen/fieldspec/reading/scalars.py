@@ -15,8 +15,7 @@ from typing import Any
 from fieldspec.classes import dataclass, field
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.reading.findings import MOST_FINDINGS, near, quoted
-from fieldspec.reading.nodes import Mapping, Node, Plain, Scalar, Sequence, copied, plain
-from fieldspec.reading.paths import node_at
+from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence, copied, node_at, plain_data
 from fieldspec.reading.yaml_reader import key_span
 from fieldspec.schema import Schema, described, resolved, schema
 from fieldspec.source import Span
@@ -59,7 +58,7 @@ def violations_at(tree: Node, at: list[str | int]) -> list[Diagnostic]:
     for key in reversed(at):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
         alone = (node.file, node.start, node.end)
         node = Sequence(*alone, (node,)) if isinstance(key, int) else Mapping(*alone, {key: node})
-    return _objections(node, plain(node), (), len(at))
+    return _objections(node, plain_data(node), (), len(at))
 
 
 def _objections(node: Node, data: object, path: tuple[str, ...], depth: int = 0) -> list[Diagnostic]:
@@ -150,7 +149,7 @@ def _typed(node: Node, form: _Form) -> object:
     return data
 
 
-def _value(text: str, form: _Form) -> Plain:
+def _value(text: str, form: _Form) -> ScalarValue:
     """The value of a text without quotes if it is what is wanted, else the text."""
     if form.integer and _INTEGER.fullmatch(text):
         return int(text, 0)

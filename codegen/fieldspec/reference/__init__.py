@@ -4,7 +4,7 @@
 >>> codec(layout).records["point"].parse(data)     # a plain construct Struct
 """
 
-from fieldspec.reference.device import DeviceCodec, codec
-from fieldspec.reference.error import CodecError
+from fieldspec.reference.frames import DeviceCodec, codec
+from fieldspec.reference.records import CodecError
 
 __all__ = ["CodecError", "DeviceCodec", "codec"]

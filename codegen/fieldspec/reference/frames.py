@@ -1,4 +1,4 @@
-"""Frames: marks, characters, head, body and check."""
+"""The reference codec of frames and devices, with its checksums."""
 
 from __future__ import annotations
 
@@ -9,12 +9,32 @@ import construct
 
 from fieldspec.classes import dataclass, field
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.reference.checksums import ALGORITHMS
-from fieldspec.reference.error import CodecError
-from fieldspec.reference.records import Values, decoded, encoded, value_construct
+from fieldspec.reference.records import CodecError, Values, decoded, encoded, record_struct, value_construct
+
+
+def crc16_modbus(data: bytes) -> int:
+    """CRC-16 with polynomial 0xA001, reflected, start value 0xFFFF."""
+    crc = 0xFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return crc
+
+
+def lrc(data: bytes) -> int:
+    """The two's complement of the sum of all bytes."""
+    return -sum(data) & 0xFF
+
+
+def sum8(data: bytes) -> int:
+    """The low byte of the sum of all bytes."""
+    return sum(data) & 0xFF
+
+
+ALGORITHMS = {"crc16_modbus": crc16_modbus, "lrc": lrc, "sum8": sum8}
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +61,11 @@ class FrameCodec:
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
         self.heads = {
-            direction: construct.Struct(
-                *(part.name / value_construct(part.value, part.order, False) for part in link.frame(direction).head)
-            )
+            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).head))
+            for direction in ("request", "response")
+        }
+        self.tails = {
+            direction: construct.Struct(*(part.name / _part_construct(part) for part in link.frame(direction).tail))
             for direction in ("request", "response")
         }
 
@@ -76,32 +98,37 @@ class FrameCodec:
             raise CodecError("incomplete", f"a frame has at least {least} bytes, not {len(data)}", len(data))
         head = dict(self.heads[direction].parse(data[: shape.head_size]))
         head.pop("_io", None)
+        tail = self.tails[direction].parse(data[len(data) - shape.tail_size :])
         self._check_length(shape, head, data)
-        self._check_sum(shape, data)
-        for part in shape.head:
-            const = part.value.const if part.value is not None else None
-            if const is not None and head[part.name] != const:
-                raise CodecError("wrong_const", f"{part.name} is {head[part.name]}, not {const}", part.offset)
+        self._check_sum(shape, {**head, **tail}, data)
+        for part in shape.constants:
+            found = head[part.name] if part in shape.head else tail[part.name]
+            if found != part.constant:
+                text = f"{part.name} is {found}, not {part.constant}"
+                raise CodecError("wrong_const", text, part.at(len(data)))
         laid, body, error = self._body(shape, head, message)
         inner = data[shape.head_size : len(data) - shape.tail_size]
         values = decoded(body, inner, self.layout.device, shape.head_size)
-        shown = {part.name: head[part.name] for part in shape.head if part.role != "length"}
+        shown = {part.name: head[part.name] for part in shape.head if _shown(part)}
         return Decoded(self.link.name, direction, laid, error, shown, values, data, body)
 
     def _check_length(self, shape: FrameLayout, head: Values, data: bytes) -> None:
         part = shape.role("length")
-        if part is not None and head[part.name] != len(data):
+        if part is None:
+            return
+        said = head[part.name] * part.unit_size + part.base
+        if said != len(data):
             text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
+            if said != head[part.name]:
+                text = f"{part.name} is {head[part.name]}, for a frame of {said} bytes, but there are {len(data)}"
             raise CodecError("wrong_length", text, part.offset)
 
-    def _check_sum(self, shape: FrameLayout, data: bytes) -> None:
+    def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
         part = shape.check
         if part is not None:
-            at = len(data) + part.offset
-            have = _whole(data[at : at + part.size], part.order)
-            want = ALGORITHMS[part.algorithm](data[:at])
+            have, want = parts[part.name], ALGORITHMS[part.algorithm](data[part.start : part.stop])
             if have != want:
-                width = 2 * part.size
+                width, at = 2 * part.size, part.at(len(data))
                 raise CodecError("wrong_check", f"{part.name} is {have:0{width}X}, not {want:0{width}X}", at)
 
     def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
@@ -144,34 +171,44 @@ class FrameCodec:
         assert body is not None
         names = {part.name for part in shape.head}
         inner = encoded(body, {k: v for k, v in values.items() if k not in names}, self.layout.device)
-        head: Values = {}
-        for part in shape.head:
-            head[part.name] = self._head_value(part, values, laid, error, code)
+        numbers: Values = {}
+        for part in shape.parts:
+            numbers[part.name] = self._head_value(part, values, laid, error, code)
         length = shape.role("length")
         total = shape.head_size + len(inner) + shape.tail_size
         if length is not None:
-            if total > 256**length.size - 1:
-                raise CodecError("wrong_length", f"a frame of {total} bytes is too long for {length.name}")
-            head[length.name] = total
-        data = self.heads[direction].build(head) + inner
-        if shape.check is not None:
-            data += ALGORITHMS[shape.check.algorithm](data).to_bytes(
-                shape.check.size, "big" if shape.check.order == "big" else "little"
-            )
-        return self._marked(data)
+            units = length.number(total)
+            if units is None:
+                raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
+            numbers[length.name] = units
+        check = shape.check
+        if check is not None:
+            data = self._joined(direction, numbers, inner)
+            numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
+        return self._marked(self._joined(direction, numbers, inner))
+
+    def _joined(self, direction: str, numbers: Values, body: bytes) -> bytes:
+        """The parts of a frame as bytes."""
+        head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)
+        return bytes(head + body + tail)
 
     def _head_value(
         self, part: PartLayout, values: Mapping[str, Any], laid: MessageLayout | None, error: bool, code: int | None
     ) -> int:
-        if part.role == "length":
+        if part.role in ("length", "check"):
             return 0
+        if part.constant is not None:
+            held = values.get(part.name, part.constant)
+            if held != part.constant:
+                raise CodecError("wrong_const", f"{part.name} is {held}, not {part.constant}")
+            return part.constant
         if part.role == "code":
             number = code if code is not None else laid.message.code if laid else None
             if number is None:
                 raise CodecError("unknown_code", "the message has no code")
             refusal = self.link.link.error
             return number | refusal.flag if error and refusal else number
-        held = values.get(part.name, part.value.const if part.value else None)
+        held = values.get(part.name)
         if not isinstance(held, int):
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
@@ -191,5 +228,33 @@ class FrameCodec:
         return link.start + inner + link.end
 
 
-def _whole(data: bytes, order: str) -> int:
-    return int.from_bytes(data, "big" if order == "big" else "little")
+def _part_construct(part: PartLayout) -> construct.Construct:
+    """A part as a number; a check has no value of its own."""
+    if part.role != "check":
+        return value_construct(part.value, part.order, False)
+    return construct.BytesInteger(part.size, swapped=part.order != "big")
+
+
+def _shown(part: PartLayout) -> bool:
+    """Whether a part before the body belongs to what a frame says."""
+    return part.role not in ("length", "check") and not part.reserved
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceCodec:
+    """A device's links as frame codecs."""
+
+    layout: DeviceLayout
+    links: dict[str, FrameCodec]
+
+    @property
+    def records(self) -> dict[str, construct.Struct]:
+        """The records and the data of messages as construct Structs; those are under `<message>_request` and so on."""
+        messages = self.layout.messages.values()
+        data = (one for message in messages for one in (message.request, message.response))
+        return {record.name: record_struct(record) for record in (*self.layout.records.values(), *data)}
+
+
+def codec(layout: DeviceLayout) -> DeviceCodec:
+    """The codec of a layout."""
+    return DeviceCodec(layout, {name: FrameCodec(layout, link) for name, link in layout.links.items()})

@@ -1,4 +1,4 @@
-"""Records as construct Structs, and the rules that a Struct does not know."""
+"""Records as construct Structs, and the exception of the reference codec."""
 
 from __future__ import annotations
 
@@ -10,9 +10,22 @@ import construct
 
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
-from fieldspec.reference.error import CodecError
+from fieldspec.model.value import Kind, Value
+
+
+class CodecError(ValueError):
+    """Bytes or values that a codec refuses.
+
+    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
+    unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, missing_value, unknown_field.
+    `offset` is the byte at which it shows, None for values.
+    """
+
+    def __init__(self, reason: str, detail: str, offset: int | None = None) -> None:
+        where = "" if offset is None else f" at byte {offset}"
+        super().__init__(f"{reason}{where}: {detail}")
+        self.reason, self.detail, self.offset = reason, detail, offset
+
 
 Values = dict[str, Any]
 
@@ -37,7 +50,7 @@ def _construct(field: FieldLayout) -> construct.Construct:
     element = _element(field)
     if field.field.repeat is not None:
         return construct.GreedyRange(element)
-    return element[field.count] if field.listed else element
+    return element[field.count] if field.is_list else element
 
 
 def _element(field: FieldLayout) -> construct.Construct:
@@ -111,12 +124,12 @@ def _check_length(record: RecordLayout, length: int, offset: int) -> None:
 
 def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
     at = offset + field.offset
-    if field.listed:
-        return [_decoded_one(field, item, device, at + n * field.size) for n, item in enumerate(raw)]
-    return _decoded_one(field, raw, device, at)
+    if field.is_list:
+        return [_decode_element(field, item, device, at + n * field.size) for n, item in enumerate(raw)]
+    return _decode_element(field, raw, device, at)
 
 
-def _decoded_one(field: FieldLayout, raw: Any, device: Device, at: int) -> Any:
+def _decode_element(field: FieldLayout, raw: Any, device: Device, at: int) -> Any:
     if field.record is not None:
         inner = {name: raw[name] for name in (f.name for f in field.record.fields)}
         return {f.name: _decoded_field(f, inner[f.name], device, at) for f in field.record.fields}
@@ -170,7 +183,7 @@ def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any
     other = record.named(measure.field)
     assert other is not None
     held = values[measure.field]
-    items = len(held) if other.listed else 1
+    items = len(held) if other.is_list else 1
     return items * other.size if measure.of == "bytes" else items
 
 
@@ -201,8 +214,8 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
     held = values.get(field.name)
     if held is None:
         held = _implied(field)
-    if not field.listed:
-        return _encoded_one(field, held, device)
+    if not field.is_list:
+        return _encode_element(field, held, device)
     if not isinstance(held, list | tuple):
         raise CodecError("wrong_type", f"{field.name} is a list")
     repeat = field.field.repeat
@@ -210,7 +223,7 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
         raise CodecError("wrong_length", f"{field.name} has {repeat.text()} elements, not {len(held)}")
     if repeat is None and len(held) != field.count:
         raise CodecError("wrong_length", f"{field.name} has {field.count} elements, not {len(held)}")
-    return [_encoded_one(field, item, device) for item in held]
+    return [_encode_element(field, item, device) for item in held]
 
 
 def _implied(field: FieldLayout) -> Any:
@@ -224,10 +237,10 @@ def _implied(field: FieldLayout) -> Any:
         implied = value.default if isinstance(value.default, int) else zero
     if implied is None:
         raise CodecError("missing_value", f"{field.name} is not given")
-    return [implied] * (field.count or 0) if field.listed else implied
+    return [implied] * (field.count or 0) if field.is_list else implied
 
 
-def _encoded_one(field: FieldLayout, held: Any, device: Device) -> Any:
+def _encode_element(field: FieldLayout, held: Any, device: Device) -> Any:
     if field.record is not None:
         unknown = sorted(set(held) - {inner.name for inner in field.record.fields})
         if unknown:
@@ -246,7 +259,7 @@ def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> 
             raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
         return data.ljust(value.size, b"\0")
     if kind is Kind.FLOAT:
-        return _float(name, float(held))
+        return _float(name, value, float(held))
     if not isinstance(held, int):
         raise CodecError("wrong_type", f"{name} is a whole number, not {held!r}")
     if value.const is not None and held != value.const:
@@ -256,12 +269,14 @@ def encoded_value(name: str, value: Value | None, held: Any, device: Device) -> 
     return _in_range(name, value, int(held))
 
 
-def _float(name: str, held: float) -> float:
-    """A number that its 32 bits hold; infinities and what is no number are held too."""
+def _float(name: str, value: Value, held: float) -> float:
+    """A number that its 32 bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
     try:
         struct.pack(">f", held)
     except OverflowError:
         raise CodecError("out_of_range", f"{name} is {held}, which 32 bits do not hold") from None
+    if value.ranges is not None and held not in value.ranges and value.sentinel(held) is None:
+        raise CodecError("out_of_range", f"{name} is {held}, not in {value.ranges.text()}")
     return held
 
 
@@ -269,7 +284,8 @@ def _in_range(name: str, value: Value | None, held: int) -> int:
     assert value is not None
     known = any(sentinel.value == held for sentinel in value.sentinels)
     fits = value.type.low <= held <= value.type.high
-    if not fits or (value.ranges is not None and held not in value.ranges and not known):
-        allowed = value.ranges.text() if value.ranges else f"{value.type.low}..{value.type.high}"
+    ranges = value.written_ranges
+    if not fits or (ranges is not None and held not in ranges and not known):
+        allowed = ranges.text() if ranges else f"{value.type.low}..{value.type.high}"
         raise CodecError("out_of_range", f"{name} is {held}, not in {allowed}")
     return held

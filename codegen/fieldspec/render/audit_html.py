@@ -1,23 +1,109 @@
-"""The audit of a device as a page that stands on its own, to be read, printed and handed on.
-
-The form has what is on every page.
-"""
+"""The audit report of a device as an HTML page."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import Space
-from fieldspec.audit.section import Figure, Report, Section, SectionTable
+from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
 from fieldspec.backends.docs.document import clean
 from fieldspec.backends.docs.html import escaped
 from fieldspec.backends.forms import filled, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.model.device import Device
-from fieldspec.render.audit_cells import SIGNS
+from fieldspec.model.fact import Citation
+from fieldspec.render.audit_formats import SIGNS, cell_text
 from fieldspec.render.audit_map import Box, Drawing, maps, states
-from fieldspec.render.audit_rows import table_html
 from fieldspec.source import Span
+
+BROAD = 8
+"""A table of so many columns shares out the width, as it would else be wider than paper."""
+
+_WORD, _MOST, _WHOLE, _EDGES = 11, 60, 205, 4
+"""When the width is shared out, in letters: the longest word that is never broken, how long a text counts at most, how
+much there is to share, and what the edges of a cell and bold letters take."""
+
+_LETTERS = re.compile(r"[A-Za-z]+")
+
+
+def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> Iterator[str]:
+    """A table, piece by piece; `links` leads from paths of facts to where they are documented."""
+    anchor, title = f"{section}-{table.name}", escaped(clean(table.title))
+    marked = any(table.kinds)
+    full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
+    texts = {at: [clean(cell_text(row[at])) for row in table.rows] for at in full}
+    shares = _column_widths(table, texts, marked) if len(full) >= BROAD else ()
+    widths = "".join([f'<col style="width: {share}%">' for share in shares])
+    headings = "".join([f'<th scope="col">{escaped(clean(_heading(table, at)))}</th>' for at in full])
+    standing = '<th scope="col"><span class="said">standing</span></th>' if marked else ""
+    broad = ' class="broad"' if shares else ""
+    yield f'<div class="scroll" role="region" aria-labelledby="{anchor}-title" tabindex="0">\n'
+    yield f'<table id="{anchor}"{broad}>\n<caption id="{anchor}-title">{title}</caption>\n'
+    yield f"<colgroup>{widths}</colgroup>\n" if shares else ""
+    yield f"<thead><tr>{standing}{headings}</tr></thead>\n<tbody>\n"
+    yield from _rows(anchor, table, texts, marked, links)
+    yield "</tbody>\n</table>\n</div>\n"
+
+
+def _heading(table: SectionTable, at: int) -> str:
+    return table.columns[at].replace("_", " ")
+
+
+def _column_widths(table: SectionTable, held: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
+    """How much of the width each column gets, in percent: room for its words, and more where there is more to read."""
+    needs, wishes = ([_EDGES], [0]) if marked else ([], [])
+    for at, cells in held.items():
+        texts = [_heading(table, at), *cells]
+        longest = max(map(len, _LETTERS.findall(" ".join(texts))), default=0)
+        room = min(longest, _WORD)
+        needs.append(room + _EDGES)
+        wishes.append(max(min(sum(map(len, texts)) // len(texts), _MOST) - room, 0))
+    spare = max(_WHOLE - sum(needs), 0) / max(sum(wishes), 1)
+    widths = [need + wish * spare for need, wish in zip(needs, wishes, strict=True)]
+    return tuple(f"{100 * width / sum(widths):.1f}" for width in widths)
+
+
+def _counts(table: SectionTable, at: int) -> bool:
+    """Whether a column holds numbers alone."""
+    held = [row[at] for row in table.rows if row[at] is not None]
+    return bool(held) and all(isinstance(cell, int) for cell in held)
+
+
+def _rows(
+    anchor: str, table: SectionTable, texts: Mapping[int, Sequence[str]], marked: bool, links: Mapping[str, str]
+) -> Iterator[str]:
+    """The rows, with the cells of the columns that have texts."""
+    columns = []
+    for at, held in texts.items():
+        style = ' class="number"' if _counts(table, at) else ""
+        cells = zip((cells[at] for cells in table.rows), held, strict=True)
+        columns.append([f"<td{style}>{_cell(cell, text, links)}</td>" for cell, text in cells])
+    for number, row in enumerate(zip(*columns, strict=True)):
+        kind = table.kinds[number] if table.kinds else ""
+        style = f' class="{kind}"' if kind else ""
+        yield f'<tr id="{anchor}-{number + 1}"{style}>{_sign(kind) if marked else ""}{"".join(row)}</tr>\n'
+
+
+def _sign(kind: str) -> str:
+    sign, said = SIGNS[kind]
+    return f'<td class="sign"><span aria-hidden="true">{sign}</span><span class="said">{said}</span></td>'
+
+
+def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
+    """A cell with its text."""
+    if cell is None or isinstance(cell, int):
+        return text
+    text = escaped(text)
+    if isinstance(cell, Span):
+        return f"<code>{text}</code>"
+    if isinstance(cell, Citation):
+        return f'<span class="source">{text}</span>'
+    link = links.get(cell)
+    return text if link is None else f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
+
+
+# The form has what is on every page.
 
 OPEN = 100
 """A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
@@ -32,8 +118,8 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
     findings = [_finding(number, section, one, rows[section.name]) for number, (section, one) in enumerate(found, 1)]
     return filled(
         "render/audit.html.in",
-        title=_shown(f"Audit of {report.title}"),
-        identity=_shown(report.identity),
+        title=_visible(f"Audit of {report.title}"),
+        identity=_visible(report.identity),
         style=text("backends/docs/page.css") + text("render/audit.css"),
         contents=map(_entry, report.sections),
         head=_head(report, device, [one for _, one in found]),
@@ -43,21 +129,21 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
     )
 
 
-def _shown(held: str) -> str:
+def _visible(held: str) -> str:
     return escaped(clean(held))
 
 
 def _entry(section: Section) -> str:
     """A section in the table of contents, with its tables, the folded ones behind the others."""
     inner = [
-        f'<li><a href="#{_anchor(section, table)}{ending}">{_shown(table.title.partition(". ")[0])}</a></li>\n'
+        f'<li><a href="#{_anchor(section, table)}{ending}">{_visible(table.title.partition(". ")[0])}</a></li>\n'
         for table, ending in (
             *((table, "") for table in _tables(section, False)),
             *((table, "-folded") for table in _tables(section, True)),
         )
     ]
     within = f"<ul>\n{''.join(inner)}</ul>\n" if inner else ""
-    return f'<li><a href="#{section.name}">{_shown(section.title)}</a>\n{within}</li>\n'
+    return f'<li><a href="#{section.name}">{_visible(section.title)}</a>\n{within}</li>\n'
 
 
 def _tables(section: Section, folded: bool) -> list[SectionTable]:
@@ -88,8 +174,8 @@ def _head(report: Report, device: Device, found: Sequence[Diagnostic]) -> str:
         verdict, kind = f"No error; {_many(warnings, 'warning')} to be looked at.", "warning"
     else:
         verdict, kind = "No finding in any part of the audit.", "good"
-    subtitle = f'<p class="subtitle">{_shown(device.title)}</p>\n' if clean(device.title) else ""
-    facts = "".join([f"<div><dt>{term}</dt><dd>{_shown(held)}</dd></div>\n" for term, held in rows])
+    subtitle = f'<p class="subtitle">{_visible(device.title)}</p>\n' if clean(device.title) else ""
+    facts = "".join([f"<div><dt>{term}</dt><dd>{_visible(held)}</dd></div>\n" for term, held in rows])
     questions = "".join(
         [
             f' <span class="questions"><a href="#{one.name}">{_questions(one)}</a>.</span>'
@@ -113,7 +199,7 @@ def _glance(section: Section) -> str:
     """The figures of a section, for the top of the page."""
     if not section.figures:
         return ""
-    title = f'<h3><a href="#{section.name}">{_shown(section.title)}</a></h3>'
+    title = f'<h3><a href="#{section.name}">{_visible(section.title)}</a></h3>'
     return f"<section>\n{title}\n{_figures(section)}\n</section>\n"
 
 
@@ -127,13 +213,13 @@ def _figure(figure: Figure) -> str:
     whole = "" if figure.whole is None else f'<span class="whole">of {figure.whole}</span> '
     standing = f'<span class="said">: {said}</span>' if said else ""
     mark = f'<span class="mark" aria-hidden="true">{sign}</span><b>{figure.number}</b>'
-    return f'<li class="{kind}">{mark}<span>{whole}{_shown(figure.what)}{standing}</span></li>\n'
+    return f'<li class="{kind}">{mark}<span>{whole}{_visible(figure.what)}{standing}</span></li>\n'
 
 
 def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
     """A section: its texts, its figures, its drawings, and its tables, the folded ones behind the others."""
-    yield f'<section id="{section.name}">\n<h2>{_shown(section.title)}</h2>\n'
-    yield from (f"<p>{_shown(said)}</p>\n" for said in section.says)
+    yield f'<section id="{section.name}">\n<h2>{_visible(section.title)}</h2>\n'
+    yield from (f"<p>{_visible(said)}</p>\n" for said in section.says)
     yield f"{_figures(section)}\n" if section.figures else ""
     yield from _drawn(section)
     for table in _tables(section, False):
@@ -142,7 +228,7 @@ def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
     for table in _tables(section, True):
         many = len(table.rows)
         yield f'<details id="{_anchor(section, table)}-folded"{" open" if many <= OPEN else ""}>\n'
-        yield f"<summary>{_shown(table.title)} ({_many(many, 'row')})</summary>\n"
+        yield f"<summary>{_visible(table.title)} ({_many(many, 'row')})</summary>\n"
         yield from table_html(section.name, table, links)
         yield "\n</details>\n"
     yield "</section>\n"
@@ -206,15 +292,15 @@ def _finding(number: int, section: Section, found: Diagnostic, rows: Mapping[str
     kind = "bad" if found.severity is Severity.ERROR else "warning"
     places = [_place(found.span), *(_place(label.span) for label in found.labels)]
     link = next((rows[place] for place in places if place in rows), section.name)
-    labels = [f"; <code>{_shown(f'{_place(label.span)}: {label.text}')}</code>" for label in found.labels]
+    labels = [f"; <code>{_visible(f'{_place(label.span)}: {label.text}')}</code>" for label in found.labels]
     mark = f'<span class="mark" aria-hidden="true">{SIGNS[kind][0]}</span>'
-    said = f"<strong>{found.severity.value}</strong> <code>{found.code}</code>: {_shown(found.message)}"
+    said = f"<strong>{found.severity.value}</strong> <code>{found.code}</code>: {_visible(found.message)}"
     return "".join(
         [
             f'<li id="finding-{number}" class="{kind}">\n<p>{mark} {said}</p>\n',
-            f'<p class="quiet"><code>{_shown(places[0])}</code>{"".join(labels)}.',
-            f' See <a href="#{link}">{_shown(section.title)}</a>.</p>\n',
-            f"<p>{_shown(found.help)}</p>\n" if clean(found.help) else "",
+            f'<p class="quiet"><code>{_visible(places[0])}</code>{"".join(labels)}.',
+            f' See <a href="#{link}">{_visible(section.title)}</a>.</p>\n',
+            f"<p>{_visible(found.help)}</p>\n" if clean(found.help) else "",
             "</li>\n",
         ]
     )

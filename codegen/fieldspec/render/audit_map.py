@@ -113,13 +113,13 @@ def _overview(space: Space) -> Drawing:
             first, last = max(block.first, line * _LINE), min(block.last, line * _LINE + _LINE - 1)
             x = _LEFT + (first % _LINE) * _OVERVIEW // _LINE
             width = max(3, (last - first + 1) * _OVERVIEW // _LINE)
-            title = f"{space.written(block.first)} to {space.written(block.last)}: {clean(block.title)}"
+            title = f"{space.number_text(block.first)} to {space.number_text(block.last)}: {clean(block.title)}"
             lines_of = _fitting(clean(block.title), width, 1)
             boxes.append(Box(x, rows[line] + 5, width, _HIGH - 10, "used", lines_of, title))
     marks = [Mark(_LEFT + part * _OVERVIEW // 4, _HEAD - 4, f"+{part * _LINE // 4:03X}h", "start") for part in range(4)]
     marks += [Mark(_LEFT - 6, y + _HIGH // 2 + 4, f"{line * _LINE:04X}h", "end") for line, y in rows.items()]
     names = "; ".join(
-        f"{clean(block.title)} from {space.written(block.first)} to {space.written(block.last)}"
+        f"{clean(block.title)} from {space.number_text(block.first)} to {space.number_text(block.last)}"
         for block in space.blocks
     )
     return Drawing(
@@ -141,21 +141,21 @@ def _block(space: Space, block: Block) -> Drawing:
     by_line = _by_line(block)
     for first, last in _lines(block, by_line):
         folded = last - first >= A_ROW
-        marks.append(Mark(_LEFT - 6, y + (14 if folded else 19), space.written(first), "end"))
+        marks.append(Mark(_LEFT - 6, y + (14 if folded else 19), space.number_text(first), "end"))
         if folded:
             run = next(run for run in by_line[first] if run.first <= first <= run.last)
-            text = f"to {space.written(last)}: {_said(run)}"
+            text = f"to {space.number_text(last)}: {_run_text(run)}"
             boxes.append(Box(_LEFT, y + 1, A_ROW * _BOX, _FOLDED - 2, run.state, _fitting(text, A_ROW * _BOX, 1), text))
             y += _FOLDED
             continue
         boxes += _pieces(space, by_line.get(first, ()), first, y)
         y += _HIGH
     if block.repeats > 1:
-        text = f"and {block.repeats - 1} more elements, {block.stride} apart, to {space.written(block.last)}"
+        text = f"and {block.repeats - 1} more elements, {block.stride} apart, to {space.number_text(block.last)}"
         marks.append(Mark(_LEFT, y + 12, text, "start"))
         y += _FOLDED
     counts = ", ".join(f"{count} {words}" for state, words in STATES.items() if (count := block.count(state)))
-    ends = f"{space.written(block.first)} to {space.written(block.last)}"
+    ends = f"{space.number_text(block.first)} to {space.number_text(block.last)}"
     return Drawing(
         f"map-{space.name}-{block.name}".replace(" ", "-"),
         f"{clean(block.title)}, {ends}",
@@ -203,14 +203,14 @@ def _pieces(space: Space, runs: Iterable[Run], line: int, y: int) -> Iterator[Bo
         width = (last - first + 1) * _BOX
         name = " and ".join(holder.name for holder in run.holders)
         about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
-        ends = space.written(run.first) + (f" to {space.written(run.last)}" if run.size > 1 else "")
-        title = f"{ends}: {_said(run)}{f', {about}' if about else ''}"
+        ends = space.number_text(run.first) + (f" to {space.number_text(run.last)}" if run.size > 1 else "")
+        title = f"{ends}: {_run_text(run)}{f', {about}' if about else ''}"
         x = _LEFT + (first - line) * _BOX
         lines = _fitting(f"…{name}" if name and first > run.first else name, width, 2)
         yield Box(x, y + 1, width, _HIGH - 2, run.state, lines, clean(title))
 
 
-def _said(run: Run) -> str:
+def _run_text(run: Run) -> str:
     """What a run is, in words."""
     names = " and ".join(holder.name for holder in run.holders)
     state = STATES[run.state]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from fieldspec.audit.manual_index import ManualIndex
+from fieldspec.audit.manual_lines import ManualIndex
 from fieldspec.audit.report import report
-from fieldspec.audit.subject import Subject
+from fieldspec.audit.section import Subject
 from fieldspec.backends.docs.backend import index
 from fieldspec.backends.docs.changes import page_name
 from fieldspec.facts import of_versions

@@ -1,11 +1,44 @@
-"""What is printed for people: lines and tables, without any printing."""
+"""Terminal output as data: lines, tables, aligned columns, and words drawn bit by bit."""
 
 from __future__ import annotations
 
+import unicodedata
+from collections.abc import Iterator, Sequence
+
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.model.enums import Bit, Flags
 
 if TYPE_CHECKING:
     from typing import TypeAlias
+
+
+def width(text: str) -> int:
+    """How many columns a text takes: wide characters take two, combining ones none."""
+    return len(text) if text.isascii() else sum(map(_char_width, text))
+
+
+def _char_width(char: str) -> int:
+    if unicodedata.combining(char) or unicodedata.category(char) in ("Cf", "Mn"):
+        return 0
+    return 2 if unicodedata.east_asian_width(char) in "WF" else 1
+
+
+def visible_text(text: str) -> str:
+    """A text with its control characters made visible."""
+    if text.isprintable():
+        return text
+    return "".join(char if char.isprintable() else ascii(char)[1:-1] for char in text)
+
+
+def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table whose columns are two blanks apart."""
+    lines = [[visible_text(cell) for cell in row] for row in (headings, *rows)]
+    widths = [max(width(line[at]) for line in lines) for at in range(len(headings))]
+    text = ""
+    for line in lines:
+        padded = (cell + " " * (widths[at] - width(cell)) for at, cell in enumerate(line))
+        text += "  ".join(padded).rstrip() + "\n"
+    return text
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,3 +70,60 @@ def narrowed(table: Table) -> Table:
     full = [at for at in range(len(table.headings)) if any(cells[at] for cells in table.rows)]
     rows = tuple(tuple(cells[at] for at in full) for cells in table.rows)
     return Table(tuple(table.headings[at] for at in full), rows, table.styles)
+
+
+_A_ROW = 16
+
+
+def drawn(word: Flags) -> Iterator[str]:
+    """One box a bit, the highest first, at most 16 in a row, and a line from each named bit to its name.
+
+    The bits of one field have no wall between them. Bits that have no name are empty.
+    """
+    width = word.type.size * 8
+    for high in range(width, 0, -_A_ROW):
+        if high < width:
+            yield ""
+        yield from _row(word, max(0, high - _A_ROW), high)
+
+
+def _row(word: Flags, low: int, high: int) -> Iterator[str]:
+    holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
+    numbers = range(high - 1, low - 1, -1)
+    wall = "+---" * len(numbers) + "+"
+    boxes = ""
+    for number in numbers:
+        holder = holders.get(number)
+        inner = holder is not None and holder is holders.get(number + 1) and number != high - 1
+        boxes += (" " if inner else "|") + (" x " if holder is not None and not holder.reserved else "   ")
+    yield "".join(f"{number:>3} " for number in numbers).rstrip()
+    yield wall
+    yield boxes + "|"
+    yield wall
+    named = [bit for bit in word.bits if not bit.reserved and low <= bit.first < high]
+    for at, bit in enumerate(named):
+        line = [" "] * _column(bit, high)
+        for later in named[at + 1 :]:
+            line[_column(later, high)] = "|"
+        yield "".join(line) + _bit_text(bit)
+
+
+def _column(bit: Bit, high: int) -> int:
+    """The middle of the box of a bit, or of the lowest bit of a field."""
+    return 4 * (high - 1 - bit.first) + 2
+
+
+def _bit_text(bit: Bit) -> str:
+    """`+- 4..5 level 液位: how full it is; when the mode is 3`"""
+    span = f"{bit.first}" if bit.width == 1 else f"{bit.first}..{bit.last}"
+    name = " ".join(text for text in (bit.name, bit.printed_name, bit.label) if text)
+    states = ", ".join(f"{number} {text}" for number, text in ((0, bit.zero), (1, bit.one)) if text)
+    details = (
+        states or bit.doc.removesuffix("."),
+        f"values {bit.enum}" if bit.enum else "",
+        f"at its {bit.edge} edge" if bit.edge else "",
+        "active low" if bit.active == "low" else "",
+        f"when {bit.when}" if bit.when else "",
+    )
+    said = "; ".join(detail for detail in details if detail)
+    return f"+- {span} {name}" + (f": {said}" if said else "")

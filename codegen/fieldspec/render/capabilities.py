@@ -40,7 +40,7 @@ def capabilities(name: str) -> Mapping[str, Capability]:
     """The capabilities of an output: as its dialect says, or as its back end does."""
     if name in DIALECTS:
         return of_dialect(DIALECTS[name])
-    made: Mapping[str, Capability] = import_module(f"fieldspec.backends.{name}.capabilities").capabilities()
+    made: Mapping[str, Capability] = import_module(f"fieldspec.backends.{name}.backend").capabilities()
     return made
 
 

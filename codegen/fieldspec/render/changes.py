@@ -1,13 +1,14 @@
-"""Changes as they are shown: with what accepts them, grouped by whom they hurt. The words that all forms share."""
+"""Changes as shown to people, grouped by effect, and as findings for code reviews."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.spelling import listed
+from fieldspec.changes.evidence import enumeration
 from fieldspec.classes import dataclass
-from fieldspec.model.acceptance import Acceptance
+from fieldspec.diagnostics import Diagnostic, Label, Severity
+from fieldspec.model.texts import Acceptance
 from fieldspec.render.text import place
 from fieldspec.source import Span
 
@@ -20,7 +21,7 @@ MEANINGS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class AcceptedChange:
     """A change, what accepts it, and the versions in which it is found; none where it is found in all."""
 
     change: Change
@@ -34,17 +35,17 @@ class Difference:
 
     old: str
     new: str
-    found: tuple[Found, ...]
+    changes: tuple[AcceptedChange, ...]
 
     @property
-    def open(self) -> tuple[Found, ...]:
+    def open(self) -> tuple[AcceptedChange, ...]:
         """What nothing accepts."""
-        return tuple(found for found in self.found if found.accepted is None)
+        return tuple(found for found in self.changes if found.accepted is None)
 
     @property
-    def accepted(self) -> tuple[Found, ...]:
+    def accepted(self) -> tuple[AcceptedChange, ...]:
         """What something accepts."""
-        return tuple(found for found in self.found if found.accepted is not None)
+        return tuple(found for found in self.changes if found.accepted is not None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ class Group:
 
     heading: str
     effect: Effect | None
-    found: tuple[Found, ...]
+    changes: tuple[AcceptedChange, ...]
 
 
 def groups(difference: Difference) -> list[Group]:
@@ -64,7 +65,7 @@ def groups(difference: Difference) -> list[Group]:
         )
         for effect, meaning in MEANINGS.items()
     ]
-    return [group for group in (*held, Group("accepted", None, difference.accepted)) if group.found]
+    return [group for group in (*held, Group("accepted", None, difference.accepted)) if group.changes]
 
 
 def summary(difference: Difference) -> str:
@@ -80,13 +81,13 @@ def places(change: Change, shown: Callable[[Span], str] = place) -> str:
     return " -> ".join(shown(span) for span in (change.before, change.after) if span is not None)
 
 
-def remark(found: Found) -> str:
+def remark(found: AcceptedChange) -> str:
     """What is to be said beside the message: in which outputs and versions, and why it is accepted."""
     parts = []
     if found.change.outputs:
-        parts.append(f"in {listed(found.change.outputs)}")
+        parts.append(f"in {enumeration(found.change.outputs)}")
     if found.versions:
-        parts.append(f"at {listed(found.versions)} only")
+        parts.append(f"at {enumeration(found.versions)} only")
     if found.accepted is not None:
         parts.append(f"accepted {found.accepted.date}: {found.accepted.reason}")
     return "; ".join(parts)
@@ -103,6 +104,26 @@ def title(difference: Difference) -> str:
     return f"{difference.old} -> {difference.new}"
 
 
-def all_found(differences: Sequence[Difference]) -> list[Found]:
+def unaccepted_changes(differences: Sequence[Difference]) -> list[AcceptedChange]:
     """The changes of all comparisons that nothing accepts."""
     return [found for one in differences for found in one.open]
+
+
+def findings(differences: Sequence[Difference]) -> list[Diagnostic]:
+    """A finding for each change that nothing accepts and that hurts somebody: breaking ones are errors.
+
+    It stands in the new side where the fact is there, with the old place as its label, else in the old side.
+    """
+    return list(_findings(unaccepted_changes(differences)))
+
+
+def _findings(held: Sequence[AcceptedChange]) -> Iterator[Diagnostic]:
+    for found in held:
+        change = found.change
+        span = change.after or change.before
+        if span is None or change.effect is Effect.DOCS:
+            continue
+        severity = Severity.ERROR if change.effect.breaking else Severity.WARNING
+        labels = (Label(change.before, "before"),) if change.before is not None and change.after is not None else ()
+        said = "; ".join(part for part in (f"{change.effect.value} at {change.path}", remark(found)) if part)
+        yield Diagnostic(change.rule, change.message, span, labels, said, severity)

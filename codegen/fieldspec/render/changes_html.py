@@ -51,6 +51,6 @@ def _table(group: Group) -> _Table:
             found.change.new,
             places(found.change),
         )
-        for found in group.found
+        for found in group.changes
     ]
     return _Table(group.effect.value if group.effect else "accepted", group.heading, rows)

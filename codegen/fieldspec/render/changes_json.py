@@ -5,17 +5,19 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
-from fieldspec.render.changes import Difference, Found
+from fieldspec.render.changes import AcceptedChange, Difference
 from fieldspec.source import Span
 
 
 def rendered(differences: Sequence[Difference]) -> str:
     """The JSON text; lines and columns count from 1. `accepted` is null where nothing accepts a change."""
-    data = [{"old": one.old, "new": one.new, "changes": [_change(found) for found in one.found]} for one in differences]
+    data = [
+        {"old": one.old, "new": one.new, "changes": [_change(found) for found in one.changes]} for one in differences
+    ]
     return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
 
 
-def _change(found: Found) -> dict[str, object]:
+def _change(found: AcceptedChange) -> dict[str, object]:
     change, accepted = found.change, found.accepted
     return {
         "rule": change.rule,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from fieldspec.render.changes import Difference, Found, groups, places, remark, summary, title
-from fieldspec.render.columns import one_line
+from fieldspec.render.blocks import visible_text
+from fieldspec.render.changes import AcceptedChange, Difference, groups, places, remark, summary, title
 
 _ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
 _SPECIAL = re.compile(r"[&<>\\`*\[\]|~$!#]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(?=//)|@(?=\w)")
@@ -24,11 +24,11 @@ def _lines(difference: Difference) -> Iterator[str]:
         yield f"### {group.heading.capitalize()}\n"
         yield "| change | fact | what happened | where |"
         yield "|---|---|---|---|"
-        yield from map(_row, group.found)
+        yield from map(_row, group.changes)
         yield ""
 
 
-def _row(found: Found) -> str:
+def _row(found: AcceptedChange) -> str:
     change, said = found.change, remark(found)
     text = f"{change.message} ({said})" if said else change.message
     return f"| {_text(change.rule)} | {_text(change.path)} | {_text(text)} | {_text(places(change))} |"
@@ -36,4 +36,4 @@ def _row(found: Found) -> str:
 
 def _text(text: str) -> str:
     """A text in which nothing is markup."""
-    return _SPECIAL.sub(lambda match: _ENTITIES.get(match[0], "\\" + match[0]), one_line(text))
+    return _SPECIAL.sub(lambda match: _ENTITIES.get(match[0], "\\" + match[0]), visible_text(text))

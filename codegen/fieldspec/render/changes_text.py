@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.changes.change import Change, Effect
-from fieldspec.render.blocks import Block, Line
+from fieldspec.render.blocks import Block, Line, visible_text
 from fieldspec.render.changes import Difference, groups, places, remark, summary, title
-from fieldspec.render.columns import one_line
 
 _STYLES = {Effect.WIRE: "red", Effect.SOURCE: "red", Effect.BEHAVIOUR: "yellow", Effect.DOCS: "", None: "dim"}
 
@@ -21,7 +20,7 @@ def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
         for group in groups(difference):
             yield Line("")
             yield Line(group.heading, _STYLES[group.effect])
-            for found in group.found:
+            for found in group.changes:
                 said = remark(found)
                 yield Line(f"  {found.change.rule}: {found.change.message}" + (f" ({said})" if said else ""))
                 yield Line(f"    {found.change.path}, {places(found.change)}".rstrip(", "), "dim")
@@ -31,8 +30,8 @@ def concise(changes: Iterable[Change]) -> str:
     """Two lines a change: class, rule, path and message; then the values, the places and the outputs."""
     text = ""
     for change in changes:
-        text += one_line(f"{change.effect.value} {change.rule} {change.path}: {change.message}") + "\n"
+        text += visible_text(f"{change.effect.value} {change.rule} {change.path}: {change.message}") + "\n"
         values = f"{change.old or '-'} -> {change.new or '-'}"
         outputs = f"; {', '.join(change.outputs)}" if change.outputs else ""
-        text += one_line(f"  {values}; {places(change)}{outputs}") + "\n"
+        text += visible_text(f"  {values}; {places(change)}{outputs}") + "\n"
     return text

@@ -6,16 +6,16 @@ import csv
 import io
 from collections.abc import Iterator, Sequence
 
-from fieldspec.lists.addresses import DECIMAL, HEXADECIMAL
+from fieldspec.lists.cells import DECIMAL, HEXADECIMAL
 from fieldspec.lists.columns import folded
 from fieldspec.lists.comparison import Compared, Missing
-from fieldspec.lists.listed import Listed, Listing
+from fieldspec.lists.listing import Listing, ListRow
 from fieldspec.render.blocks import Block, Line, Table
 from fieldspec.spreadsheet import guarded
 
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}
-_SHOWN = 10
+_MOST_ROWS = 10
 
 
 def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
@@ -25,8 +25,8 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
     if roles:
         yield Line("columns: " + ", ".join(_column(role, listing.heading(role)) for role in roles))
     if listing.skipped:
-        rows = ", ".join(map(str, listing.skipped[:_SHOWN]))
-        more = f" and {len(listing.skipped) - _SHOWN} more" if len(listing.skipped) > _SHOWN else ""
+        rows = ", ".join(map(str, listing.skipped[:_MOST_ROWS]))
+        more = f" and {len(listing.skipped) - _MOST_ROWS} more" if len(listing.skipped) > _MOST_ROWS else ""
         yield Line(f"rows without an address: {rows}{more}")
     if result.shifted:
         yield Line("")
@@ -139,7 +139,7 @@ def _elements(gap: Missing) -> str:
     return str(gap.first) if gap.first == gap.last else f"{gap.first}..{gap.last}"
 
 
-def _name(row: Listed) -> str:
+def _name(row: ListRow) -> str:
     return row.names[0] if row.names else ""
 
 

@@ -1,16 +1,17 @@
-"""The explanation of a frame as lines and tables for people."""
+"""The explanation of a frame for people, and as data for JSON."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
 from itertools import groupby
 
 from fieldspec.classes import replace
+from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading, printed
+from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.explaining.row import citations
-from fieldspec.layout.explanation import Explanation, Meaning, Row
-from fieldspec.layout.printed import printed
-from fieldspec.model.example import Example
+from fieldspec.model.texts import Example
 from fieldspec.render.blocks import Table, narrowed
 
 _BYTES_A_LINE = 8
@@ -33,7 +34,7 @@ def title(layout: DeviceLayout, held: Explanation, sure: bool) -> str:
 
 def accessed(layout: DeviceLayout, held: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
-    accesses = layout.messages[held.message].message.accesses
+    accesses = layout.device.register_access(layout.messages[held.message].message)
     addresses = [row.address + row.words for row in held.registers if row.address is not None]
     first = min(row.address for row in held.registers if row.address is not None)
     last = max(addresses) - 1
@@ -63,7 +64,7 @@ def frame_table(layout: DeviceLayout, held: Explanation) -> Table:
     for _, group in groupby(held.rows, key=_run):
         rows = list(group)
         if len(rows) >= _LIST:
-            lines += _listed(rows)
+            lines += _element_lines(rows)
             continue
         for row in rows:
             raw = "" if check is not None and row.path == check.name else raw_text(row, row.path in addresses)
@@ -138,7 +139,7 @@ def _alike(example: Example, held: Explanation) -> bool:
     return of == (held.link, held.direction, held.message)
 
 
-def raw_text(row: Row, hexadecimal: bool) -> str:
+def raw_text(row: ExplanationRow, hexadecimal: bool) -> str:
     """The raw value; words of bits and addresses in hexadecimal digits."""
     number = row.number
     if isinstance(number, bool):
@@ -162,7 +163,7 @@ def meaning_text(meaning: Meaning) -> str:
     return f"{head}: {text}" if head and text else head or text
 
 
-def _run(row: Row) -> object:
+def _run(row: ExplanationRow) -> object:
     """Equal for neighbours that may stand in one row: elements of one list, of which nothing is to be said."""
     name, bracket, _ = row.path.rpartition("[")
     plain = row.path.endswith("]") and isinstance(row.number, int) and not isinstance(row.number, bool)
@@ -170,7 +171,7 @@ def _run(row: Row) -> object:
     return name if bracket and plain and not said else id(row)
 
 
-def _listed(rows: Sequence[Row]) -> Iterator[tuple[tuple[str, ...], bool]]:
+def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, ...], bool]]:
     """The lines of neighbouring elements of a list."""
     for at in range(0, len(rows), _NUMBERS_A_LINE):
         part = rows[at : at + _NUMBERS_A_LINE]
@@ -184,7 +185,7 @@ def _listed(rows: Sequence[Row]) -> Iterator[tuple[tuple[str, ...], bool]]:
         yield (str(first.offset), sent, data, path, "" if at else _label(first), numbers, "", "", "", source), False
 
 
-def _lines(row: Row, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
+def _lines(row: ExplanationRow, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
     """The lines of one row: more than one where the bytes in cell `data`, or the meanings, are many."""
     meanings = [meaning_text(meaning) for meaning in row.meanings]
     chunks = _chunks(first[data])
@@ -201,7 +202,7 @@ def _table(headings: tuple[str, ...], lines: Sequence[tuple[tuple[str, ...], boo
     return narrowed(Table(headings, rows, tuple("red" if wrong else "" for _, wrong in lines)))
 
 
-def _label(row: Row) -> str:
+def _label(row: ExplanationRow) -> str:
     return " ".join(text for text in (row.printed_name, row.label) if text)
 
 
@@ -213,3 +214,102 @@ def _chunks(text: str) -> list[str]:
     """Bytes in digits, some a line."""
     size = 3 * _BYTES_A_LINE
     return [text[at : at + size].strip() for at in range(0, len(text), size)]
+
+
+# Bytes are pairs of hexadecimal digits in one text. What does not apply is null.
+
+
+def as_data(
+    layout: DeviceLayout,
+    held: Explanation,
+    readings: Sequence[Reading],
+    chosen: str,
+    remarks: Sequence[str],
+    wrong: bool,
+) -> dict[str, object]:
+    """An explanation with the readings that fit, how one was chosen, and remarks on the text and the request."""
+    errata = {number for row in (*held.rows, *held.registers) for number in row.errata} | set(held.errata)
+    return {
+        "device": layout.device.id,
+        "version": layout.device.version,
+        "frame": _hex_text(held.frame),
+        "link": held.link,
+        "direction": held.direction,
+        "direction_name": layout.device.links[held.link].direction_name(held.direction),
+        "message": held.message or None,
+        "error": held.error,
+        "wrong": wrong,
+        "reasons": list(held.reasons),
+        "chosen": chosen,
+        "readings": [_reading(reading) for reading in readings],
+        "remarks": list(remarks),
+        "values": _json_value(held.values),
+        "rows": [_row(row) for row in held.rows],
+        "registers": [_row(row) for row in held.registers],
+        "errata": [
+            {"id": erratum.id, "fact": erratum.fact, "printed": _printed(erratum.printed), "reason": erratum.reason}
+            for erratum in layout.device.errata
+            if erratum.id in errata
+        ],
+    }
+
+
+def _reading(reading: Reading) -> dict[str, object]:
+    link, direction, message, error = reading
+    return {"link": link, "direction": direction, "message": message or None, "error": error}
+
+
+def _row(row: ExplanationRow) -> dict[str, object]:
+    return {
+        "kind": row.kind,
+        "offset": row.offset,
+        "length": row.length,
+        "raw": _hex_text(row.raw),
+        "characters": row.characters or None,
+        "path": row.path or None,
+        "fact": row.fact or None,
+        "printed_name": row.printed_name or None,
+        "label": row.label or None,
+        "doc": row.doc or None,
+        "number": _json_value(row.number),
+        "value": row.value or None,
+        "meanings": [
+            {
+                "name": meaning.name or None,
+                "label": meaning.label or None,
+                "text": meaning.text or None,
+                "bits": meaning.bits or None,
+            }
+            for meaning in row.meanings
+        ],
+        "verdict": row.verdict or None,
+        "reason": row.reason or None,
+        "source": row.source or None,
+        "notes": list(row.notes),
+        "errata": list(row.errata),
+        "address": row.address,
+        "words": row.words or None,
+        "access": row.access or None,
+    }
+
+
+def _hex_text(data: bytes) -> str:
+    return data.hex().upper()
+
+
+def _json_value(value: object) -> object:
+    """A raw value: numbers as they are, but for those that JSON does not have; bytes as digits."""
+    if isinstance(value, bytes):
+        return _hex_text(value)
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    if isinstance(value, list):
+        return [_json_value(item) for item in value]
+    if isinstance(value, dict):
+        return {key: _json_value(item) for key, item in value.items()}
+    return value
+
+
+def _printed(printed: Mapping[str, object]) -> dict[str, object]:
+    """What the manual prints, key by key; exact numbers as text."""
+    return {key: str(value) if isinstance(value, Decimal) else value for key, value in printed.items()}

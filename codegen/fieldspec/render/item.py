@@ -1,27 +1,24 @@
-"""One item of a device, shown to people: a register, a message, a record, and whatever else has a name."""
+"""One item of a device: register, message, record or any other, with its texts."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from fieldspec.classes import TYPE_CHECKING, dataclass
+from fieldspec.explain.parameters import number_of_text
+from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.explaining.numbered import number_written
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.enum import Enum, Member
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Flags, State
-from fieldspec.model.limit import Limit
+from fieldspec.model.address_space import AddressSpace
+from fieldspec.model.device import Device
+from fieldspec.model.enums import Enum, Flags, Member, State
+from fieldspec.model.fact import Claim, Fact
 from fieldspec.model.link import Link
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.note import Note
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.register import Register, RegisterGroup
-from fieldspec.model.signal import Conversion, Signal
+from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
 from fieldspec.model.task import Task
+from fieldspec.model.texts import Erratum, Example, Limit, Lookup, Note
+from fieldspec.model.value import UNSPECIFIED, Conversion, Handling, Signal
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -36,9 +33,9 @@ class Numbered:
     parameter: Parameter | None
 
     @property
-    def written(self) -> str:
+    def printed_text(self) -> str:
         """The number as the manual writes it, where that is not in digits."""
-        return self.words.written(self.number) if self.words.printed_as else ""
+        return self.words.number_text(self.number) if self.words.printed_as else ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +46,7 @@ class Coded:
     member: Member
 
     @property
-    def written(self) -> str:
+    def printed_text(self) -> str:
         """The code as the manual, or the device, shows it, where that is not in digits."""
         member = self.member
         form = self.enum.printed_as
@@ -57,7 +54,7 @@ class Coded:
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class DisplayedState:
     """A state that a word shows."""
 
     word: Flags
@@ -65,7 +62,8 @@ class Shown:
 
 
 Item: TypeAlias = (
-    Register
+    AddressSpace
+    | Register
     | RegisterGroup
     | TableLayout
     | MessageLayout
@@ -77,7 +75,7 @@ Item: TypeAlias = (
     | Enum
     | Coded
     | Flags
-    | Shown
+    | DisplayedState
     | Link
     | Lookup
     | Limit
@@ -91,6 +89,7 @@ Item: TypeAlias = (
 def items(layout: DeviceLayout) -> Iterator[Item]:
     """All items of a device that can be shown, in the order of the spec's sections."""
     device = layout.device
+    yield from device.spaces.values()
     yield from device.registers()
     yield from device.groups
     yield from layout.tables.values()
@@ -108,7 +107,7 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
             yield from (Coded(enum, one) for one in enum.members if base is None or base.named(one.name) is None)
     for word in device.flags.values():
         yield word
-        yield from (Shown(word, state) for state in word.states)
+        yield from (DisplayedState(word, state) for state in word.states)
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
@@ -121,7 +120,7 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
 def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[Numbered]:
     """The parameters without a row of their own that a text is as the manual writes it, or on the wire."""
     for words in layout.device.parameters.values():
-        own = number_written(words, text)
+        own = number_of_text(words, text)
         if own is None and number is not None:
             own = number - words.base
         if own is not None and words.holds(own):
@@ -141,7 +140,7 @@ def fact_of(item: Item) -> Fact | Note | Example | Erratum:
             return item.parameter or item.words
         case Coded():
             return item.member
-        case Shown():
+        case DisplayedState():
             return item.state
         case _:
             return item
@@ -155,8 +154,8 @@ def handles(item: Item) -> tuple[str, ...]:
     if isinstance(fact, Note):
         return (fact.name,)
     if isinstance(item, Numbered) and item.parameter is None:
-        return ("", item.written, "")
-    written = item.written if isinstance(item, Numbered | Coded) else ""
+        return ("", item.printed_text, "")
+    written = item.printed_text if isinstance(item, Numbered | Coded) else ""
     return fact.name, fact.printed_name or written, fact.label
 
 
@@ -179,3 +178,88 @@ def numbered(item: Item, number: int) -> bool:
             return number in (item.member.value, item.member.number)
         case _:
             return False
+
+
+Details = Iterator[tuple[str, str]]
+
+_MEMORY = {"volatile": "lost with the power", "nonvolatile": "kept without power"}
+_ENDURANCE = {"limited": "a limited number of writes, which is not printed", "unlimited": "as many writes as one likes"}
+
+
+def fact_details(device: Device, fact: Fact) -> Details:
+    """What every fact has: its text, the versions that it holds for, its places in the manual, and the caveats."""
+    yield "doc", fact.doc
+    yield "since", ", ".join(fact.since)
+    yield "until", ", ".join(fact.until)
+    yield "only", ", ".join(fact.only)
+    yield from _handling(getattr(fact, "handling", UNSPECIFIED))
+    yield "source", citations(fact.sources)
+    for claim in fact.restated:
+        yield "also", _claim(claim)
+    for note in fact.notes:
+        yield "note", note
+    for key, reason in fact.inferred.items():
+        yield "inferred", f"{key}: {reason}"
+    if fact.unverified:
+        yield "unverified", "nobody has compared it with the manual yet"
+    for key, reason in fact.allowed.items():
+        yield "allowed", f"{key}: {reason}"
+    for general in device.notes:
+        if fact.place.path in general.about:
+            yield "note", f"{general.title}: {general.text}"
+    for erratum in device.errata:
+        if erratum.fact == fact.place.path or erratum.fact.startswith(f"{fact.place.path}/"):
+            yield "erratum", f"{erratum.id}: {_printed(erratum)}{erratum.reason}"
+
+
+def _handling(said: Handling) -> Details:
+    """What whoever reads or writes the value must know."""
+    yield "reading", "clears it: only the first reader gets it" if said.clears_on_read else ""
+    yield "memory", _MEMORY.get(said.memory, "")
+    yield "saved by", said.saved_by
+    yield "endurance", _ENDURANCE.get(said.endurance, f"{said.endurance} writes" if said.endurance else "")
+    yield "opposite of", said.opposite_of
+
+
+def erratum_details(erratum: Erratum) -> Details:
+    """What an erratum says."""
+    yield "fact", erratum.fact
+    yield "printed", _printed(erratum).removesuffix(". ").removeprefix("printed ")
+    yield "literally", erratum.literal
+    yield "reason", erratum.reason
+    yield "sure", erratum.confidence
+    yield "effect", erratum.effect
+    yield "proof", erratum.proof
+    yield "source", citations(erratum.sources)
+
+
+def example_details(example: Example) -> Details:
+    """What an example says; `decode` explains its bytes."""
+    yield "title", example.title
+    yield "message", f"{example.message or 'unknown'} {'refusal' if example.error else example.direction}"
+    yield "link", example.link
+    yield "frame", example.frame.hex(" ").upper()
+    yield "answers", example.reply_to
+    yield "refused", example.refused
+    yield "values", ", ".join(f"{name} {value}" for name, value in example.values.items())
+    yield "source", citations(example.sources)
+    for note in example.notes:
+        yield "note", note
+
+
+def note_details(note: Note) -> Details:
+    """What a note says."""
+    yield "title", note.title
+    yield "text", note.text
+    yield "about", ", ".join(note.about)
+    yield "source", citations(note.sources)
+
+
+def _printed(erratum: Erratum) -> str:
+    keys = ", ".join(f"{key} {'absent' if value is None else value}" for key, value in erratum.printed.items())
+    return f"printed {keys}. " if keys else ""
+
+
+def _claim(claim: Claim) -> str:
+    said = ", ".join(f"{key} {value}" for key, value in claim.values.items())
+    return f"{citations(claim.sources)}" + (f": {said}" if said else "")

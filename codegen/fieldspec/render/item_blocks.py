@@ -5,24 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.enum import Enum
+from fieldspec.model.enums import Enum, Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Flags
 from fieldspec.model.link import Link
-from fieldspec.model.lookup import Lookup
-from fieldspec.model.parameter import Parameter, ParameterSet
-from fieldspec.model.register import Register, RegisterGroup
-from fieldspec.model.signal import Signal
-from fieldspec.model.value import Value
-from fieldspec.render.blocks import Block, Line, Table, narrowed
-from fieldspec.render.drawing import drawn
-from fieldspec.render.item import Item, Numbered, fact_of, handles
+from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
+from fieldspec.model.texts import Lookup
+from fieldspec.model.value import Signal, Value
+from fieldspec.render.blocks import Block, Line, Table, drawn, narrowed
+from fieldspec.render.item import Item, Numbered, fact_details, fact_of, handles
 from fieldspec.render.item_details import details
-from fieldspec.render.item_texts import fact_details
-from fieldspec.render.overview import parameter_table, register_table
-from fieldspec.render.values import field_table, member_table, range_text, unit_text
+from fieldspec.render.overview import field_table, member_table, parameter_table, range_text, register_table, unit_text
 
 
 def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Iterator[Block]:

@@ -5,24 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.classes import replace
+from fieldspec.explain.body import references_text
+from fieldspec.explain.explanation import lengths
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.explaining.shares import references_text
-from fieldspec.layout.explanation import lengths
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.enum import Enum
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.limit import Limit
+from fieldspec.model.address_space import AddressSpace
+from fieldspec.model.device import Device
+from fieldspec.model.enums import Enum
 from fieldspec.model.link import Link
-from fieldspec.model.note import Note
-from fieldspec.model.parameter import ParameterSet
-from fieldspec.model.register import Register
-from fieldspec.model.signal import Conversion, Signal
+from fieldspec.model.registers import ParameterSet, Register
 from fieldspec.model.task import Task, step_text
-from fieldspec.render.item import Coded, Item, Numbered, Shown
-from fieldspec.render.item_texts import Details, erratum_details, example_details, note_details
-from fieldspec.render.values import value_details
+from fieldspec.model.texts import Erratum, Example, Limit, Note
+from fieldspec.model.value import Conversion, Signal
+from fieldspec.render.item import (
+    Coded,
+    Details,
+    DisplayedState,
+    Item,
+    Numbered,
+    erratum_details,
+    example_details,
+    note_details,
+)
+from fieldspec.render.overview import value_details
 
 _RESTART = {True: "needed", False: "not needed", None: ""}
 _DIRECTIONS = ("request", "response")
@@ -34,7 +40,7 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
         case Register():
             yield from _register(layout, item, number)
         case TableLayout():
-            yield from _table(item, number)
+            yield from _table(layout, item, number)
         case MessageLayout():
             yield from _message(layout, item)
         case RecordLayout() if item.size is not None:
@@ -52,12 +58,16 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield "follows", f"from {item.derived}" if item.derived else ""
         case Coded():
             yield from _code(item)
-        case Shown():
+        case DisplayedState():
             yield "shown by", item.word.name
             yield "set", ", ".join(item.state.set)
             yield "clear", ", ".join(item.state.clear)
         case Link():
             yield from _link(layout, item)
+        case AddressSpace():
+            yield "unit", item.unit
+            yield "bounds", ", ".join(f"0x{low:04X}..0x{high:04X}" for low, high in item.bounds.intervals)
+            yield "first number", str(item.first_number)
         case Task():
             yield "task", item.kind
             yield "open question", item.open
@@ -80,7 +90,9 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
 def _register(layout: DeviceLayout, register: Register, address: int | None) -> Details:
     many = f", {register.count} of them, {register.stride} apart" if register.count > 1 else ""
     words = "1 word" if register.width == 1 else f"{register.width} words"
-    yield "address", f"0x{register.address:04X} ({register.address}), {words}{many}"
+    yield "space", _space(layout.device, register.space)
+    number = layout.device.space(register.space).first_number + register.address
+    yield "address", f"0x{register.address:04X} ({number}), {words}{many}"
     if register.count > 1 and address is not None and register.address <= address < register.end:
         index = register.index_from + (address - register.address) // register.stride
         yield "here", f"0x{address:04X} is {register.name}[{index}]"
@@ -98,14 +110,20 @@ def _register(layout: DeviceLayout, register: Register, address: int | None) -> 
             yield "copied in", _placed(layout, other.name)
 
 
+def _space(device: Device, name: str) -> str:
+    """The name of an address space; empty where the device has only one."""
+    return device.space_name(name) if device.several_spaces else ""
+
+
 def _placed(layout: DeviceLayout, name: str) -> str:
     """A register with its address."""
     register = layout.device.register(name) if name else None
     return f"{name} at 0x{register.address:04X}" if register is not None else name
 
 
-def _table(laid: TableLayout, address: int | None) -> Details:
+def _table(layout: DeviceLayout, laid: TableLayout, address: int | None) -> Details:
     table = laid.table
+    yield "space", _space(layout.device, table.space)
     formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
     yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
     yield "access", table.access or "not printed"
@@ -196,15 +214,15 @@ def _parameter(item: Numbered, number: int | None) -> Details:
 def _number(words: ParameterSet, number: int) -> str:
     """`Pt317, 0x2317 on the wire`"""
     if not words.base:
-        return words.written(number)
-    own = words.written(number) if words.printed_as else f"{number}"
+        return words.number_text(number)
+    own = words.number_text(number) if words.printed_as else f"{number}"
     return f"{own}, 0x{words.base + number:04X} ({words.base + number}) on the wire"
 
 
 def _set(words: ParameterSet) -> Details:
     yield "what", words.title
     yield "base", f"a number on the wire is the number + 0x{words.base:04X}" if words.base else ""
-    form = words.written
+    form = words.number_text
     for low, high in words.numbers.intervals if words.numbers is not None else ():
         yield (
             "numbers",

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from xml.sax.saxutils import escape, quoteattr
 
 from fieldspec.diagnostics import Diagnostic
-from fieldspec.render.columns import one_line
+from fieldspec.render.blocks import visible_text
 from fieldspec.render.text import concise, place
 
 
@@ -35,4 +35,4 @@ def _attribute(text: str) -> str:
 
 def _visible(text: str) -> str:
     """A text whose lines have no characters that XML does not allow: these are shown as escapes."""
-    return "\n".join(one_line(line) for line in text.split("\n"))
+    return "\n".join(visible_text(line) for line in text.split("\n"))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.plc.layout.placing import Placed
-from fieldspec.plc.layout.rows import member_rows
+from fieldspec.plc.layout.memory import Placed
+from fieldspec.plc.layout.table import member_rows
 from fieldspec.render.blocks import Block, Line, Table, narrowed
 
 _A_ROW = 4
@@ -86,13 +86,13 @@ def _fill(names: list[str], placed: Placed, before: str, start: int) -> None:
             held = names[at]
             names[at] = path if held == _NOTHING else f"{held.partition(' ..')[0]} .. {one.member.name}"
         elif one.inner is not None and one.inner.struct.kind != "bits":
-            _fill(names, one.inner, f"{path}[0]." if one.listed else f"{path}.", at)
+            _fill(names, one.inner, f"{path}[0]." if one.is_array else f"{path}.", at)
             _name(names, f"{path}[1..{one.count - 1}]", at + one.stride, one.stride * (one.count - 1))
-        elif one.listed and one.size * one.count <= _A_ROW:
+        elif one.is_array and one.size * one.count <= _A_ROW:
             for number in range(one.count):
                 _name(names, f"{path}[{number}]", at + number * one.stride, one.size)
         else:
-            _name(names, f"{path}[0..{one.count - 1}]" if one.listed else path, at, one.end - one.at)
+            _name(names, f"{path}[0..{one.count - 1}]" if one.is_array else path, at, one.end - one.at)
 
 
 def _name(names: list[str], name: str, first: int, count: int) -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.render.columns import one_line
+from fieldspec.render.blocks import visible_text
 
 # Words and ranges stand without quotes; what readers of YAML take for something else than text is no word.
 _WORD = re.compile(r"(?!(?i:y|n|yes|no|on|off|true|false|null)$)[A-Za-z_][\w ()/.-]*(?<! )")
@@ -52,7 +52,7 @@ def _item(item: Node, indent: str) -> Iterator[str]:
 
 
 def _cited(text: str, node: Node) -> str:
-    return f"{text:<{_WIDTH}}  # {one_line(node.span.file.path)}:{node.span.position()[0]}"
+    return f"{text:<{_WIDTH}}  # {visible_text(node.span.file.path)}:{node.span.position()[0]}"
 
 
 def _scalar(node: Scalar) -> str:

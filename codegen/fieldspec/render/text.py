@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from fieldspec.diagnostics import Diagnostic, Severity
-from fieldspec.render.columns import one_line, width
+from fieldspec.render.blocks import visible_text, width
 from fieldspec.source import Span
 
 _Paint: TypeAlias = Callable[[str, str], str]
@@ -26,18 +26,18 @@ _STYLES = {
 
 def rendered(found: Sequence[Diagnostic], *, coloured: bool = False) -> str:
     """All findings, and how many there are."""
-    paint = _painted if coloured else _plain
+    paint = _painted if coloured else _unstyled
     blocks = [_block(finding, paint) for finding in found]
     errors = sum(finding.severity is Severity.ERROR for finding in found)
-    counts = [_counted(errors, "error"), _counted(len(found) - errors, "warning")]
+    counts = [_plural(errors, "error"), _plural(len(found) - errors, "warning")]
     return "\n".join(blocks) + "\n" + ", ".join(count for count in counts if count) + "\n"
 
 
-def _counted(number: int, noun: str) -> str:
+def _plural(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}" if number else ""
 
 
-def _plain(style: str, text: str) -> str:
+def _unstyled(style: str, text: str) -> str:
     return text
 
 
@@ -49,14 +49,14 @@ def _block(finding: Diagnostic, paint: _Paint) -> str:
     severity = finding.severity.value
     lines = [
         f"{paint('place', place(finding.span))}: {paint(severity, f'{severity}[{finding.code}]')}: "
-        f"{one_line(finding.message)}",
+        f"{visible_text(finding.message)}",
         *_marked(finding.span, "^", paint, "mark"),
     ]
     for label in finding.labels:
-        lines.append(f"  {paint('other', place(label.span))}: {one_line(label.text)}")
+        lines.append(f"  {paint('other', place(label.span))}: {visible_text(label.text)}")
         lines += _marked(label.span, "-", paint, "other")
     if finding.help:
-        lines.append(f"  {paint('help', 'help')}: {one_line(finding.help)}")
+        lines.append(f"  {paint('help', 'help')}: {visible_text(finding.help)}")
     return "\n".join(lines) + "\n"
 
 
@@ -70,12 +70,12 @@ def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
     last = max(first + 1, min(len(source), first + span.end - span.start))
     start = max(0, first - 20) if len(source) > LONGEST_LINE else 0
     shown = source[start : start + LONGEST_LINE]
-    before = one_line(("..." if start else "") + source[start:first])
-    under = one_line(source[first : min(last, start + LONGEST_LINE)]) or " "
+    before = visible_text(("..." if start else "") + source[start:first])
+    under = visible_text(source[first : min(last, start + LONGEST_LINE)]) or " "
     gutter = f"{number:>6} | "
     after = "..." if start + LONGEST_LINE < len(source) else ""
     return [
-        paint("dim", gutter) + ("..." if start else "") + one_line(shown) + after,
+        paint("dim", gutter) + ("..." if start else "") + visible_text(shown) + after,
         paint("dim", " " * 6 + " | ") + " " * width(before) + paint(style, mark * max(1, width(under))),
     ]
 
@@ -90,9 +90,9 @@ def concise(found: Sequence[Diagnostic]) -> str:
     """One line a finding, one for each label, and one for the help."""
     text = ""
     for finding in found:
-        text += f"{place(finding.span)}: {finding.code}: {one_line(finding.message)}\n"
+        text += f"{place(finding.span)}: {finding.code}: {visible_text(finding.message)}\n"
         for label in finding.labels:
-            text += f"  label {place(label.span)}: {one_line(label.text)}\n"
+            text += f"  label {place(label.span)}: {visible_text(label.text)}\n"
         if finding.help:
-            text += f"  help: {one_line(finding.help)}\n"
+            text += f"  help: {visible_text(finding.help)}\n"
     return text

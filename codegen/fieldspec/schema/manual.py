@@ -13,8 +13,7 @@ ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
 _MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
-_TEXT = re.compile(r"^<!-- text: ([a-z]+) -->$", re.MULTILINE)
-"""Stands for a section that is long enough for a file of its own."""
+_INCLUDED = re.compile(r"^<!-- include: ([a-z_]+\.md) -->$", re.MULTILINE)
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -29,10 +28,12 @@ _KINDS = {
 
 def manual() -> str:
     """The manual as Markdown. The template says where the keys of which part of the schema stand."""
-    folder = resources.files(__name__.rpartition(".")[0])
-    text = folder.joinpath("language.md").read_text("utf-8")
-    text = _TEXT.sub(lambda mark: folder.joinpath(f"{mark[1]}.md").read_text("utf-8").rstrip("\n"), text)
+    text = _INCLUDED.sub(lambda mark: _text(mark[1]).rstrip("\n"), _text("language.md"))
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
+
+
+def _text(name: str) -> str:
+    return resources.files(__name__.rpartition(".")[0]).joinpath(name).read_text("utf-8")
 
 
 @cache
@@ -95,12 +96,12 @@ def _also(part: Schema, needed: list[str]) -> Iterator[str]:
         few = len(taken) < len(left_out)
         text = f"It also takes {words}"
         if few:
-            text = f"It also takes {_listed(taken)}, as every [{group}](#{group}) does"
+            text = f"It also takes {_enumeration(taken)}, as every [{group}](#{group}) does"
         elif left_out:
-            text += f" but {_listed(left_out)}"
+            text += f" but {_enumeration(left_out)}"
         must = [key for key in taken if key in needed]
         yield ""
-        yield text + (f"; {_listed(must)} is needed." if must else ".")
+        yield text + (f"; {_enumeration(must)} is needed." if must else ".")
 
 
 def _words(part: Schema) -> Iterator[str]:
@@ -163,6 +164,6 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
-def _listed(words: list[str]) -> str:
+def _enumeration(words: list[str]) -> str:
     quoted = [f"`{word}`" for word in words]
     return quoted[0] if len(quoted) == 1 else ", ".join(quoted[:-1]) + " and " + quoted[-1]

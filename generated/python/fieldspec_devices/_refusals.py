@@ -24,7 +24,7 @@ def refused_number(
     low: int,
     high: int,
     ranges: tuple[tuple[int, int], ...] = (),
-    others: tuple[int, ...] = (),
+    others: tuple[float, ...] = (),
     members: Container[int] | None = None,
     enum: str = "",
 ) -> CodecError | None:
@@ -48,15 +48,25 @@ def refused_flags(name: str, value: Any, high: int, ranges: tuple[tuple[int, int
     return refused_number(name, raw, 0, high, ranges)
 
 
-def refused_float(name: str, value: Any) -> CodecError | None:
-    """A floating-point number of 32 bits."""
+def refused_float(
+    name: str, value: Any, ranges: tuple[tuple[int, int], ...] = (), others: tuple[float, ...] = ()
+) -> CodecError | None:
+    """A floating-point number of 32 bits, in one of `ranges`, or one of `others`; without ranges any one, NaN too."""
     if not isinstance(value, (int, float)):
         return CodecError("wrong_type", f"{name} is a number, not {value!r}")
     try:
         _F32.pack(value)
     except OverflowError:
         return CodecError("out_of_range", f"{name} is {value}, more than 32 bits can hold")
-    return None
+    if not ranges or any(least <= value <= most for least, most in ranges) or is_one_of(value, others):
+        return None
+    allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges)
+    return CodecError("out_of_range", f"{name} is {value}, not in {allowed}")
+
+
+def is_one_of(value: float, others: tuple[float, ...]) -> bool:
+    """Whether a number is one of some others, of which every NaN is like any other NaN."""
+    return any(value == other or (value != value and other != other) for other in others)
 
 
 def refused_text(name: str, value: Any, size: int) -> CodecError | None:

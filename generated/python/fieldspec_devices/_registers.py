@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from struct import pack, unpack
 
-from ._conversions import counts
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import RecordValue, Value
@@ -22,9 +21,22 @@ class Register(Generic[T]):
     `access` is ro, rw or wo, and empty where the manual does not say it. The words of an `atomic` register must be
     accessed in one request. `trigger` says that writing starts something, and that reading gives nothing back.
     `number` is the one under which the manual lists it elsewhere, `copy_of` the name of the register whose copy it is.
+    `space` is the address space in which it lies, empty where the device has only one.
     """
 
-    __slots__ = ("access", "address", "atomic", "copy_of", "name", "number", "order", "trigger", "value", "words")
+    __slots__ = (
+        "access",
+        "address",
+        "atomic",
+        "copy_of",
+        "name",
+        "number",
+        "order",
+        "space",
+        "trigger",
+        "value",
+        "words",
+    )
 
     def __init__(
         self,
@@ -39,8 +51,9 @@ class Register(Generic[T]):
         number: int | None = None,
         copy_of: str = "",
         order: str = ">",
+        space: str = "",
     ) -> None:
-        self.name, self.address, self.words = name, address, words
+        self.name, self.address, self.words, self.space = name, address, words, space
         self.value, self.access, self.number, self.copy_of = value, access, number, copy_of
         self.atomic, self.trigger, self.order = atomic, trigger, order
 
@@ -50,7 +63,7 @@ class Register(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that it may hold, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
         return self.value.ranges
 
     @property
@@ -84,20 +97,22 @@ class Register(Generic[T]):
         """The words of a value, as a request carries them. Raises CodecError."""
         return list(unpack(f"{self.order}{self.words}H", self.encode(value)))
 
-    def in_unit(self, count: int) -> float:
-        """A count in the unit."""
-        a, b, c = self.value.ratio
-        return (count * a + b) / c
+    def in_unit(self, count: float) -> float | None:
+        """A count in the unit; None for one that stands for an absent value."""
+        return self.value.in_unit(count)
 
     def from_unit(self, value: float) -> int:
-        """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
-        return counts(self.name, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+        """The count that is nearest to a value in the unit, of two the even one.
+
+        Raises CodecError out of range, and where that count stands for an absent value.
+        """
+        return self.value.from_unit(self.name, value)
 
 
 class RegisterArray(Generic[T]):
     """Equal registers, `stride` words apart, by the number that the manual gives them."""
 
-    __slots__ = ("_registers", "access", "address", "copy_of", "first", "name", "number", "stride")
+    __slots__ = ("_registers", "access", "address", "copy_of", "first", "name", "number", "space", "stride")
 
     def __init__(
         self,
@@ -115,10 +130,11 @@ class RegisterArray(Generic[T]):
         number: int | None = None,
         copy_of: str = "",
         order: str = ">",
+        space: str = "",
     ) -> None:
-        self.name, self.address, self.access = name, address, access
+        self.name, self.address, self.access, self.space = name, address, access, space
         self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
-        more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order}
+        more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order, "space": space}
         self._registers = tuple(
             Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)
             for number in range(count)
@@ -140,9 +156,9 @@ class RegisterArray(Generic[T]):
 
 
 class Table(Generic[T]):
-    """Records in the register space, `stride` words apart, by the number that the manual gives them."""
+    """Records in an address space, `stride` words apart, by the number that the manual gives them."""
 
-    __slots__ = ("_order", "_value", "access", "base", "count", "first", "name", "record", "stride", "words")
+    __slots__ = ("_order", "_value", "access", "base", "count", "first", "name", "record", "space", "stride", "words")
 
     def __init__(
         self,
@@ -156,8 +172,9 @@ class Table(Generic[T]):
         first: int,
         access: str = "",
         order: str = ">",
+        space: str = "",
     ) -> None:
-        self.name, self.record, self.access = name, record, access
+        self.name, self.record, self.access, self.space = name, record, access, space
         self.base, self.words, self.stride, self.count, self.first = base, words, stride, count, first
         self._value, self._order = RecordValue(record, 2 * words), order
 
@@ -174,7 +191,8 @@ class Table(Generic[T]):
         if not self.first <= number < self.first + self.count:
             raise IndexError(f"{self.name} has the numbers {self.first}..{self.first + self.count - 1}, not {number}")
         address = self.base + (number - self.first) * self.stride
-        return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, order=self._order)
+        more: dict[str, Any] = {"order": self._order, "space": self.space}
+        return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **more)
 
     def at(self, address: int) -> Register[T] | None:
         """The element that begins at an address."""
@@ -199,6 +217,22 @@ def writable(register: Register[Any]) -> None:
         raise CodecError("read_only", f"{register.name} can only be read")
 
 
+def unreachable(register: Register[Any], operation: str) -> CodecError:
+    """A register in a space that no message reads or writes."""
+    return CodecError("no_message", f"no message {operation}s {register.name} in {register.space}")
+
+
+def replies(register: Register[Any], responses: Iterable[object], kind: type[T]) -> list[T]:
+    """Responses that carry words of the space of a register. Raises CodecError for others."""
+    found = []
+    for response in responses:
+        if not isinstance(response, kind):
+            text = f"{register.name} lies in {register.space}, of which {type(response).__name__} carries nothing"
+            raise CodecError("wrong_type", text)
+        found.append(response)
+    return found
+
+
 def only(name: str, requests: list[T]) -> T:
     """The one request of a list. Raises CodecError where it takes several."""
     if len(requests) != 1:
@@ -207,11 +241,18 @@ def only(name: str, requests: list[T]) -> T:
 
 
 def found(
-    address: int, registers: Iterable[Register[Any] | RegisterArray[Any]], tables: Iterable[Table[Any]]
+    address: int,
+    registers: Iterable[Register[Any] | RegisterArray[Any]],
+    tables: Iterable[Table[Any]],
+    space: str = "",
 ) -> Register[Any] | None:
-    """The register, or the element of a table, that begins at an address."""
+    """The register, or the element of a table, that begins at an address of a space."""
     for one in registers:
+        if one.space != space:
+            continue
         for register in (one,) if isinstance(one, Register) else one:
             if register.address == address:
                 return register
-    return next((element for table in tables if (element := table.at(address)) is not None), None)
+    return next(
+        (element for table in tables if table.space == space and (element := table.at(address)) is not None), None
+    )

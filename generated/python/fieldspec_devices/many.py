@@ -52,10 +52,24 @@ class Column:
 
     `count` is the number of elements of a list, 0 for a single one. `swapped` says that the 16-bit words lie in the
     other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is
-    (a, b, c) of value = (count * a + b) / c in the unit. A field without a name is tested only.
+    (a, b, c) of value = (count * a + b) / c in the unit; `absent` are the counts that are no quantity. A field
+    without a name is tested only.
     """
 
-    __slots__ = ("count", "letter", "name", "offset", "order", "ratio", "record", "size", "swapped", "tests", "text")
+    __slots__ = (
+        "absent",
+        "count",
+        "letter",
+        "name",
+        "offset",
+        "order",
+        "ratio",
+        "record",
+        "size",
+        "swapped",
+        "tests",
+        "text",
+    )
 
     def __init__(
         self,
@@ -71,11 +85,12 @@ class Column:
         tests: tuple[tuple[int, int], ...] = (),
         text: bool = False,
         ratio: tuple[int, int, int] | None = None,
+        absent: tuple[int, ...] = (),
     ) -> None:
         self.name, self.letter, self.offset, self.count = name, letter, offset, count
         self.size = size or _WIDTHS[letter]
         self.order, self.swapped, self.record = order, swapped, record
-        self.tests, self.text, self.ratio = tests, text, ratio
+        self.tests, self.text, self.ratio, self.absent = tests, text, ratio, absent
 
     def places(self, element: int = 0) -> list[int]:
         """The offsets of the bytes of an element, the least significant first."""
@@ -298,7 +313,10 @@ def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
 
 
 def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """A column of counts in the unit of its field, as floating-point numbers. Raises KeyError for other fields."""
+    """A column of counts in the unit of its field, as floating-point numbers. Raises KeyError for other fields.
+
+    A count that stands for an absent value becomes NaN.
+    """
     for one in record._columns():
         if one.name == name and one.ratio is not None:
             a, b, c = one.ratio
@@ -309,6 +327,8 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
                 held += b
             if c != 1:
                 held /= c
+            for count in one.absent:
+                held[column == count] = float("nan")
             return held
     raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
 

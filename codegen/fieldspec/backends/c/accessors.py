@@ -7,10 +7,10 @@ from fractions import Fraction
 from fieldspec.backends.c.enums import closed_test
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.text import comment, indented, integer
-from fieldspec.backends.c.values import Wire, const_test, declaration, decode_lines, encode_lines, fixed_lines
+from fieldspec.backends.c.values import Wire, declaration, decode_lines, encode_lines, fixed_lines
+from fieldspec.classes import replace
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 ACCESS = {
     "ro": "Read only.",
@@ -22,15 +22,25 @@ ACCESS = {
 _LARGEST = 2**63 - 1
 
 
+def _real(number: int) -> str:
+    """A whole number as a literal of a float."""
+    return f"(-{-number}.0f)" if number < 0 else f"{number}.0f"
+
+
 def constant_lines(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[str]:
     """The constant, the range, the default and the scale, each in counts or as a fraction."""
     found: list[tuple[str, str]] = []
     size, signed = value.size, value.type.signed
     if value.const is not None:
         found.append(("value", integer(value.const, size, signed)))
-    if value.ranges is not None:
+    if value.ranges is not None and value.type.kind is Kind.FLOAT:
+        found += [("min", _real(value.ranges.low)), ("max", _real(value.ranges.high))]
+    elif value.ranges is not None:
         found.append(("min", integer(value.ranges.low, size, signed)))
         found.append(("max", integer(value.ranges.high, size, signed)))
+    if value.write_ranges is not None:
+        found.append(("write_min", integer(value.write_ranges.low, size, signed)))
+        found.append(("write_max", integer(value.write_ranges.high, size, signed)))
     if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
         found.append(("default", integer(value.default, size, signed)))
     for name, exact, implied in (("scale", value.scale, 1), ("offset", value.offset, 0)):
@@ -42,28 +52,30 @@ def constant_lines(naming: Naming, noun: Noun, names: tuple[str, ...], value: Va
 
 
 def access_lines(
-    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: Wire, size: int
+    naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: Wire, size: int, trigger: bool
 ) -> list[str]:
-    """The functions that read and write the value, as its bytes lie in a frame, filled up to a size in bytes."""
+    """The functions that read and write the value, as its bytes lie in a frame, filled up to a size in bytes.
+
+    What the device answers is read whatever it is; only what is written must be the constant, or, of a trigger, what
+    its enum lists.
+    """
     value, status = wire.value, naming.own("codec_status")
+    answer = replace(wire, value=value.as_answer(trigger))
     ok = f"return {naming.own_macro('ok')};"
     pad = [f"out[{at}] = 0;" for at in range(wire.size, size)]
+    text = wire.kind in (Kind.TEXT, Kind.BYTES)
+    target = "out" if text else "*out"
+    decode = decode_lines(naming, answer, "in", target, closed_test(naming, device, answer.value, target))
+    pointer = declaration(wire, target, None)
     if value.const is not None:
-        encode, decode = fixed_lines(naming, wire, value.const, "out"), const_test(naming, wire, "in")
-        taken, given = "", ""
+        encode, given = fixed_lines(naming, wire, value.const, "out"), ""
     else:
-        closed = closed_test(naming, device, value, "value")
-        text = wire.kind in (Kind.TEXT, Kind.BYTES)
-        target = "out" if text else "*out"
-        encode = encode_lines(naming, wire, "value", "out", closed)
-        decode = decode_lines(naming, wire, "in", target, closed_test(naming, device, value, target))
-        pointer = declaration(wire, "out" if text else "*out", None)
-        argument = declaration(wire, "value", None)
-        taken, given = f", {pointer}", f"{'const ' if text else ''}{argument}, "
+        encode = encode_lines(naming, wire, "value", "out", closed_test(naming, device, value, "value"))
+        given = f"{'const ' if text else ''}{declaration(wire, 'value', None)}, "
     words = f"the {size} bytes of its words" if noun == "register" else ""
     return [
         *comment(f"Reads its value from {words}." if words else "Reads its value."),
-        f"static inline {status} {naming.function(noun, *names, 'decode')}(const uint8_t *in{taken})",
+        f"static inline {status} {naming.function(noun, *names, 'decode')}(const uint8_t *in, {pointer})",
         "{",
         *indented([*decode, ok]),
         "}",

@@ -11,7 +11,7 @@ from fieldspec.backends.c.fields import members
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import hexadecimal, integer, string
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 
 def same(what: str, left: str, right: str) -> str:
@@ -63,7 +63,7 @@ def compared(naming: Naming, record: Decided, values: Mapping[str, Any], holder:
 
 
 def _items(field: FieldLayout, name: str, held: Any) -> list[tuple[str, Any]]:
-    return [(f"{name}[{at}]", item) for at, item in enumerate(held)] if field.listed else [(name, held)]
+    return [(f"{name}[{at}]", item) for at, item in enumerate(held)] if field.is_list else [(name, held)]
 
 
 def _assign(naming: Naming, field: FieldLayout, target: str, held: Any) -> list[str]:

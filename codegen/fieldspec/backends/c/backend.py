@@ -52,7 +52,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         part.algorithm
         for link in layout.links.values()
         for frame in (link.request, link.response)
-        for part in frame.tail
+        for part in frame.parts
         if part.algorithm
     }
     signals = [signal_lines(naming, signal) for signal in device.signals.values()]
@@ -68,7 +68,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
         ("Records", [record_lines(naming, device, record, told(record.record)) for record in layout.records.values()]),
         ("Data of requests and responses", list(_messages(naming, layout))),
         ("Registers", [register_lines(naming, device, register) for register in layout.registers]),
-        ("Tables of records", [table_lines(naming, table) for table in layout.tables.values()]),
+        ("Tables of records", [table_lines(naming, device, table) for table in layout.tables.values()]),
         ("Parameters", [b for held in device.parameters.values() for b in parameter_lines(naming, device, held)]),
         ("Frames", [link_lines(naming, layout, link) for link in layout.links.values()]),
     ]

@@ -31,7 +31,9 @@ def of_value(value: Value | None) -> str:
         facts.append(f"One count is {scale} {value.unit}".rstrip() + f"{offset}.")
     if value.ranges is not None:
         facts.append(f"Range: {value.ranges.text()}.")
+    if value.write_ranges is not None:
+        facts.append(f"May be written: {value.write_ranges.text()}.")
     if value.enum or value.flags:
         facts.append(f"See {value.enum or value.flags}.")
-    facts += [f"{sentinel.value} is {sentinel.name}." for sentinel in value.sentinels]
+    facts += [f"{sentinel.text} is {sentinel.name}." for sentinel in value.sentinels]
     return " ".join(facts)

@@ -21,7 +21,7 @@ def each(record: RecordLayout, field: FieldLayout, one: One, holder: str) -> lis
 
 def looped(record: RecordLayout, field: FieldLayout, size: int, one: One, holder: str, name: str) -> list[str]:
     """The statements for a field whose elements have some size, and lie in some member."""
-    if not field.listed:
+    if not field.is_list:
         return one(f"{field.offset}", f"{holder}{name}")
     repeated = field.field.repeat is not None
     count = f"{holder}{count_member(record, field)}" if repeated else f"{field.count}u"

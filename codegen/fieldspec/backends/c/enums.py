@@ -6,7 +6,7 @@ from fieldspec.backends.c.comments import told
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import hexadecimal, indented, integer, plain, string
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum, Member
+from fieldspec.model.enums import Enum, Member
 from fieldspec.model.value import Value
 
 # What the constants of an enum may be: an int, which has 16 bits on small machines.

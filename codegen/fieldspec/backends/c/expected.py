@@ -9,8 +9,7 @@ from fieldspec.backends.c.enums import available
 from fieldspec.backends.c.fields import given, members, most
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 
 def low_value(device: Device, value: Value) -> Any:
@@ -20,7 +19,7 @@ def low_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.BYTES:
         return bytes(value.size)
     if value.type.kind is Kind.FLOAT:
-        return 0.0
+        return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
     choices = legal(device, value)
     return 0 if 0 in choices else choices[0]
 
@@ -32,7 +31,7 @@ def high_value(device: Device, value: Value) -> Any:
     if value.type.kind is Kind.BYTES:
         return bytes((0xA1 + at) & 0xFF for at in range(value.size))
     if value.type.kind is Kind.FLOAT:
-        return -1.5
+        return -1.5 if value.ranges is None else float(value.ranges.high)
     return legal(device, value)[-1]
 
 
@@ -40,10 +39,11 @@ def legal(device: Device, value: Value) -> list[int]:
     """Values that are taken, the least and the greatest of each interval among them."""
     if value.enum and not device.enums[value.enum].open:
         members = sorted(member.value for member in available(device.enums[value.enum]))
-        inside = [number for number in members if value.ranges is None or number in value.ranges]
+        ranges = value.written_ranges
+        inside = [number for number in members if ranges is None or number in ranges]
         return inside or members
-    if value.ranges is not None:
-        return [bound for pair in value.ranges.intervals for bound in pair]
+    if value.written_ranges is not None:
+        return [bound for pair in value.written_ranges.intervals for bound in pair]
     return [0, value.type.low, value.type.high]
 
 
@@ -61,7 +61,7 @@ def field_value(device: Device, field: FieldLayout, pick: Any) -> Any:
             return pick(device, field.value)
         return {inner.name: field_value(device, inner, pick) for inner in members(field.record)}
 
-    if not field.listed:
+    if not field.is_list:
         return one()
     repeat = field.field.repeat
     count = most(field) if repeat is None else max(repeat.low, min(1, repeat.high))
@@ -81,8 +81,8 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             held = field.value.const if field.value.const is not None else default
             if field.value.type.letter == "s":
                 held = b""
-            held = [held] * (field.count or 1) if field.listed else held
-        for item in held if field.listed else [held]:
+            held = [held] * (field.count or 1) if field.is_list else held
+        for item in held if field.is_list else [held]:
             data += record_bytes(field.record, item) if field.record else value_bytes(field, item)
     return data
 
@@ -92,7 +92,7 @@ def _measured(record: RecordLayout, field: FieldLayout, values: dict[str, Any]) 
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None
-    items = len(values[other.name]) if other.listed else 1
+    items = len(values[other.name]) if other.is_list else 1
     return items * other.size if measure.of == "bytes" else items
 
 

@@ -18,11 +18,7 @@ DIRECTIONS = ("request", "response")
 
 def head_members(shape: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users give: neither the length nor the code, nor a constant."""
-    return [
-        part
-        for part in shape.head
-        if part.role in ("station", "plain") and not (part.value and part.value.const is not None)
-    ]
+    return [part for part in shape.head if part.is_argument]
 
 
 def wrapped(link: LinkLayout) -> bool:
@@ -136,17 +132,14 @@ def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
         body += refused(naming, f"length < {least}u", "err_incomplete")
     length = shape.role("length")
     if length is not None:
-        body += refused(
-            naming, f"{load(naming, part_wire(length), f'in + {length.offset}')} != length", "err_wrong_length"
-        )
+        received = load(naming, part_wire(length), f"in + {length.offset}")
+        body += refused(naming, _length_differs(shape, length, received, "length"), "err_wrong_length")
     check = shape.check
     if check is not None:
-        at = _sum("length", check.offset)
-        held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {at})"
-        body += refused(naming, f"{naming.own(check.algorithm)}(in, {at}) != {held}", "err_wrong_check")
-    for part in shape.head:
-        if part.value is not None and part.value.const is not None and part.role != "length":
-            body += const_test(naming, part_wire(part), f"in + {part.offset}")
+        held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {_at('length', check.offset)})"
+        body += refused(naming, f"{_checksum(naming, check, 'in', 'length')} != {held}", "err_wrong_check")
+    for part in shape.constants:
+        body += const_test(naming, part_wire(part), f"in + {_at('length', part.offset)}")
     for part in head_members(shape):
         body.append(f"out->{frame_member(part.name)} = {load(naming, part_wire(part), f'in + {part.offset}')};")
     body += _code(naming, link, shape)
@@ -201,13 +194,13 @@ def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: st
     # No sum is compared: it would wrap around for lengths that no buffer has.
     tests = [f"capacity < {least}u"] if least else []
     body += refused(naming, " || ".join([*tests, f"body_length > {room}"]), "err_capacity")
-    for part in shape.head:
-        body += _head(naming, layout, link, part)
+    for part in shape.parts:
+        if part.role != "check":
+            body += _head(naming, layout, link, shape, part)
     if shape.check is not None:
         check = shape.check
         store = naming.own("store", access_name(check.size, check.order, False))
-        at = _sum("total", check.offset)
-        body.append(f"{store}(out + {at}, {naming.own(check.algorithm)}(out, {at}));")
+        body.append(f"{store}(out + {_at('total', check.offset)}, {_checksum(naming, check, 'out', 'total')});")
     if marks or width == 2:
         body += _wrap(naming, link)
     if not any("out" in line for line in body):
@@ -224,24 +217,64 @@ def _sum(term: str, number: int) -> str:
     return f"{term} + {number}u" if number else term
 
 
-def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, part: PartLayout) -> list[str]:
+def _at(total: str, offset: int) -> str:
+    """A place in a frame of `total` bytes: from its begin, or negative from its end."""
+    return f"{offset}" if offset >= 0 else _sum(total, offset)
+
+
+def _checksum(naming: Naming, check: PartLayout, source: str, total: str) -> str:
+    """The check of the bytes that it covers, in a frame of `total` bytes that begins at `source`."""
+    stop = total if check.stop is None else f"{check.stop}u" if check.stop >= 0 else _sum(total, check.stop)
+    if check.start == 0:
+        return f"{naming.own(check.algorithm)}({source}, {stop})"
+    if check.start > 0:
+        size = f"{check.stop - check.start}u" if check.stop is not None and check.stop > 0 else ""
+        size = size or _sum(total, (check.stop or 0) - check.start)
+        return f"{naming.own(check.algorithm)}({source} + {check.start}, {size})"
+    return f"{naming.own(check.algorithm)}({source} + {_sum(total, check.start)}, {(check.stop or 0) - check.start}u)"
+
+
+def _length_differs(shape: FrameLayout, part: PartLayout, received: str, total: str) -> str:
+    """The condition under which a length part does not say that a frame has `total` bytes."""
+    counted, tests = _counted(shape, part, total)
+    return " || ".join([*tests, f"{received} != {counted}"])
+
+
+def _counted(shape: FrameLayout, part: PartLayout, total: str) -> tuple[str, list[str]]:
+    """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it.
+
+    Nothing in it wraps around where none of the conditions holds.
+    """
+    tests = [f"{total} < {part.base}u"] if part.base > shape.head_size + shape.tail_size else []
+    counted = _sum(total, -part.base)
+    if part.unit_size > 1:
+        counted = f"({counted})" if part.base else total
+        tests.append(f"{counted} % {part.unit_size}u != 0")
+        counted = f"{counted} / {part.unit_size}u"
+    return counted, tests
+
+
+def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, shape: FrameLayout, part: PartLayout) -> list[str]:
     held = part_wire(part)
     store = naming.own("store", access_name(held.size, held.order, False))
     number = f"uint{8 * held.size}_t"
-    at = f"out + {part.offset}"
+    at = f"out + {_at('total', part.offset)}"
     if part.role == "length":
+        counted, tests = _counted(shape, part, "total")
         highest = held.value.type.high
-        limit = refused(naming, f"total > {highest}u", "err_wrong_length")
+        limit = refused(naming, f"{counted} > {highest}u", "err_wrong_length")
         if highest >= 0xFFFF:
             limit = [f"#if SIZE_MAX > {highest}u", *limit, "#endif"]
-        return [*limit, f"{store}({at}, ({number})total);"]
+        before = refused(naming, " || ".join(tests), "err_wrong_length") if tests else []
+        written = counted if counted == "total" else f"({counted})"
+        return [*before, *limit, f"{store}({at}, ({number}){written});"]
     if part.role == "code":
         return [
             *refused(naming, f"code > {held.value.type.high}u", "err_unknown_code"),
             f"{store}({at}, ({number})code);",
         ]
-    if held.value.const is not None:
-        return [f"{store}({at}, {integer(held.value.const, held.size, False)});"]
+    if part.constant is not None:
+        return [f"{store}({at}, {integer(part.constant & (1 << 8 * held.size) - 1, held.size, False)});"]
     name = argument(part.name)
     lines = []
     closed = closed_test(naming, layout.device, held.value, name)

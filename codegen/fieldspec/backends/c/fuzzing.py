@@ -15,8 +15,7 @@ from fieldspec.backends.forms import filled
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _MACROS = {
     "RECORD": """
@@ -99,12 +98,25 @@ do {
     hold(decode(out, second) == OK && encode(second, again) == OK && memcmp(out, again, sizeof out) == 0);
 } while (0)""",
     "CONSTANT": """
-/* A constant: what is written is what is read. */
-#define CONSTANT(decode, encode, held, length)
+/* A constant: what is written can be read, and so can what else the device answers. */
+#define CONSTANT(type, decode, encode, length)
 do {
+    type value;
     uint8_t out[length];
-    hold(encode(out) == OK && decode(out) == OK);
-    hold(size < (length) || (decode(data) == OK) == (memcmp(out, data, held) == 0));
+    hold(encode(out) == OK && decode(out, &value) == OK);
+    hold(size < (length) || decode(data, &value) != ERR_WRONG_CONST);
+} while (0)""",
+    "TRIGGER": """
+/* What starts an action: the device answers anything, and what may be written is read as it was. */
+#define TRIGGER(type, decode, encode, held, length)
+do {
+    type value;
+    uint8_t out[length];
+    if (size < (length)) {
+        break;
+    }
+    hold(decode(data, &value) == OK);
+    hold(encode(value, out) != OK || memcmp(out, data, held) == 0);
 } while (0)""",
     "ADDRESS": """
 /* An address or a number that is worked out from another: of those that are taken no two have the same. */
@@ -167,7 +179,7 @@ def target(layout: DeviceLayout, naming: Naming, header: str) -> str:
 def _macro(naming: Naming, text: str) -> str:
     """The definition of a macro, whose lines are joined and whose statuses are those of the device."""
     about, *lines = text.strip().splitlines()
-    for status in ("ERR_OUT_OF_RANGE", "ERR_CAPACITY", "OK"):
+    for status in ("ERR_OUT_OF_RANGE", "ERR_CAPACITY", "ERR_WRONG_CONST", "OK"):
         own = naming.own_macro(status.lower())
         lines = [line.replace(f" {status})", f" {own})").replace(f" {status} ", f" {own} ") for line in lines]
     return "\n".join([about, f"{lines[0]} \\", *(f"    {line} \\" for line in lines[1:-1]), f"    {lines[-1]}"])
@@ -202,7 +214,8 @@ def _values(layout: DeviceLayout, naming: Naming) -> Iterator[tuple[str, ...]]:
     for laid in layout.registers:
         value = laid.register.value
         wire = Wire(value, laid.order, laid.swapped)
-        yield _value(naming, "register", (laid.name,), wire, value.size + value.size % 2)
+        trigger = value.const is None and laid.register.answer != value
+        yield _value(naming, "register", (laid.name,), wire, value.size + value.size % 2, trigger)
     orders = Orders(device.byte_order, device.word_order)
     for held in device.parameters.values():
         for parameter in held.parameters:
@@ -211,18 +224,20 @@ def _values(layout: DeviceLayout, naming: Naming) -> Iterator[tuple[str, ...]]:
             inner = [((held.name, parameter.name, i.name), i.value) for i in parameter.subindices if not i.reserved]
             named: list[tuple[tuple[str, ...], Value]] = [((held.name, parameter.name), parameter.value), *inner]
             for names, value in named:
-                yield _value(naming, "parameter", names, Wire(value, *orders.of(value)), value.size)
+                trigger = value.const is None and value.as_answer(parameter.trigger) != value
+                yield _value(naming, "parameter", names, Wire(value, *orders.of(value)), value.size, trigger)
 
 
-def _value(naming: Naming, noun: Noun, names: tuple[str, ...], wire: Wire, size: int) -> tuple[str, ...]:
+def _value(naming: Naming, noun: Noun, names: tuple[str, ...], wire: Wire, size: int, trigger: bool) -> tuple[str, ...]:
+    """What is fuzzed of a value in `size` bytes; of a `trigger` the device may answer anything."""
     decode, encode = (naming.function(noun, *names, end) for end in ("decode", "encode"))
+    kind = declaration(wire, "", None).strip()
     if wire.value.const is not None:
-        return "CONSTANT", decode, encode, f"{wire.size}u", f"{size}u"
+        return "CONSTANT", kind, decode, encode, f"{size}u"
     if wire.kind in (Kind.TEXT, Kind.BYTES):
         exact = "1" if wire.kind is Kind.BYTES and wire.size == size else "0"
         return "ARRAY", declaration(wire, "value", None), decode, encode, exact, f"{size}u"
-    kind = declaration(wire, "", None).strip()
-    return "VALUE", kind, decode, encode, f"{wire.size}u", f"{size}u"
+    return "TRIGGER" if trigger else "VALUE", kind, decode, encode, f"{wire.size}u", f"{size}u"
 
 
 def _others(layout: DeviceLayout, naming: Naming) -> Iterator[tuple[str, ...]]:

@@ -11,7 +11,7 @@ from fieldspec.backends.c.text import comment, indented
 from fieldspec.backends.c.values import Wire
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Value
 
 
@@ -50,7 +50,7 @@ def _family(naming: Naming, held: ParameterSet) -> list[str]:
         f"#define {naming.macro('parameter', *names, 'last')} {number_text(held, held.numbers.high)}",
     ]
     number, wire = held.numbers.low, held.base + held.numbers.low
-    example = f"{number_text(held, wire)[:-1]} for {held.written(number)}"
+    example = f"{number_text(held, wire)[:-1]} for {held.number_text(number)}"
     tests = []
     for low, high in held.numbers.intervals:
         first, last = (number_text(held, bound) for bound in (low, high))
@@ -77,7 +77,7 @@ def _family(naming: Naming, held: ParameterSet) -> list[str]:
 
 def _parameter(naming: Naming, device: Device, held: ParameterSet, parameter: Parameter) -> list[str]:
     names = (held.name, parameter.name)
-    written = held.written(parameter.number) if held.printed_as else ""
+    written = held.number_text(parameter.number) if held.printed_as else ""
     facts = (
         "Reserved." if parameter.reserved else "",
         f"{written} of {held.name}." if written else "",
@@ -95,7 +95,7 @@ def _parameter(naming: Naming, device: Device, held: ParameterSet, parameter: Pa
         lines.append(f"#define {naming.macro('parameter', *names, 'elements')} {parameter.elements}u")
     if parameter.reserved:
         return lines
-    return [*lines, *_held(naming, device, names, parameter.value)]
+    return [*lines, *_held(naming, device, names, parameter.value, parameter.trigger)]
 
 
 def _subindex(naming: Naming, device: Device, held: ParameterSet, parameter: Parameter, inner: Subindex) -> list[str]:
@@ -104,13 +104,13 @@ def _subindex(naming: Naming, device: Device, held: ParameterSet, parameter: Par
     ends = [("subindex", low)] if low == high else [("first_subindex", low), ("last_subindex", high)]
     lines = told(inner, f"Of {parameter.name}.", of_value(inner.value))
     lines += [f"#define {naming.macro('parameter', *names, end)} {number}u" for end, number in ends]
-    return [*lines, *_held(naming, device, names, inner.value)]
+    return [*lines, *_held(naming, device, names, inner.value, parameter.trigger)]
 
 
-def _held(naming: Naming, device: Device, names: tuple[str, ...], value: Value) -> list[str]:
+def _held(naming: Naming, device: Device, names: tuple[str, ...], value: Value, trigger: bool) -> list[str]:
     order, swapped = Orders(device.byte_order, device.word_order).of(value)
     return [
         *constant_lines(naming, "parameter", names, value),
         "",
-        *access_lines(naming, device, "parameter", names, Wire(value, order, swapped), value.size),
+        *access_lines(naming, device, "parameter", names, Wire(value, order, swapped), value.size, trigger),
     ]

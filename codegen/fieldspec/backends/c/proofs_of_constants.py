@@ -11,9 +11,8 @@ from fieldspec.backends.c.parameters import wire_type
 from fieldspec.backends.c.text import hexadecimal, indented, integer, string
 from fieldspec.backends.c.words import named_bits
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.enum import Enum
-from fieldspec.model.flags import Flags
-from fieldspec.model.parameter import ParameterSet
+from fieldspec.model.enums import Enum, Flags
+from fieldspec.model.registers import ParameterSet
 
 
 def constants(layout: DeviceLayout, naming: Naming) -> Iterator[list[str]]:

@@ -8,14 +8,14 @@ from fieldspec.backends.c.assertions import assigned, compared, same
 from fieldspec.backends.c.decided import of_values
 from fieldspec.backends.c.expected import record_value
 from fieldspec.backends.c.fields import members
-from fieldspec.backends.c.frames import head_members, wrapped
+from fieldspec.backends.c.frames import head_members, part_wire, wrapped
 from fieldspec.backends.c.naming import Naming, frame_member
 from fieldspec.backends.c.text import array, integer, string
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.meaning import body_of, raw_values
 from fieldspec.layout.record import RecordLayout
-from fieldspec.model.example import Example
+from fieldspec.layout.values import body_of, raw_values
+from fieldspec.model.texts import Example
 
 _REFUSALS = {
     "unknown_code": "err_unknown_code",
@@ -56,7 +56,11 @@ def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> lis
     for part in head_members(shape):
         number: Any = values[part.name]
         lines.append(
-            same(f"{what}: {part.name}", f"opened.{frame_member(part.name)}", integer(number, part.size, False))
+            same(
+                f"{what}: {part.name}",
+                f"opened.{frame_member(part.name)}",
+                integer(number, part.size, part_wire(part).value.type.signed),
+            )
         )
     code = shape.role("code")
     if code is not None:
@@ -126,7 +130,9 @@ def _written(
 ) -> list[str]:
     link = layout.links[example.link]
     shape = link.frame(example.direction)
-    arguments = [integer(int(values[part.name]), part.size, False) for part in head_members(shape)]
+    arguments = [
+        integer(int(values[part.name]), part.size, part_wire(part).value.type.signed) for part in head_members(shape)
+    ]
     code = shape.role("code")
     if example.error and code is not None:
         arguments.append(f"{_code(link, example)[0]}u")

@@ -9,13 +9,11 @@ from fieldspec.backends.c.assertions import same, same_bytes
 from fieldspec.backends.c.expected import legal, raw_bytes
 from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.signals import bounds
-from fieldspec.backends.c.text import integer, string
+from fieldspec.backends.c.text import array, integer, string
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders
 from fieldspec.model.device import Device
-from fieldspec.model.primitive import Kind
-from fieldspec.model.signal import Conversion
-from fieldspec.model.value import Value
+from fieldspec.model.value import Conversion, Kind, Value
 
 
 def values_at_bounds(layout: DeviceLayout, naming: Naming) -> Iterator[list[str]]:
@@ -48,20 +46,24 @@ def _value(
         return
     encode, decode = naming.function(noun, *names, "encode"), naming.function(noun, *names, "decode")
     ok, label = naming.own_macro("ok"), ".".join(names)
+    kind = f"{'' if value.type.signed else 'u'}int{8 * value.size}_t"
     lines = [f"uint8_t bytes[{size}];"]
     if value.const is not None:
         data = raw_bytes(value, *order, value.const).ljust(size, b"\0")
-        wrong = naming.own_macro("err_wrong_const")
+        other = 0 if value.const else 1
+        raw = raw_bytes(value, *order, other).ljust(size, b"\0")
         yield [
             *lines,
+            f"{kind} out = 0;",
+            f"static const uint8_t other[] = {{{array(raw)}}};",
             same(label, f"{encode}(bytes)", ok),
             same_bytes(f"{label} bytes", "bytes", data),
-            same(label, f"{decode}(bytes)", ok),
-            "bytes[0] ^= 1;",
-            same(f"{label} wrong", f"{decode}(bytes)", wrong),
+            same(label, f"{decode}(bytes, &out)", ok),
+            same(label, "out", integer(value.const, value.size, value.type.signed)),
+            same(f"{label} {other}", f"{decode}(other, &out)", ok),
+            same(f"{label} {other}", "out", integer(other, value.size, value.type.signed)),
         ]
         return
-    kind = f"{'' if value.type.signed else 'u'}int{8 * value.size}_t"
     lines += [f"{kind} out = 0;", f"volatile {kind} in = 0;"]
     for number in sorted(set(legal(device, value))):
         data = raw_bytes(value, *order, number).ljust(size, b"\0")

@@ -37,7 +37,7 @@ def record_lines(naming: Naming, device: Device, record: RecordLayout, doc: list
 
 
 def _declared(naming: Naming, record: RecordLayout, field: FieldLayout) -> list[str]:
-    count = most(field) if field.listed else None
+    count = most(field) if field.is_list else None
     if field.cases:
         lines = union_lines(field, count)
     elif field.record is not None:

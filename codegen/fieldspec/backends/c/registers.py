@@ -8,7 +8,7 @@ from fieldspec.backends.c.naming import Naming, Noun
 from fieldspec.backends.c.text import comment, hexadecimal, indented
 from fieldspec.backends.c.values import Wire
 from fieldspec.layout.device import TableLayout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.device import Device
 
 
@@ -16,6 +16,7 @@ def register_lines(naming: Naming, device: Device, laid: RegisterLayout) -> list
     """The constants of a register, and the functions for its value."""
     register, value = laid.register, laid.register.value
     facts = (
+        f"In the address space {device.space_name(register.space)}." if device.several_spaces else "",
         ACCESS[register.access],
         "A change takes effect after a restart." if register.restart else "",
         "Writing starts an action." if register.trigger else "",
@@ -32,7 +33,8 @@ def register_lines(naming: Naming, device: Device, laid: RegisterLayout) -> list
     lines += _defined(naming, "register", laid.name, constants)
     lines += constant_lines(naming, "register", (laid.name,), value)
     wire = Wire(value, laid.order, laid.swapped)
-    lines += ["", *access_lines(naming, device, "register", (laid.name,), wire, value.size + value.size % 2)]
+    size = value.size + value.size % 2
+    lines += ["", *access_lines(naming, device, "register", (laid.name,), wire, size, register.trigger)]
     if laid.count > 1:
         lines += ["", *_address(naming, "register", laid.name, f"{laid.name} by its number")]
     return lines
@@ -62,11 +64,18 @@ def _address(naming: Naming, noun: Noun, name: str, what: str) -> list[str]:
     ]
 
 
-def table_lines(naming: Naming, laid: TableLayout) -> list[str]:
+def _read_only(laid: TableLayout) -> str:
+    """Which fields can only be read, where the table does not say it of all."""
+    return f"Read only: {', '.join(laid.read_only)}." if laid.read_only else ""
+
+
+def table_lines(naming: Naming, device: Device, laid: TableLayout) -> list[str]:
     """The constants of a table, and the function that gives an element's address."""
     table = laid.table
     access = ACCESS[table.access] if table.access else ""
-    lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access)
+    if device.several_spaces:
+        access = f"In the address space {device.space_name(table.space)}. {access}".strip()
+    lines = told(table, f"Its elements are {naming.type('record', laid.record.name)}.", access, _read_only(laid))
     constants = [
         ("address", hexadecimal(table.base, 2)),
         ("words", f"{laid.words}u"),

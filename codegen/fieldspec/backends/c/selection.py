@@ -23,7 +23,7 @@ def selection(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The header, by its path; `versions` are those of one device, the oldest first."""
     device = versions[-1].device
     naming = Naming(device.id)
-    headers = [(version, layout) for layout in versions for version in (layout.device.version, *layout.twins)]
+    headers = [(version, layout) for layout in versions for version in (layout.device.version, *layout.equal_versions)]
     macros = {version: naming.own_macro(_SELECT, version_word(version)) for version, _ in headers}
     header = f"{Name.of(device.id).snake()}.h"
     select = naming.own_macro(_SELECT)

@@ -7,7 +7,7 @@ from fieldspec.backends.c.comments import of_value, told
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import comment, indented, integer
 from fieldspec.model.device import Device
-from fieldspec.model.signal import Conversion, Signal
+from fieldspec.model.value import Conversion, Signal
 
 
 def signal_lines(naming: Naming, signal: Signal) -> list[str]:

@@ -10,7 +10,7 @@ from fieldspec.backends.c.text import comment
 from fieldspec.backends.c.values import Wire, access_functions, signed_functions
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import Orders, RecordLayout
-from fieldspec.model.primitive import Kind
+from fieldspec.model.value import Kind
 
 STATUSES = (
     ("ok", "It is done."),

@@ -6,8 +6,7 @@ from fieldspec.backends.c.machine import cleared, copied
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import integer
 from fieldspec.classes import dataclass
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 _TYPES = {
     "u8": "uint8_t",
@@ -149,15 +148,16 @@ def signed_functions(naming: Naming) -> list[str]:
 
 
 def range_test(value: Value, name: str) -> str:
-    """A condition under which an integer is out of range; empty where every value of its type is in it.
+    """A condition under which an integer may not be written; empty where every value of its type is in it.
 
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true.
     """
-    if value.ranges is None:
+    ranges = value.written_ranges
+    if ranges is None:
         return ""
     kind = value.type
     parts = []
-    for low, high in sorted(value.ranges.intervals):
+    for low, high in sorted(ranges.intervals):
         low_text, high_text = integer(low, value.size, kind.signed), integer(high, value.size, kind.signed)
         if low == high:
             parts.append(f"{name} == {low_text}")
@@ -173,9 +173,20 @@ def range_test(value: Value, name: str) -> str:
     parts += [
         f"{name} == {integer(sentinel.value, value.size, kind.signed)}"
         for sentinel in value.sentinels
-        if sentinel.value not in value.ranges
+        if sentinel.value not in ranges
     ]
     return "!(" + " || ".join(parts if len(parts) == 1 else [f"({part})" for part in parts]) + ")"
+
+
+def float_test(value: Value, name: str) -> str:
+    """A condition under which a floating-point number is out of range; no comparison holds of a NaN."""
+    if value.ranges is None:
+        return ""
+    pairs = [*value.ranges.intervals, *((one.value, one.value) for one in value.sentinels if not one.is_nan)]
+    if value.absent_nan:
+        return " && ".join(f"({name} < {low}.0f || {name} > {high}.0f)" for low, high in sorted(pairs))
+    parts = [f"({name} >= {low}.0f && {name} <= {high}.0f)" for low, high in sorted(pairs)]
+    return f"!({' || '.join(parts)})" if len(parts) > 1 else f"!{parts[0]}"
 
 
 def load_lines(naming: Naming, wire: Wire, source: str, target: str) -> list[str]:
@@ -228,6 +239,9 @@ def given_tests(naming: Naming, wire: Wire, source: str, closed: str) -> list[st
     """Statements that return where the value `source`, which is to be written, is refused."""
     if wire.kind is Kind.TEXT:
         return refused(naming, f"!{naming.own('is_text')}({source}, {wire.size}u)", "err_unknown_value")
+    if wire.kind is Kind.FLOAT:
+        test = float_test(wire.value, source)
+        return refused(naming, test, "err_out_of_range") if test else []
     if wire.kind is not Kind.INTEGER:
         return []
     lines = refused(naming, closed, "err_unknown_value") if closed else []

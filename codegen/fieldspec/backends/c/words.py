@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.backends.c.comments import told
 from fieldspec.backends.c.naming import Naming
 from fieldspec.backends.c.text import comment, hexadecimal, indented
-from fieldspec.model.flags import Bit, Flags
+from fieldspec.model.enums import Bit, Flags
 
 
 def named_bits(word: Flags) -> list[tuple[str, Bit]]:

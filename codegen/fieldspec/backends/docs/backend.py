@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.backends.docs import html, markdown
-from fieldspec.backends.docs.anchors import every, headings
-from fieldspec.backends.docs.changes import NAME, Step, changed, link, page_name, steps
-from fieldspec.backends.docs.document import Document, plain
-from fieldspec.backends.docs.holding import Holding
+from fieldspec.backends.docs.changes import NAME, Step, changed, link, page_name, steps, versions
+from fieldspec.backends.docs.context import Holding
+from fieldspec.backends.docs.document import Document, every, headings, text_piece
 from fieldspec.backends.docs.page import page
-from fieldspec.backends.docs.versions import versions
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 
@@ -54,7 +52,7 @@ def _index(layouts: Sequence[DeviceLayout], held: Sequence[Step], beside: Sequen
 
 def _leading(made: Document, version: str, ending: str) -> Document:
     """A page that leads to what has changed with its version."""
-    return replace(made, summary=(*made.summary, (plain("what has changed", link(version, ending)),)))
+    return replace(made, summary=(*made.summary, (text_piece("what has changed", link(version, ending)),)))
 
 
 def shared() -> dict[str, str]:

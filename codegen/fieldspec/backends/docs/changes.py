@@ -1,40 +1,43 @@
-"""What has changed from version to version: one page a device, for its users."""
+"""The changes from version to version, and the list of a device's versions."""
 
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
-from fieldspec.backends.docs.anchors import innermost
+from fieldspec.backends.docs.context import cited
 from fieldspec.backends.docs.document import (
     Block,
-    Column,
+    Cell,
     Document,
     Facts,
     Line,
     Paragraph,
-    Row,
     Section,
+    TableColumn,
+    TableRow,
     cell,
     clean,
     code,
-    plain,
+    innermost,
     styled,
     table,
+    text_piece,
 )
 from fieldspec.backends.docs.identity import version_title
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.judging import Compared, Judged, judged
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.device import Version
 
 NAME = "changes"
 """The page's name, without its ending. No version takes it from the page: see `page_name`."""
 
 COLUMNS = (
-    Column("What has changed", "wide", kept=True),
-    Column("Fact", kept=True),
-    Column("Remarks"),
+    TableColumn("What has changed", "wide", unbroken=True),
+    TableColumn("Fact", unbroken=True),
+    TableColumn("Remarks"),
 )
 MEANINGS = {
     Effect.WIRE: (
@@ -97,7 +100,7 @@ def changed(held: Sequence[Step], ending: str, anchors: dict[str, frozenset[str]
         clean(device.title),
         newest.identity,
         device.manual.language,
-        ((plain("all versions", f"{'index' if ending == '.html' else 'README'}{ending}"),),),
+        ((text_piece("all versions", f"{'index' if ending == '.html' else 'README'}{ending}"),),),
         sections,
     )
 
@@ -109,7 +112,7 @@ def _section(step: Step, ending: str, anchors: dict[str, frozenset[str]]) -> Sec
     inner = (_effect(step, effect, pages) for effect in Effect)
     return Section(
         _anchor(new.device.version),
-        (plain(title),),
+        (text_piece(title),),
         tuple(_head(step, pages)),
         tuple(section for section in inner if section is not None),
     )
@@ -131,16 +134,16 @@ def _head(step: Step, pages: _Pages) -> Iterator[Block]:
     if version is not None:
         for text in (version.title, version.doc):
             if text:
-                yield Paragraph((plain(text),))
+                yield Paragraph((text_piece(text),))
     if not step.changes:
-        yield Paragraph((plain("Nothing has changed."),))
+        yield Paragraph((text_piece("Nothing has changed."),))
     same = step.old.identity == step.new.identity
-    identities: Line = (code(step.old.identity), plain(" and "), code(step.new.identity))
+    identities: Line = (code(step.old.identity), text_piece(" and "), code(step.new.identity))
     yield Facts(
         (
-            ("From", ((plain(step.old.device.version, pages.page(step.old)),),)),
-            ("To", ((plain(step.new.device.version, pages.page(step.new)),),)),
-            ("Identity", ((code(step.new.identity), plain(" in both")) if same else identities,)),
+            ("From", ((text_piece(step.old.device.version, pages.page(step.old)),),)),
+            ("To", ((text_piece(step.new.device.version, pages.page(step.new)),),)),
+            ("Identity", ((code(step.new.identity), text_piece(" in both")) if same else identities,)),
         )
     )
 
@@ -152,17 +155,19 @@ def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
     title, meaning = MEANINGS[effect]
     caption = f"{title}: {step.old.device.version} to {step.new.device.version}"
     anchor = f"{_anchor(step.new.device.version)}/{effect.value}"
-    return Section(anchor, (plain(title),), (Paragraph((plain(meaning),)), table(caption, COLUMNS, rows, heading=0)))
+    return Section(
+        anchor, (text_piece(title),), (Paragraph((text_piece(meaning),)), table(caption, COLUMNS, rows, heading=0))
+    )
 
 
-def _row(held: Judged, pages: _Pages) -> Row:
+def _row(held: Judged, pages: _Pages) -> TableRow:
     change = held.change
     remarks: list[Line] = []
     if change.outputs:
-        remarks.append((plain(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
+        remarks.append((text_piece(f"in {', '.join(_TARGETS.get(name, name) for name in change.outputs)}"),))
     if held.accepted is not None:
-        remarks.append((styled("accepted: ", "strong"), plain(held.accepted.reason)))
-    return Row((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))
+        remarks.append((styled("accepted: ", "strong"), text_piece(held.accepted.reason)))
+    return TableRow((cell(change.message), cell(code(change.path, pages.fact(change))), cell(*remarks)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,3 +188,69 @@ class _Pages:
         known: Container[str] = self.anchors[layout.device.version]
         anchor = innermost(change.path, known)
         return f"{self.page(layout)}#{anchor}" if anchor else self.page(layout)
+
+
+VERSION_COLUMNS = (
+    TableColumn("Version", unbroken=True),
+    TableColumn("What it is", "wide"),
+    TableColumn("Registers", "number"),
+    TableColumn("Messages", "number"),
+    TableColumn("Parameters", "number"),
+    TableColumn("Example frames", "number"),
+    TableColumn("Changed since the version before"),
+    TableColumn("Identity", unbroken=True),
+    TableColumn("Source", "source"),
+)
+
+
+def versions(
+    layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str, beside: Sequence[tuple[str, str]] = ()
+) -> Document:
+    """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead.
+
+    `beside` are other pages of the device: what each is, and its file.
+    """
+    newest = layouts[-1]
+    device = newest.device
+    known = {version.id: version for line in device.lines for version in line.versions}
+    came_by = {step.new.device.version: step for step in held}
+    rows = []
+    for layout in reversed(layouts):
+        version = layout.device.version
+        rows.append(_version_row(layout, known.get(version), came_by.get(version), ending))
+    blocks = [Paragraph((text_piece(device.doc),))] if device.doc else []
+    section = Section(
+        "versions", (text_piece("Versions"),), (*blocks, table("Versions, the newest first", VERSION_COLUMNS, rows))
+    )
+    summary = tuple((text_piece(text, file),) for text, file in beside)
+    return Document(
+        clean(device.name), clean(device.title), newest.identity, device.manual.language, summary, (section,)
+    )
+
+
+def _version_row(layout: DeviceLayout, version: Version | None, step: Step | None, ending: str) -> TableRow:
+    device = layout.device
+    doc: list[Line] = []
+    if version is not None:
+        doc = [(text_piece(text),) for text in (version.title, version.doc) if text]
+        if version.inferred:
+            doc.append((styled("inferred: ", "strong"), text_piece(version.inferred)))
+    if layout.equal_versions:
+        doc.append((text_piece(f"The same holds for {', '.join(layout.equal_versions)}."),))
+    return TableRow(
+        (
+            cell(text_piece(version_title(device), f"{page_name(device.version)}{ending}")),
+            cell(*doc),
+            _count(sum(register.count for register in device.registers())),
+            _count(len(device.messages)),
+            _count(sum(len(held.parameters) for held in device.parameters.values())),
+            _count(len(device.examples)),
+            cell(text_piece(step.counts(), link(device.version, ending)) if step is not None else ()),
+            cell(code(layout.identity)),
+            cell(cited(version.sources) if version else ()),
+        )
+    )
+
+
+def _count(number: int) -> Cell:
+    return cell(str(number)) if number else Cell()

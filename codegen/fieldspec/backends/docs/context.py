@@ -1,9 +1,9 @@
-"""What every part of a page needs: the layout, and what else is said about each fact."""
+"""What every part of a page needs: the layout, the notes about each fact, and the sections that versions share."""
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from fieldspec.backends.docs.document import (
     Block,
@@ -11,23 +11,90 @@ from fieldspec.backends.docs.document import (
     Line,
     Paragraph,
     Piece,
+    Section,
     cell,
     code,
     joined,
     label,
-    plain,
     styled,
+    text_piece,
 )
-from fieldspec.backends.docs.handling import handled
-from fieldspec.backends.docs.holders import Holder, holders
-from fieldspec.backends.docs.holding import Holding
-from fieldspec.backends.docs.inferences import provenance_lines, reasons
+from fieldspec.backends.docs.sources import Holder, holders, provenance_lines, reasons
+from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Citation, Fact
-from fieldspec.model.handling import NOTHING_SAID
-from fieldspec.model.place import Place
-from fieldspec.model.value import Value
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.value import UNSPECIFIED, Handling, Value
+
+
+class Holding:
+    """The versions of a device that have each of its examples, notes and errata, and the sections of their pages."""
+
+    def __init__(self, layouts: Sequence[DeviceLayout]) -> None:
+        self.all = tuple(layout.device.version for layout in layouts)
+        self._by_path: dict[str, list[str]] = {}
+        self._sections: dict[str, Section] = {}
+        self._made: dict[str, tuple[object, Section]] = {}
+        for layout in layouts:
+            device = layout.device
+            for held in (device.examples.values(), device.notes, device.errata):
+                for fact in held:
+                    self._by_path.setdefault(fact.place.path, []).append(device.version)
+
+    def section(self, anchor: str, of: object, make: Callable[[], Section]) -> Section:
+        """A section that is made of something; the one of the version before, where it was made of the same."""
+        before = self._made.get(anchor)
+        if before is None or before[0] != of:
+            before = self._made[anchor] = of, make()
+        return before[1]
+
+    def same(self, section: Section) -> Section:
+        """A section, or the same one of the version before it, where that has it too."""
+        if len(self.all) < 2:
+            return section
+        before = self._sections.get(section.anchor)
+        if before != section:
+            before = self._sections[section.anchor] = replace(section, rendered={})
+        return before
+
+    def of(self, path: str) -> tuple[str, ...]:
+        """The versions that have a fact, the oldest first."""
+        return tuple(self._by_path.get(path, ()))
+
+    def badges(self, path: str) -> tuple[Line, ...]:
+        """What is said of a fact that not all versions have; nothing of the others."""
+        held = self.of(path)
+        return () if held == self.all else ((styled(f"only {', '.join(held)}", "badge"),),)
+
+    def lines(self, path: str) -> tuple[Line, ...]:
+        """For which versions a fact holds; nothing where there is but one."""
+        held = self.of(path)
+        if len(self.all) < 2:
+            return ()
+        return ((text_piece("all"),),) if held == self.all else ((text_piece(", ".join(held)),),)
+
+
+_MEMORY = {"volatile": " It is lost with the power.", "nonvolatile": " It is kept without power."}
+_ENDURANCE = {
+    "limited": "It may be written a limited number of times, which is not printed.",
+    "unlimited": "It may be written as often as one likes.",
+}
+
+
+def handled(said: Handling) -> Iterator[Line]:
+    """A line for each thing that is said; none for most values."""
+    if said == UNSPECIFIED:
+        return
+    if said.clears_on_read:
+        yield (styled("cleared by reading", "badge"), text_piece(" Only the first reader gets it."))
+    if said.memory:
+        yield (styled(said.memory, "badge"), text_piece(_MEMORY[said.memory]))
+    if said.saved_by:
+        yield (text_piece("Saved by "), code(said.saved_by, f"#{said.saved_by}"))
+    if said.endurance:
+        yield (text_piece(_ENDURANCE.get(said.endurance, f"It may be written {said.endurance} times.")),)
+    if said.opposite_of:
+        yield (text_piece("The opposite sense of "), code(said.opposite_of, f"#{said.opposite_of}"))
 
 
 class Context:
@@ -49,14 +116,14 @@ class Context:
 
     def section_title(self, title: str, fact: Fact) -> Line:
         """A title in English with what the manual prints."""
-        return (plain(title), *_printed(fact))
+        return (text_piece(title), *_printed(fact))
 
     def about(self, fact: Fact) -> Iterator[Line]:
         """What is said of a fact beside its numbers: what it is, for which versions, notes, errata."""
         if fact.doc:
-            yield (plain(fact.doc),)
+            yield (text_piece(fact.doc),)
         if fact.unverified:
-            yield (styled("unverified", "badge"), plain(" Nobody has compared it with the manual yet."))
+            yield (styled("unverified", "badge"), text_piece(" Nobody has compared it with the manual yet."))
         if fact.since:
             yield (styled(f"since {', '.join(fact.since)}", "badge"),)
         if fact.until:
@@ -65,17 +132,17 @@ class Context:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
         yield from provenance_lines(fact)
         if fact.roles:
-            yield (styled("Role: ", "quiet"), *joined((plain(role),) for role in fact.roles))
-        yield from handled(getattr(fact, "handling", NOTHING_SAID))
+            yield (styled("Role: ", "quiet"), *joined((text_piece(role),) for role in fact.roles))
+        yield from handled(getattr(fact, "handling", UNSPECIFIED))
         yield from (_note(note) for note in fact.notes)
         yield from self.beside(fact.place)
 
     def beside(self, place: Place) -> Iterator[Line]:
         """The errata and the notes of the device that are about a fact."""
         if notes := self._notes.get(place.path):
-            yield (styled("See: ", "quiet"), *joined((plain(title, f"#{path}"),) for path, title in notes))
+            yield (styled("See: ", "quiet"), *joined((text_piece(title, f"#{path}"),) for path, title in notes))
         if ids := self._errata.get(place.path):
-            yield (styled("Erratum: ", "quiet"), *joined((plain(found, f"#errata/{found}"),) for found in ids))
+            yield (styled("Erratum: ", "quiet"), *joined((text_piece(found, f"#errata/{found}"),) for found in ids))
 
     def users(self, path: str) -> Line:
         """The facts whose values an enum, a word of flags or a record names."""
@@ -118,12 +185,12 @@ def _short(path: str) -> str:
 def _printed(fact: Fact) -> Iterator[Piece]:
     for text in (fact.printed_name, fact.label):
         if text:
-            yield plain(" ")
+            yield text_piece(" ")
             yield label(text)
 
 
 def _note(text: str) -> Line:
-    return (styled("Note: ", "strong"), plain(text))
+    return (styled("Note: ", "strong"), text_piece(text))
 
 
 def names(fact: Fact, name: str, *more: Line, mark: Iterable[Piece] = ()) -> Cell:
@@ -135,7 +202,7 @@ def names(fact: Fact, name: str, *more: Line, mark: Iterable[Piece] = ()) -> Cel
 
 def sources(fact: Fact) -> Cell:
     """A cell with the places of the manual that print a fact, and those that print it again."""
-    own = [(plain(citation.text()),) for citation in fact.sources]
+    own = [(text_piece(citation.text()),) for citation in fact.sources]
     again = [citation.text() for claim in fact.restated for citation in claim.sources]
     more = [(styled(f"again {'; '.join(dict.fromkeys(again))}", "quiet"),)] if again else []
     return cell(*own, *more)
@@ -143,7 +210,7 @@ def sources(fact: Fact) -> Cell:
 
 def cited(citations: Iterable[Citation]) -> Line:
     """The places of the manual in one line."""
-    return (plain("; ".join(citation.text() for citation in citations)),)
+    return (text_piece("; ".join(citation.text() for citation in citations)),)
 
 
 def many(number: int, noun: str) -> str:

@@ -1,22 +1,21 @@
-"""A page before it is HTML or Markdown: sections, tables and lines of styled text.
-
-Both forms are written from this, so that they say the same. Text that comes from a spec enters through `plain`,
-`code` and their like, which leave no control characters in it; each form then escapes it in its own way.
-
-What a page has by the ten thousand, from pieces to rows, are tuples: they are made in a third of the time of other
-classes, and each form can look up what it has written before, as most lines stand on a page often, and on the pages of
-all versions.
-"""
+"""A document before it is HTML or Markdown: sections, tables, lines of styled text, and anchors."""
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import ClassVar, NamedTuple, TypeAlias
 
 from fieldspec.classes import dataclass, field, replace
+
+# Both forms are written from this, so that they say the same. Text that comes from a spec enters through `plain`,
+# `code` and their like, which leave no control characters in it; each form then escapes it in its own way.
+#
+# What a page has by the ten thousand, from pieces to rows, are tuples: they are made in a third of the time of other
+# classes, and each form can look up what it has written before, as most lines stand on a page often, and on the pages
+# of all versions.
 
 
 class Piece(NamedTuple):
@@ -34,7 +33,7 @@ class Piece(NamedTuple):
 Line: TypeAlias = tuple[Piece, ...]
 
 _BLANKS = re.compile(r"\s+")
-KEPT = 1 << 16
+REUSED = 1 << 16
 """How many texts are remembered as they were written."""
 
 
@@ -59,15 +58,15 @@ class Cell(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class TableColumn:
     """A column; `kept` says that it stays where all of its cells are empty."""
 
     title: str
     style: str = ""
-    kept: bool = False
+    unbroken: bool = False
 
 
-class Row(NamedTuple):
+class TableRow(NamedTuple):
     """A row of a table, to which `anchor` leads. An `element` is one of several that the row above stands for."""
 
     cells: tuple[Cell, ...]
@@ -85,7 +84,7 @@ class Footnote:
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class DocumentTable:
     """Rows below titles of columns; its footnotes are below it. `anchor` leads to it, where it has one.
 
     The cells of the column with the number `heading` name their rows; of none, where it is -1.
@@ -93,9 +92,9 @@ class Table:
 
     kind: ClassVar[str] = "table"
     caption: str
-    columns: tuple[Column, ...]
+    columns: tuple[TableColumn, ...]
     heading: int
-    rows: tuple[Row, ...]
+    rows: tuple[TableRow, ...]
     footnotes: tuple[Footnote, ...] = ()
     anchor: str = ""
 
@@ -161,11 +160,11 @@ class Strips:
     rows: tuple[Strip, ...]
 
 
-Block: TypeAlias = Table | Paragraph | Facts | Bits | Strips
+Block: TypeAlias = DocumentTable | Paragraph | Facts | Bits | Strips
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class RenderedSection:
     """What a form has written of a section: `paths` are where its links within the page lead, and of these the form has
     left out some, which are `lost`, and no others.
     """
@@ -186,7 +185,7 @@ class Section:
     title: Line
     blocks: tuple[Block, ...] = ()
     sections: tuple[Section, ...] = ()
-    written: dict[str, Written] | None = field(default=None, repr=False, compare=False)
+    rendered: dict[str, RenderedSection] | None = field(default=None, repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,19 +205,19 @@ def clean(text: str) -> str:
     if text.isprintable() and "  " not in text:
         return text
     text = _BLANKS.sub(" ", text)
-    return "".join(_shown(char) if unicodedata.category(char) in ("Cc", "Cs") else char for char in text)
+    return "".join(_visible(char) if unicodedata.category(char) in ("Cc", "Cs") else char for char in text)
 
 
-def _shown(char: str) -> str:
+def _visible(char: str) -> str:
     return chr(0x2400 + ord(char)) if ord(char) < 0x20 else "\ufffd"
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def _piece(text: str, style: str, link: str) -> Piece:
     return Piece(clean(text), style, link)
 
 
-def plain(text: str, link: str = "") -> Piece:
+def text_piece(text: str, link: str = "") -> Piece:
     """Text of ours."""
     return _piece(text, "", link)
 
@@ -254,7 +253,7 @@ def cell(*lines: Line | Piece | str, items: Sequence[Item] = ()) -> Cell:
     return _cell(lines, tuple(items))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def _cell(given: tuple[Line | Piece | str, ...], items: tuple[Item, ...]) -> Cell:
     lines = tuple([line for line in map(_line, given) if any(piece.text for piece in line)])
     every = [*lines, *(line for item in items for line in (item.line, *item.inner))]
@@ -263,25 +262,29 @@ def _cell(given: tuple[Line | Piece | str, ...], items: tuple[Item, ...]) -> Cel
 
 def _line(held: Line | Piece | str) -> Line:
     if isinstance(held, str):
-        return (plain(held),)
+        return (text_piece(held),)
     return (held,) if isinstance(held, Piece) else held
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def paths(line: Line) -> tuple[str, ...]:
     """Where the links of a line lead that lead within the page."""
     return tuple([piece.link[1:] for piece in line if piece.link.startswith("#")])
 
 
 def table(
-    caption: str, columns: Sequence[Column], rows: Iterable[Row], footnotes: Sequence[Footnote] = (), heading: int = 0
-) -> Table:
+    caption: str,
+    columns: Sequence[TableColumn],
+    rows: Iterable[TableRow],
+    footnotes: Sequence[Footnote] = (),
+    heading: int = 0,
+) -> DocumentTable:
     """A table without the columns that nothing stands in; the cell of column `heading` names its row."""
     rows = list(rows)
-    kept = [n for n, column in enumerate(columns) if column.kept or any(not row.cells[n].empty for row in rows)]
+    kept = [n for n, column in enumerate(columns) if column.unbroken or any(not row.cells[n].empty for row in rows)]
     if len(kept) < len(columns):
         rows = [row._replace(cells=tuple([row.cells[n] for n in kept])) for row in rows]
-    return Table(
+    return DocumentTable(
         clean(caption),
         tuple([_cleaned(columns[n]) for n in kept]),
         kept.index(heading) if heading in kept else -1,
@@ -290,6 +293,79 @@ def table(
     )
 
 
-def _cleaned(column: Column) -> Column:
+def _cleaned(column: TableColumn) -> TableColumn:
     title = clean(column.title)
     return column if title == column.title else replace(column, title=title)
+
+
+def innermost(path: str, known: Container[str]) -> str:
+    """The innermost of some anchors that encloses a path; an empty one where none does."""
+    while path and path not in known:
+        path = path.rpartition("/")[0]
+    return path
+
+
+def headings(sections: tuple[Section, ...]) -> Iterator[str]:
+    """The anchors of sections, and of those within them."""
+    for section in sections:
+        yield section.anchor
+        yield from headings(section.sections)
+
+
+def every(sections: tuple[Section, ...]) -> Iterator[str]:
+    """The anchors of sections, and of the tables, rows and footnotes in them."""
+    for section in sections:
+        yield section.anchor
+        for block in section.blocks:
+            if isinstance(block, DocumentTable):
+                yield block.anchor
+                yield from (row.anchor for row in block.rows)
+                yield from (footnote.anchor for footnote in block.footnotes)
+        yield from every(section.sections)
+
+
+def paths_of(section: Section) -> frozenset[str]:
+    """Where the links in a section lead that lead within the page."""
+    found = set(paths(section.title))
+    for block in section.blocks:
+        if isinstance(block, DocumentTable):
+            found.update(path for row in block.rows for one in row.cells for path in one.paths)
+            found.update(path for note in block.footnotes for path in paths(note.line))
+        elif isinstance(block, Paragraph):
+            found.update(paths(block.line))
+        elif isinstance(block, Facts):
+            found.update(path for _, lines in block.rows for line in lines for path in paths(line))
+        elif isinstance(block, Bits):
+            found.update(box.link[1:] for row in block.rows for box in row.boxes if box.link)
+    return frozenset(found).union(*map(paths_of, section.sections))
+
+
+class Anchors:
+    """The anchors of a page. Links lead to what encloses a fact, where the fact has no anchor of its own."""
+
+    def __init__(self, sections: tuple[Section, ...]) -> None:
+        self._known = frozenset(every(sections))
+
+    def have(self, paths: frozenset[str]) -> bool:
+        """Whether some links lead to anchors as they are."""
+        return paths <= self._known
+
+    def target(self, link: str) -> str:
+        """A link to the innermost anchor of a path; no link where there is none."""
+        if not link.startswith("#"):
+            return link
+        path = innermost(link[1:], self._known)
+        return f"#{path}" if path else ""
+
+    def line(self, held: Line) -> Line:
+        """A line with its links."""
+        if self._known.issuperset(paths(held)):
+            return held
+        return tuple([piece._replace(link=self.target(piece.link)) for piece in held])
+
+    def cell(self, held: Cell) -> Cell:
+        """A cell with its links."""
+        if not held.paths or self._known.issuperset(held.paths):
+            return held
+        items = [Item(self.line(item.line), tuple(map(self.line, item.inner))) for item in held.items]
+        return cell(*map(self.line, held.lines), items=items)

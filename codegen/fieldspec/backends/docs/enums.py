@@ -1,4 +1,4 @@
-"""Enums, and tables of codes with causes and remedies."""
+"""Enums, code tables with causes and remedies, and bit fields."""
 
 from __future__ import annotations
 
@@ -6,51 +6,58 @@ from collections.abc import Callable
 
 from fieldspec.backends.docs.context import Context, cited, names, sources
 from fieldspec.backends.docs.document import (
-    Column,
+    BitRow,
+    Bits,
+    Box,
     Facts,
     Item,
     Line,
-    Row,
     Section,
+    TableColumn,
+    TableRow,
     cell,
     code,
-    plain,
+    joined,
     styled,
     table,
+    text_piece,
 )
-from fieldspec.backends.docs.inferences import Inferences
-from fieldspec.model.enum import Cause, Enum, Member
+from fieldspec.backends.docs.sources import Inferences
+from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
 
 VALUES = (
-    Column("Value", "number", kept=True),
-    Column("Name", kept=True),
-    Column("Meaning", "wide"),
-    Column("Source", "source"),
+    TableColumn("Value", "number", unbroken=True),
+    TableColumn("Name", unbroken=True),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
 )
 CODES = (
-    Column("Code", "number", kept=True),
-    Column("Name", kept=True),
-    Column("Number", "number"),
-    Column("Problem", "wide"),
-    Column("Causes and remedies", "wide"),
-    Column("Source", "source"),
+    TableColumn("Code", "number", unbroken=True),
+    TableColumn("Name", unbroken=True),
+    TableColumn("Number", "number"),
+    TableColumn("Problem", "wide"),
+    TableColumn("Causes and remedies", "wide"),
+    TableColumn("Source", "source"),
 )
 
 
 def codes(context: Context) -> Section:
     """The tables of codes: alarms, faults, exceptions and their like."""
     inner = tuple(_enum(context, enum, CODES, _code) for enum in context.device.enums.values() if enum.kind != "enum")
-    return Section("codes", (plain("Alarms and other codes"),), (), inner)
+    return Section("codes", (text_piece("Alarms and other codes"),), (), inner)
 
 
 def enums(context: Context) -> Section:
     """The values of fields by name."""
     inner = tuple(_enum(context, enum, VALUES, _value) for enum in context.device.enums.values() if enum.kind == "enum")
-    return Section("enums", (plain("Values by name"),), (), inner)
+    return Section("enums", (text_piece("Values by name"),), (), inner)
 
 
 def _enum(
-    context: Context, enum: Enum, columns: tuple[Column, ...], row: Callable[[Context, Member, Inferences], Row]
+    context: Context,
+    enum: Enum,
+    columns: tuple[TableColumn, ...],
+    row: Callable[[Context, Member, Inferences], TableRow],
 ) -> Section:
     path = enum.place.path
     blocks = context.opening(enum)
@@ -59,15 +66,15 @@ def _enum(
     rows = [row(context, member, marks) for member in enum.members]
     title = enum.title or enum.name
     blocks.append(table(title, columns, rows, marks.footnotes(), heading=1))
-    heading: Line = (plain(enum.title),) if enum.title else (code(enum.name),)
+    heading: Line = (text_piece(enum.title),) if enum.title else (code(enum.name),)
     return Section(path, (*heading, *context.section_title("", enum)[1:]), tuple(blocks))
 
 
 def _facts(context: Context, enum: Enum) -> list[tuple[str, tuple[Line, ...]]]:
     other = "other values may occur" if enum.open else "no other value is accepted"
-    facts: list[tuple[str, tuple[Line, ...]]] = [("Name", ((code(enum.name),),)), ("Others", ((plain(other),),))]
+    facts: list[tuple[str, tuple[Line, ...]]] = [("Name", ((code(enum.name),),)), ("Others", ((text_piece(other),),))]
     if enum.gaps:
-        facts.append(("Left out", ((plain(enum.gaps),),)))
+        facts.append(("Left out", ((text_piece(enum.gaps),),)))
     if users := context.users(enum.place.path):
         facts.append(("Used by", (users,)))
     if enum.sources:
@@ -86,8 +93,8 @@ def _gone(member: Member) -> list[Line]:
     return [(styled("not available", "badge"),)] if member.unavailable else []
 
 
-def _value(context: Context, member: Member, marks: Inferences) -> Row:
-    return Row(
+def _value(context: Context, member: Member, marks: Inferences) -> TableRow:
+    return TableRow(
         (
             cell(*_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
@@ -98,11 +105,11 @@ def _value(context: Context, member: Member, marks: Inferences) -> Row:
     )
 
 
-def _code(context: Context, member: Member, marks: Inferences) -> Row:
-    problem: list[Line] = [(plain(member.problem),)] if member.problem else []
+def _code(context: Context, member: Member, marks: Inferences) -> TableRow:
+    problem: list[Line] = [(text_piece(member.problem),)] if member.problem else []
     causes = [_cause(cause, member) for cause in member.causes]
-    causes += [Item((plain(remedy),)) for remedy in member.remedies]
-    return Row(
+    causes += [Item((text_piece(remedy),)) for remedy in member.remedies]
+    return TableRow(
         (
             cell(*_number(member)),
             names(member, member.name, mark=marks.all_marks(member.inferred)),
@@ -119,4 +126,152 @@ def _cause(cause: Cause, member: Member) -> Item:
     """A cause, with its place where it is not that of the code, and what to do about it below it."""
     elsewhere = cause.sources and cause.sources != member.sources
     where: Line = (styled(" (", "quiet"), *cited(cause.sources), styled(")", "quiet")) if elsewhere else ()
-    return Item((styled(cause.cause, "strong"), *where), tuple((plain(remedy),) for remedy in cause.remedies))
+    return Item((styled(cause.cause, "strong"), *where), tuple((text_piece(remedy),) for remedy in cause.remedies))
+
+
+COLUMNS = (
+    TableColumn("Bit", "number", unbroken=True),
+    TableColumn("Mask", "number", unbroken=True),
+    TableColumn("Name", unbroken=True),
+    TableColumn("0 means"),
+    TableColumn("1 means"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+STATES = (
+    TableColumn("State", unbroken=True),
+    TableColumn("Bits that are 1"),
+    TableColumn("Bits that are 0"),
+    TableColumn("Word and mask", "number", unbroken=True),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+IN_A_ROW = 16
+# A name fits upright into so many bits; into fewer it is turned.
+UPRIGHT = 4
+
+
+def words(context: Context) -> Section:
+    """All words of flags."""
+    inner = tuple(_word(context, word) for word in context.device.flags.values())
+    return Section("flags", (text_piece("Words of bits"),), (), inner)
+
+
+def _word(context: Context, word: Flags) -> Section:
+    path = word.place.path
+    blocks = context.opening(word)
+    users = context.users(path)
+    kind: Line = (code(word.type.name), text_piece(", bit 0 is the least significant"))
+    facts: list[tuple[str, tuple[Line, ...]]] = [("Type", (kind,))]
+    if word.ranges is not None:
+        facts.append(("Range", ((text_piece(word.ranges.text()),),)))
+    if users:
+        facts.append(("Used by", (users,)))
+    blocks.append(Facts(tuple(facts)))
+    blocks.append(drawn(word))
+    marks = Inferences(path)
+    rows = [_row(context, word, bit, marks) for bit in word.bits]
+    blocks.append(table(f"Bits of {word.name}", COLUMNS, rows, marks.footnotes(), heading=2))
+    if word.states:
+        rows = [_state(word, state) for state in word.states]
+        blocks.append(table(f"States that {word.name} shows", STATES, rows, heading=0))
+    return Section(path, (code(word.name), *context.section_title("", word)[1:]), tuple(blocks))
+
+
+def _row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> TableRow:
+    more: list[Line] = []
+    if bit.reserved:
+        more.append((styled("reserved", "badge"),))
+    if bit.edge:
+        text = " The change of the bit has the effect, not its level."
+        more.append((styled(f"{bit.edge} edge", "badge"), text_piece(text)))
+    if bit.active == "low":
+        more.append((styled("active low", "badge"), text_piece(" It is 0 while what its name says is so.")))
+    if bit.when:
+        more.append((styled("only when ", "strong"), text_piece(bit.when)))
+    if bit.enum:
+        more.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
+    return TableRow(
+        (
+            cell(bits_text(bit)),
+            cell(code(f"0x{bit.mask:0{2 * word.type.size}X}")),
+            names(bit, bit.name, mark=marks.all_marks(bit.inferred)),
+            cell(bit.zero),
+            cell(bit.one),
+            cell(*more, *context.about(bit)),
+            sources(bit),
+        ),
+        bit.place.path,
+    )
+
+
+def _state(word: Flags, state: State) -> TableRow:
+    mask, held = word.masked(state)
+    digits = 2 * word.type.size
+    return TableRow(
+        (
+            names(state, state.name),
+            cell(joined((code(name),) for name in state.set)),
+            cell(joined((code(name),) for name in state.clear)),
+            cell(code(f"word & 0x{mask:0{digits}X} = 0x{held:0{digits}X}")),
+            cell(state.doc),
+            sources(state),
+        ),
+        state.place.path,
+    )
+
+
+def bits_text(bit: Bit) -> str:
+    """`3`, or `9..10`"""
+    return str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
+
+
+def drawn(word: Flags) -> Bits:
+    """A word as boxes, and in characters."""
+    width = 8 * word.type.size
+    rows = tuple(_boxes(word, high) for high in range(width - 1, 0, -min(width, IN_A_ROW)))
+    return Bits(rows, _characters(word, width))
+
+
+def _boxes(word: Flags, high: int) -> BitRow:
+    """The boxes of up to sixteen bits, from bit `high` down."""
+    low = max(0, high - IN_A_ROW + 1)
+    holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
+    boxes: list[Box] = []
+    at = high
+    while at >= low:
+        bit = holders.get(at)
+        last = max(low, bit.first) if bit else at
+        boxes.append(_box(bit, at - last + 1))
+        at = last - 1
+    return BitRow(f"Layout of {word.name}, bits {high} to {low}", tuple(range(high, low - 1, -1)), tuple(boxes))
+
+
+def _box(bit: Bit | None, width: int) -> Box:
+    if bit is None or bit.reserved:
+        return Box(width, "", "" if bit is None else f"#{bit.place.path}", "free")
+    return Box(width, bit.name, f"#{bit.place.path}", "field" if width >= UPRIGHT else "bit")
+
+
+def _characters(word: Flags, width: int) -> str:
+    """Boxes of four characters a bit, and from each named bit a line down to its name."""
+    named = [bit for bit in word.bits if not bit.reserved]
+    held = {number for bit in named for number in range(bit.first, bit.last + 1)}
+    numbers = range(width - 1, -1, -1)
+    rule = "+---" * width + "+"
+    boxes = "".join("| x " if number in held else "|   " for number in numbers) + "|"
+    lines = ["".join(f"{number:>3} " for number in numbers).rstrip(), rule, boxes, rule]
+    lines += [_leader(named, at, width) for at in range(len(named))]
+    return "\n".join(lines)
+
+
+def _leader(named: list[Bit], at: int, width: int) -> str:
+    """The line to the name of one bit, past the lines of those above it."""
+
+    def column(bit: Bit) -> int:
+        return 4 * (width - 1 - bit.first) + 2
+
+    line = [" "] * (column(named[at]) + 1)
+    for later in named[at + 1 :]:
+        line[column(later)] = "|"
+    return "".join(line[:-1]) + f"+- {bits_text(named[at])} {named[at].name}"

@@ -9,39 +9,34 @@ from decimal import Decimal
 from fieldspec.backends.docs.context import Context, address, cited
 from fieldspec.backends.docs.document import (
     Cell,
-    Column,
     Line,
     Paragraph,
-    Row,
     Section,
+    TableColumn,
+    TableRow,
     cell,
     code,
     label,
-    plain,
     styled,
     table,
+    text_piece,
 )
-from fieldspec.backends.docs.holders import Holder
-from fieldspec.layout.explaining.worded import decimal_text, range_in_unit
-from fieldspec.model.enum import Enum, Member
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
+from fieldspec.backends.docs.sources import Holder
+from fieldspec.explain.values import decimal_text, range_in_unit
+from fieldspec.model.enums import Bit, Enum, Member
 from fieldspec.model.fact import Claim
-from fieldspec.model.flags import Bit
-from fieldspec.model.message import Message
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.record import Field
-from fieldspec.model.register import Register
-from fieldspec.model.table import PrintedElement, Table
-from fieldspec.model.value import Value
+from fieldspec.model.record import Field, Message
+from fieldspec.model.registers import PrintedElement, Register, Table
+from fieldspec.model.texts import Erratum, Example
+from fieldspec.model.value import Ranges, Value
 
 COLUMNS = (
-    Column("Erratum and fact", "path", kept=True),
-    Column("Printed", "path", kept=True),
-    Column("Used here", "path", kept=True),
-    Column("Reason", "wide", kept=True),
-    Column("Confidence and verdict", "proof", kept=True),
-    Column("Source", "source"),
+    TableColumn("Erratum and fact", "path", unbroken=True),
+    TableColumn("Printed", "path", unbroken=True),
+    TableColumn("Used here", "path", unbroken=True),
+    TableColumn("Reason", "wide", unbroken=True),
+    TableColumn("Confidence and verdict", "proof", unbroken=True),
+    TableColumn("Source", "source"),
 )
 EFFECTS = {
     "bytes": ("Wrong bytes", "Who trusts the print gets wrong bytes."),
@@ -51,9 +46,9 @@ EFFECTS = {
 }
 VERDICTS = ("proven", "judgement", "open")
 COUNTS = (
-    Column("Effect", kept=True),
-    Column("Errata", kept=True),
-    *(Column(verdict.capitalize(), kept=True) for verdict in VERDICTS),
+    TableColumn("Effect", unbroken=True),
+    TableColumn("Errata", unbroken=True),
+    *(TableColumn(verdict.capitalize(), unbroken=True) for verdict in VERDICTS),
 )
 INTRODUCTION = (
     "What the manual prints, and what is used here instead. Proven: the check that is named finds the printed value "
@@ -66,40 +61,44 @@ def errata(context: Context) -> Section:
     """All departures from the print."""
     device = context.device
     if not device.errata:
-        return Section("errata", (plain("Errata"),))
-    blocks = (Paragraph((plain(INTRODUCTION),)), table("Errata by effect", COUNTS, _counts(device.errata)))
+        return Section("errata", (text_piece("Errata"),))
+    blocks = (Paragraph((text_piece(INTRODUCTION),)), table("Errata by effect", COUNTS, _counts(device.errata)))
     parts = tuple(_of_effect(context, effect) for effect in EFFECTS)
-    return Section("errata", (plain("Errata of the manual"),), blocks, tuple(part for part in parts if part.blocks))
+    return Section(
+        "errata", (text_piece("Errata of the manual"),), blocks, tuple(part for part in parts if part.blocks)
+    )
 
 
-def _counts(found: Sequence[Erratum]) -> Iterator[Row]:
+def _counts(found: Sequence[Erratum]) -> Iterator[TableRow]:
     counts = Counter((erratum.effect, erratum.verdict) for erratum in found)
     for effect, (title, _) in EFFECTS.items():
         numbers = [counts[effect, verdict] for verdict in VERDICTS]
         if any(numbers):
-            yield Row((cell(plain(title, f"#errata-{effect}")), *(cell(str(one)) for one in (sum(numbers), *numbers))))
+            yield TableRow(
+                (cell(text_piece(title, f"#errata-{effect}")), *(cell(str(one)) for one in (sum(numbers), *numbers)))
+            )
 
 
 def _of_effect(context: Context, effect: str) -> Section:
     title, meaning = EFFECTS[effect]
     rows = [_row(context, erratum) for erratum in context.device.errata if erratum.effect == effect]
-    blocks = (Paragraph((plain(meaning),)), table(title, COLUMNS, rows)) if rows else ()
-    return Section(f"errata-{effect}", (plain(title),), blocks)
+    blocks = (Paragraph((text_piece(meaning),)), table(title, COLUMNS, rows)) if rows else ()
+    return Section(f"errata-{effect}", (text_piece(title),), blocks)
 
 
-def _row(context: Context, erratum: Erratum) -> Row:
+def _row(context: Context, erratum: Erratum) -> TableRow:
     holder = context.holders.get(erratum.fact)
     keys = list(erratum.printed)
     style = "open" if erratum.confidence == "open" else ""
-    return Row(
+    return TableRow(
         (
             cell(
                 (code(erratum.id),),
                 (context.link_to(erratum.fact),),
                 *context.holding.badges(erratum.place.path),
             ),
-            _sides([(key, _printed(key, erratum.printed[key])) for key in keys], (label(erratum.literal),)),
-            _sides([(key, _used(holder, key)) for key in keys], ()),
+            _both_values([(key, _printed(key, erratum.printed[key])) for key in keys], (label(erratum.literal),)),
+            _both_values([(key, _used(holder, key)) for key in keys], ()),
             cell(erratum.reason),
             cell(
                 styled(erratum.confidence, style),
@@ -111,8 +110,10 @@ def _row(context: Context, erratum: Erratum) -> Row:
     )
 
 
-def _sides(pairs: list[tuple[str, str]], last: Line) -> Cell:
-    lines: list[Line] = [(styled(f"{key}: ", "quiet"), code(text) if text else plain("nothing")) for key, text in pairs]
+def _both_values(pairs: list[tuple[str, str]], last: Line) -> Cell:
+    lines: list[Line] = [
+        (styled(f"{key}: ", "quiet"), code(text) if text else text_piece("nothing")) for key, text in pairs
+    ]
     return cell(*lines, last)
 
 

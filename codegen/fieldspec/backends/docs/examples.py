@@ -7,53 +7,51 @@ from difflib import SequenceMatcher
 
 from fieldspec.backends.docs.context import Context, address, cited
 from fieldspec.backends.docs.document import (
-    Column,
+    DocumentTable,
     Facts,
     Line,
     Paragraph,
-    Row,
     Section,
     Strip,
     Strips,
-    Table,
+    TableColumn,
+    TableRow,
     cell,
     code,
     joined,
     label,
-    plain,
     styled,
     table,
+    text_piece,
 )
-from fieldspec.layout.explaining.row import Row as ByteRow
-from fieldspec.layout.explanation import Explanation, Meaning, explained_example
-from fieldspec.layout.meaning import Raw
-from fieldspec.layout.printed import Printed, printed
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
+from fieldspec.explain.explanation import Explanation, Meaning, Printed, explained_example, printed
+from fieldspec.explain.row import ExplanationRow as ByteRow
+from fieldspec.layout.values import Raw
 from fieldspec.model.link import Link
-from fieldspec.model.message import Message
+from fieldspec.model.record import Message
+from fieldspec.model.texts import Erratum, Example
 
 BYTES = (
-    Column("Byte", "number", kept=True),
-    Column("Bytes", "bytes", kept=True),
-    Column("Characters", "bytes"),
-    Column("Field", kept=True),
-    Column("Raw", "number", kept=True),
-    Column("Value", "number"),
-    Column("Meaning", "wide"),
-    Column("Verdict"),
-    Column("Source", "source"),
+    TableColumn("Byte", "number", unbroken=True),
+    TableColumn("Bytes", "bytes", unbroken=True),
+    TableColumn("Characters", "bytes"),
+    TableColumn("Field", unbroken=True),
+    TableColumn("Raw", "number", unbroken=True),
+    TableColumn("Value", "number"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Verdict"),
+    TableColumn("Source", "source"),
 )
 REGISTERS = (
-    Column("Address", "number", kept=True),
-    Column("Words", "number", kept=True),
-    Column("Register", kept=True),
-    Column("Bytes", "bytes"),
-    Column("Raw", "number"),
-    Column("Value", "number"),
-    Column("Meaning", "wide"),
-    Column("Verdict"),
-    Column("Source", "source"),
+    TableColumn("Address", "number", unbroken=True),
+    TableColumn("Words", "number", unbroken=True),
+    TableColumn("Register", unbroken=True),
+    TableColumn("Bytes", "bytes"),
+    TableColumn("Raw", "number"),
+    TableColumn("Value", "number"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Verdict"),
+    TableColumn("Source", "source"),
 )
 REFUSALS = {
     "unknown_code": "its code is not known",
@@ -67,7 +65,7 @@ REFUSALS = {
 def examples(context: Context) -> Section:
     """All example frames in the order of the manual."""
     inner = tuple(_example(context, example) for example in sorted(context.device.examples.values(), key=_line))
-    return Section("examples", (plain("Example frames"),), (), inner)
+    return Section("examples", (text_piece("Example frames"),), (), inner)
 
 
 def _line(example: Example) -> tuple[bool, int]:
@@ -80,7 +78,7 @@ def _example(context: Context, example: Example) -> Section:
     link, message = context.device.links[example.link], context.device.messages.get(example.message)
     holds = context.holding.lines(example.place.path)
     facts = tuple(_facts(example, link, message, holds))
-    return context.holding.made(
+    return context.holding.section(
         example.place.path, (example, found, print_of, facts), lambda: _section(example, found, print_of, facts)
     )
 
@@ -88,9 +86,9 @@ def _example(context: Context, example: Example) -> Section:
 def _section(
     example: Example, found: Explanation, print_of: Printed, facts: tuple[tuple[str, tuple[Line, ...]], ...]
 ) -> Section:
-    blocks: list[Paragraph | Facts | Strips | Table] = []
+    blocks: list[Paragraph | Facts | Strips | DocumentTable] = []
     blocks += [Paragraph(_erratum_line(erratum), "erratum") for erratum in print_of.errata]
-    blocks += [Paragraph((styled("Note: ", "strong"), plain(note))) for note in example.notes]
+    blocks += [Paragraph((styled("Note: ", "strong"), text_piece(note))) for note in example.notes]
     blocks.append(Strips(tuple(_strips(example, print_of, found))))
     blocks.append(Facts(facts))
     rows = [_byte_row(row) for row in found.rows]
@@ -100,14 +98,18 @@ def _section(
         blocks.append(table("Registers that the frame accesses", REGISTERS, touched, heading=2))
     title: list[Line] = [(code(example.id),)]
     if example.title:
-        title.append((plain(example.title),))
+        title.append((text_piece(example.title),))
     if print_of.verdict != "ok":
         title.append((styled(print_of.verdict, "badge"),))
     return Section(example.place.path, joined(title, " "), tuple(blocks))
 
 
 def _erratum_line(erratum: Erratum) -> Line:
-    return (styled("Erratum ", "strong"), plain(erratum.id, f"#errata/{erratum.id}"), plain(f": {erratum.reason}"))
+    return (
+        styled("Erratum ", "strong"),
+        text_piece(erratum.id, f"#errata/{erratum.id}"),
+        text_piece(f": {erratum.reason}"),
+    )
 
 
 def _strips(example: Example, print_of: Printed, found: Explanation) -> Iterator[Strip]:
@@ -151,16 +153,16 @@ def _facts(
     example: Example, link: Link, message: Message | None, holds: tuple[Line, ...]
 ) -> Iterator[tuple[str, tuple[Line, ...]]]:
     text = f"{example.direction} on " if not example.error else "refusal on "
-    yield "Frame", ((plain(text), plain(link.title or link.name, f"#{link.place.path}")),)
+    yield "Frame", ((text_piece(text), text_piece(link.title or link.name, f"#{link.place.path}")),)
     if message is not None:
         yield "Message", ((code(message.name, f"#{message.place.path}"),),)
     if example.refused:
-        yield "Must be refused", ((plain(REFUSALS[example.refused]),),)
+        yield "Must be refused", ((text_piece(REFUSALS[example.refused]),),)
     if example.reply_to:
-        yield "Answers", ((plain(example.reply_to, f"#examples/{example.reply_to}"),),)
+        yield "Answers", ((text_piece(example.reply_to, f"#examples/{example.reply_to}"),),)
     if example.elided:
         names = joined((code(name),) for name in example.elided)
-        yield "Printed as dots", ((*names, plain("; the values here are ours")),)
+        yield "Printed as dots", ((*names, text_piece("; the values here are ours")),)
     if holds:
         yield "Versions", holds
     if example.sources:
@@ -176,11 +178,11 @@ def raw_text(number: Raw | None) -> str:
     return {True: "1", False: "0"}[number] if isinstance(number, bool) else str(number)
 
 
-def _byte_row(row: ByteRow) -> Row:
+def _byte_row(row: ByteRow) -> TableRow:
     last = row.offset + row.length - 1
     place = str(row.offset) if row.length < 2 else f"{row.offset}..{last}"
     name = code(row.path, f"#{row.fact}" if row.fact else "") if row.path else styled("left over", "wrong")
-    return Row(
+    return TableRow(
         (
             cell(code(place)),
             cell(code(row.raw.hex(" ").upper())),
@@ -195,10 +197,10 @@ def _byte_row(row: ByteRow) -> Row:
     )
 
 
-def _register_row(row: ByteRow) -> Row:
-    name = code(row.path, f"#{row.fact}") if row.path else plain(row.doc)
+def _register_row(row: ByteRow) -> TableRow:
+    name = code(row.path, f"#{row.fact}") if row.path else text_piece(row.doc)
     found = row.raw.hex(" ").upper() if len(row.raw) <= 32 else f"{len(row.raw)} bytes"
-    return Row(
+    return TableRow(
         (
             cell(code(address(row.address or 0))),
             cell(str(row.words)),
@@ -218,7 +220,7 @@ def _verdict(verdict: str) -> Line:
 
 
 def _errata(row: ByteRow) -> list[Line]:
-    links = ((plain(found, f"#errata/{found}"),) for found in row.errata)
+    links = ((text_piece(found, f"#errata/{found}"),) for found in row.errata)
     return [(styled("Erratum: ", "quiet"), *joined(links))] if row.errata else []
 
 
@@ -231,5 +233,5 @@ def _meaning(meaning: Meaning) -> Line:
     if meaning.label:
         parts.append((label(meaning.label),))
     if meaning.text:
-        parts.append((plain(meaning.text),))
+        parts.append((text_piece(meaning.text),))
     return joined(parts, " ")

@@ -8,21 +8,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
-from fieldspec.backends.docs.anchors import Anchors, paths_of
 from fieldspec.backends.docs.document import (
-    KEPT,
+    REUSED,
+    Anchors,
     BitRow,
     Block,
     Cell,
     Document,
+    DocumentTable,
     Facts,
     Line,
     Paragraph,
     Piece,
+    RenderedSection,
     Section,
     Strips,
-    Table,
-    Written,
+    paths_of,
 )
 from fieldspec.backends.forms import filled, text
 
@@ -52,7 +53,7 @@ def page(document: Document) -> str:
     )
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def escaped(text: str) -> str:
     """Text that means itself, in an element or in an attribute."""
     text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
@@ -75,9 +76,9 @@ class _Writer:
 
     def __init__(self, language: str) -> None:
         self._tags = _TAGS | {"label": (f'<span class="label"{_attribute("lang", language)}>', "</span>")}
-        self.line = lru_cache(maxsize=KEPT)(self._line)
-        self.cell = lru_cache(maxsize=KEPT)(self._cell)
-        self.strip = lru_cache(maxsize=KEPT)(self._strip)
+        self.line = lru_cache(maxsize=REUSED)(self._line)
+        self.cell = lru_cache(maxsize=REUSED)(self._cell)
+        self.strip = lru_cache(maxsize=REUSED)(self._strip)
 
     def _line(self, pieces: Line) -> str:
         return "".join(map(self._piece, pieces))
@@ -122,16 +123,16 @@ class _Page:
 
     def section(self, section: Section, level: int) -> Iterator[str]:
         """A section, and those within it, under a heading of a level."""
-        if section.written is None:
+        if section.rendered is None:
             yield from self._section(section, level)
             return
-        before = section.written.get(self._form)
+        before = section.rendered.get(self._form)
         if before is not None and self._anchors.have(before.paths):
             yield before.text
             return
         text, held = "".join(self._section(section, level)), paths_of(section)
         if self._anchors.have(held):
-            section.written[self._form] = Written(text, held)
+            section.rendered[self._form] = RenderedSection(text, held)
         yield text
 
     def _section(self, section: Section, level: int) -> Iterator[str]:
@@ -148,7 +149,7 @@ class _Page:
         return self._writer.line(self._anchors.line(pieces))
 
     def _block(self, block: Block) -> Iterator[str]:
-        if isinstance(block, Table):
+        if isinstance(block, DocumentTable):
             yield from self._table(block)
         elif isinstance(block, Paragraph):
             yield f"<p{_attribute('class', block.style)}>{self._line(block.line)}</p>\n"
@@ -169,7 +170,7 @@ class _Page:
             yield from map(self._bits, block.rows)
             yield "</div>\n\n"
 
-    def _table(self, table: Table) -> Iterator[str]:
+    def _table(self, table: DocumentTable) -> Iterator[str]:
         classes = [_attribute("class", column.style) for column in table.columns]
         titles = (
             f'<th scope="col"{held}>{escaped(column.title)}</th>'

@@ -6,47 +6,47 @@ from collections.abc import Iterator
 
 from fieldspec.backends.docs.context import Context, cited
 from fieldspec.backends.docs.document import (
-    Column,
+    DocumentTable,
     Facts,
     Line,
     Paragraph,
-    Row,
     Section,
-    Table,
+    TableColumn,
+    TableRow,
     cell,
     code,
     label,
-    plain,
     styled,
     table,
+    text_piece,
 )
 from fieldspec.model.device import Device, Version, VersionLine
 
-VERSIONS = (Column("Version"), Column("What it is"), Column("Source"))
+VERSIONS = (TableColumn("Version"), TableColumn("What it is"), TableColumn("Source"))
 
 
 def identity(context: Context) -> Section:
     """The device, its manual and its versions."""
     device = context.device
-    blocks: list[Paragraph | Facts | Table] = []
+    blocks: list[Paragraph | Facts | DocumentTable] = []
     if device.doc:
-        blocks.append(Paragraph((plain(device.doc),)))
+        blocks.append(Paragraph((text_piece(device.doc),)))
     blocks.append(Facts(tuple(_facts(context))))
     blocks += [_versions(line, device.version) for line in device.lines]
-    return Section("device", (plain("Device and manual"),), tuple(blocks))
+    return Section("device", (text_piece("Device and manual"),), tuple(blocks))
 
 
 def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
     device, manual = context.device, context.device.manual
-    yield "Device", ((plain(f"{device.vendor} {device.name}, "), code(device.id)),)
-    yield "Version", ((plain(version_title(device)),),)
-    yield "Identity", ((code(context.layout.identity), plain(": equal in all outputs that agree on every byte")),)
+    yield "Device", ((text_piece(f"{device.vendor} {device.name}, "), code(device.id)),)
+    yield "Version", ((text_piece(version_title(device)),),)
+    yield "Identity", ((code(context.layout.identity), text_piece(": equal in all outputs that agree on every byte")),)
     yield "Manual", ((label(manual.title),),)
     if manual.edition:
         yield "Edition", ((label(manual.edition),),)
     if manual.language:
         yield "Language", ((code(manual.language),),)
-    yield "Text", ((code(manual.file), plain(f", {manual.lines} lines; a source is a section and lines of it")),)
+    yield "Text", ((code(manual.file), text_piece(f", {manual.lines} lines; a source is a section and lines of it")),)
     yield "SHA-256", ((code(manual.sha256),),)
 
 
@@ -59,14 +59,14 @@ def version_title(device: Device) -> str:
     return device.version
 
 
-def _versions(line: VersionLine, present: str) -> Table:
+def _versions(line: VersionLine, present: str) -> DocumentTable:
     caption = line.title or line.name
     return table(caption, VERSIONS, [_version(version, present) for version in line.versions])
 
 
-def _version(version: Version, present: str) -> Row:
-    here: Line = (plain(" "), styled("this page", "badge")) if version.id == present else ()
-    doc: list[Line] = [(plain(text),) for text in (version.title, version.doc) if text]
+def _version(version: Version, present: str) -> TableRow:
+    here: Line = (text_piece(" "), styled("this page", "badge")) if version.id == present else ()
+    doc: list[Line] = [(text_piece(text),) for text in (version.title, version.doc) if text]
     if version.inferred:
-        doc.append((styled("inferred: ", "strong"), plain(version.inferred)))
-    return Row((cell((code(version.id), *here)), cell(*doc), cell(cited(version.sources))))
+        doc.append((styled("inferred: ", "strong"), text_piece(version.inferred)))
+    return TableRow((cell((code(version.id), *here)), cell(*doc), cell(cited(version.sources))))

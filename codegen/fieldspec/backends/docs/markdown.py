@@ -6,22 +6,24 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from fieldspec.backends.docs.anchors import Anchors, headings, paths_of
 from fieldspec.backends.docs.document import (
-    KEPT,
+    REUSED,
+    Anchors,
     Bits,
     Block,
     Cell,
     Document,
+    DocumentTable,
     Facts,
     Line,
     Paragraph,
     Piece,
+    RenderedSection,
     Section,
     Strips,
-    Table,
-    Written,
+    headings,
     paths,
+    paths_of,
 )
 from fieldspec.backends.forms import filled
 
@@ -59,7 +61,7 @@ def _sections(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterat
         yield from _sections(section.sections, hashes + "#", page)
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def escaped(text: str) -> str:
     """Text that means itself, anywhere in a line."""
     text = _SPECIAL.sub(lambda found: _ENTITIES.get(found[0], f"\\{found[0]}"), text)
@@ -75,13 +77,13 @@ def line(pieces: Line) -> str:
     return _line(pieces, paths(pieces))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def _line(pieces: Line, lost: tuple[str, ...]) -> str:
     """A line without the links to some paths within the page."""
     return "".join([_piece(piece, lost) for piece in pieces])
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def _strip(pieces: Line) -> str:
     return " ".join([_piece(piece, ()) for piece in pieces])
 
@@ -93,7 +95,7 @@ def _piece(piece: Piece, lost: tuple[str, ...]) -> str:
     return f"[{text}]({piece.link})"
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def _styled(text: str, style: str) -> str:
     if style in ("code", "changed"):
         shown = f"`{text}`" if text and not set(text) & set("`|\\") else escaped(text)
@@ -116,7 +118,7 @@ def _wrapped(text: str, marks: str) -> str:
     return f"{before}{marks}{escaped(inner)}{marks}{after}"
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=REUSED)
 def _cell(cell: Cell, lost: tuple[str, ...] = ()) -> str:
     lines = [_line(held, lost) for held in cell.lines]
     for item in cell.items:
@@ -134,14 +136,14 @@ class _Page:
 
     def section(self, section: Section, hashes: str) -> str:
         """A section without those within it."""
-        if section.written is None:
+        if section.rendered is None:
             return self._section(section, hashes)
-        before = section.written.get("markdown")
+        before = section.rendered.get("markdown")
         if before is not None and self._anchors.have(before.paths) and before.paths - self._headings == before.lost:
             return before.text
         text, held = self._section(section, hashes), paths_of(section)
         if self._anchors.have(held):
-            section.written["markdown"] = Written(text, held, held - self._headings)
+            section.rendered["markdown"] = RenderedSection(text, held, held - self._headings)
         return text
 
     def _section(self, section: Section, hashes: str) -> str:
@@ -149,7 +151,7 @@ class _Page:
         return "".join([heading, *("\n".join(["", *self._block(block), ""]) for block in section.blocks)])
 
     def _block(self, block: Block) -> Iterator[str]:
-        if isinstance(block, Table):
+        if isinstance(block, DocumentTable):
             yield from self._table(block)
         elif isinstance(block, Paragraph):
             yield ("> " if block.style else "") + self._line(block.line)
@@ -162,7 +164,7 @@ class _Page:
             for strip in block.rows:
                 yield f"- {escaped(strip.title)}: {_strip(strip.bytes)}"
 
-    def _table(self, table: Table) -> Iterator[str]:
+    def _table(self, table: DocumentTable) -> Iterator[str]:
         yield f"*{escaped(table.caption)}*"
         yield ""
         yield f"| {' | '.join([escaped(column.title) for column in table.columns])} |"

@@ -1,14 +1,32 @@
-"""The messages, byte by byte."""
+"""Messages byte by byte, process data word by word, signals and conversions."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.backends.docs.context import Context, cited, many
-from fieldspec.backends.docs.document import Facts, Line, Section, Table, code, joined, plain
-from fieldspec.backends.docs.frames import FrameTable, length_text
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.backends.docs.context import Context, cited, many, names, sources
+from fieldspec.backends.docs.document import (
+    Cell,
+    DocumentTable,
+    Facts,
+    Line,
+    Section,
+    TableColumn,
+    TableRow,
+    cell,
+    code,
+    joined,
+    label,
+    styled,
+    table,
+    text_piece,
+)
+from fieldspec.backends.docs.links import FrameTable, length_text
+from fieldspec.backends.docs.sources import Inferences
+from fieldspec.backends.docs.value_cells import VALUE_COLUMNS, meaning_cell, value_cells
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.value import Conversion, Signal
 
 DIRECTIONS = ("request", "response")
 
@@ -16,7 +34,7 @@ DIRECTIONS = ("request", "response")
 def messages(context: Context) -> Section:
     """All messages by code, those without a code by their numbers behind them."""
     inner = tuple(_message(context, laid) for laid in sorted(context.layout.messages.values(), key=_by_code))
-    return Section("messages", (plain("Messages"),), (), inner)
+    return Section("messages", (text_piece("Messages"),), (), inner)
 
 
 def _by_code(laid: MessageLayout) -> tuple[bool, int]:
@@ -34,7 +52,7 @@ def _message(context: Context, laid: MessageLayout) -> Section:
         for direction in DIRECTIONS:
             blocks.append(_frame(context, laid, link, direction, "messages/" if number == 0 else ""))
     title = message.title or " ".join(message.name.split("_")).capitalize()
-    shown: Line = () if message.code is None else (code(_code(context, message.code)), plain(" "))
+    shown: Line = () if message.code is None else (code(_code(context, message.code)), text_piece(" "))
     return Section(path, (*shown, *context.section_title(title, message)), tuple(blocks))
 
 
@@ -45,7 +63,7 @@ def _code(context: Context, number: int) -> str:
     return f"0x{number:0{2 * size}X}"
 
 
-def _frame(context: Context, laid: MessageLayout, link: LinkLayout, direction: str, anchored: str) -> Table:
+def _frame(context: Context, laid: MessageLayout, link: LinkLayout, direction: str, anchored: str) -> DocumentTable:
     anchor = f"{laid.message.place.path}/{link.name}-{direction}"
     record = laid.data(direction)
     shape = link.frame(direction)
@@ -66,34 +84,186 @@ def _facts(context: Context, laid: MessageLayout) -> Iterator[tuple[str, tuple[L
         yield "Sent on", (joined((code(name, f"#links/{name}"),) for name in message.links),)
     if message.supplements:
         beside = joined((code(name, f"#messages/{name}"),) for name in message.supplements)
-        yield "Sent beside", ((*beside, plain(", never alone")),)
+        yield "Sent beside", ((*beside, text_piece(", never alone")),)
     if message.group:
-        yield "Group", ((plain(" ".join(message.group.split("_"))),),)
+        yield "Group", ((text_piece(" ".join(message.group.split("_"))),),)
     if message.code is not None:
-        yield "Code", ((code(_code(context, message.code)), plain(f" ({message.code})")),)
+        yield "Code", ((code(_code(context, message.code)), text_piece(f" ({message.code})")),)
     printed = [
         f"{direction} {many(length, 'byte')}"
         for direction, length in zip(DIRECTIONS, (message.request_length, message.response_length), strict=True)
         if length is not None
     ]
     if printed:
-        yield "Frame length as printed", ((plain(", ".join(printed)),),)
+        yield "Frame length as printed", ((text_piece(", ".join(printed)),),)
     words = [
         f"{direction} {many(number, 'word')}"
         for direction, number in zip(DIRECTIONS, (message.request_words, message.response_words), strict=True)
         if number is not None
     ]
     if words:
-        yield "Words of data as printed", ((plain(", ".join(words)),),)
+        yield "Words of data as printed", ((text_piece(", ".join(words)),),)
     if message.broadcast:
-        yield "Broadcast", ((plain("may be sent to all stations at once"),),)
+        yield "Broadcast", ((text_piece("may be sent to all stations at once"),),)
     if message.accesses is not None:
-        yield "Accesses", ((plain(f"{message.accesses.operation}s registers", "#registers"),),)
+        verb, spaces = f"{message.accesses.operation}s", context.device.spaces
+        if spaces:
+            space = context.device.space(message.accesses.space)
+            yield "Accesses", ((text_piece(f"{verb} {space.title or space.name}", f"#{space.place.path}"),),)
+        else:
+            yield "Accesses", ((text_piece(f"{verb} registers", "#registers"),),)
     examples = [example for example in context.device.examples.values() if example.message == message.name]
     if examples:
-        yield "Examples", (joined((plain(example.id, f"#{example.place.path}"),) for example in examples),)
+        yield "Examples", (joined((text_piece(example.id, f"#{example.place.path}"),) for example in examples),)
     if message.sources:
         yield "Source", (cited(message.sources),)
     again = [citation for claim in message.restated for citation in claim.sources]
     if again:
         yield "Printed again", (cited(again),)
+
+
+TELEGRAM_DIRECTIONS = ("request", "response")
+MOST_WORDS = 64
+
+
+def telegrams(context: Context) -> Section:
+    """A table for each link whose frames are words of data only, with one column for each message and direction."""
+    blocks = [made for link in context.layout.links.values() if (made := _table(link)) is not None]
+    names = sorted({link.link.message_name for link in context.layout.links.values() if _has_process_data(link)})
+    title = " and ".join(f"{name.capitalize()}s" for name in names) or "Telegrams"
+    return Section("words", (text_piece(f"{title} word by word"),), tuple(blocks))
+
+
+def _has_process_data(link: LinkLayout) -> bool:
+    """Whether a link has messages that only their number tells apart, all of whole words."""
+    bare = all(not link.frame(direction).head and not link.frame(direction).tail for direction in TELEGRAM_DIRECTIONS)
+    numbered = [laid for laid in link.messages.values() if laid.message.number is not None]
+    return (
+        bare
+        and bool(numbered)
+        and all(_words(laid.data(d)) is not None for laid in numbered for d in TELEGRAM_DIRECTIONS)
+    )
+
+
+def _words(record: RecordLayout) -> int | None:
+    """The words of a record of whole words that is not too long to be shown."""
+    whole = record.size is not None and all(field.offset % 2 == 0 for field in record.fields)
+    words = (record.size or 0) // 2
+    return words if whole and record.size == 2 * words and words <= MOST_WORDS else None
+
+
+def _table(link: LinkLayout) -> DocumentTable | None:
+    if not _has_process_data(link):
+        return None
+    columns = [TableColumn("Word", "number", unbroken=True)]
+    shown: list[RecordLayout] = []
+    numbered = [laid for laid in link.messages.values() if laid.message.number is not None]
+    for laid in sorted(numbered, key=lambda laid: laid.message.number or 0):
+        for direction in TELEGRAM_DIRECTIONS:
+            columns.append(TableColumn(_title(link, laid, direction), unbroken=True))
+            shown.append(laid.data(direction))
+    most = max((_words(record) or 0 for record in shown), default=0)
+    rows = [TableRow((cell(str(word + 1)), *(_at(record, word) for record in shown))) for word in range(most)]
+    return table(f"Words of {link.link.title or link.name}", columns, rows)
+
+
+def _title(link: LinkLayout, laid: MessageLayout, direction: str) -> str:
+    return f"{laid.message.number} {link.link.direction_name(direction)}"
+
+
+def _at(record: RecordLayout, word: int) -> Cell:
+    """What lies in a word: the field that starts there, or that goes on there."""
+    field = next((one for one in record.fields if one.offset <= 2 * word < (one.end or 0)), None)
+    if field is None:
+        return Cell()
+    if field.offset < 2 * word:
+        return cell(styled("goes on", "quiet"))
+    if field.field.reserved:
+        return cell(styled("reserved", "badge"))
+    return _named(field)
+
+
+def _named(field: FieldLayout) -> Cell:
+    link = f"#{field.field.place.path}"
+    printed = [(label(field.field.printed_name),)] if field.field.printed_name else []
+    return cell((code(field.name, link),), *printed)
+
+
+COLUMNS = (
+    TableColumn("Name", unbroken=True),
+    TableColumn("Direction", "short"),
+    *VALUE_COLUMNS,
+    TableColumn("Lies in"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+SIGNAL_DIRECTIONS = {"request": "to the device", "response": "from the device", "": ""}
+
+
+def signals(context: Context) -> Section:
+    """All signals in a table."""
+    device = context.device
+    marks = Inferences("signals")
+    rows = [_signal(context, signal, marks) for signal in device.signals.values()]
+    blocks = (table("Signals", COLUMNS, rows, marks.footnotes()),) if rows else ()
+    return Section("signals", (text_piece("Signals"),), blocks)
+
+
+def _signal(context: Context, signal: Signal, marks: Inferences) -> TableRow:
+    kind, unit, bounds = value_cells(signal.value, signal.inferred, marks)
+    return TableRow(
+        (
+            names(signal, signal.name, mark=marks.marks(signal.inferred)),
+            cell(SIGNAL_DIRECTIONS[signal.direction]),
+            kind,
+            unit,
+            bounds,
+            _lies_in(context, signal),
+            meaning_cell(context, signal, signal.value, *_converted(context, signal)),
+            sources(signal),
+        ),
+        signal.place.path,
+    )
+
+
+def _lies_in(context: Context, signal: Signal) -> Cell:
+    """The messages that have a signal."""
+    found = [
+        message
+        for message in context.device.messages.values()
+        if any(field.signal == signal.name for field in (*message.request.fields, *message.response.fields))
+    ]
+    return cell(joined((code(message.name, f"#messages/{message.name}"),) for message in found))
+
+
+def _converted(context: Context, signal: Signal) -> Iterator[Line]:
+    for conversion in context.device.conversions.values():
+        if signal.name in conversion.signals:
+            yield (text_piece("Converted by "), code(conversion.name, f"#conversions/{conversion.name}"))
+
+
+def conversions(context: Context) -> Section:
+    """All conversions, one after the other."""
+    inner = tuple(_conversion(context, conversion) for conversion in context.device.conversions.values())
+    return Section("conversions", (text_piece("Conversions"),), (), inner)
+
+
+def _conversion(context: Context, conversion: Conversion) -> Section:
+    share = f"count / {conversion.full_scale}"
+    formula = f"reference * (1 - {share})" if conversion.complement else f"reference * {share}"
+    rows: list[tuple[str, tuple[Line, ...]]] = [("Formula", ((code(f"{conversion.name} = {formula}"),),))]
+    rows.append(
+        ("Whole reference", ((code(f"0x{conversion.full_scale:X}"), text_piece(f" ({conversion.full_scale})")),))
+    )
+    rows.append(("Type of the count", ((code(conversion.type.name),),)))
+    if conversion.signals:
+        links = joined((code(name, f"#signals/{name}"),) for name in conversion.signals)
+        rows.append(("Count", (links,)))
+    if conversion.references:
+        rows.append(("Reference", (joined((context.link_to(path),) for path in conversion.references),)))
+    if conversion.printed:
+        rows.append(("As printed", ((code(conversion.printed),),)))
+    if conversion.sources:
+        rows.append(("Source", (cited(conversion.sources),)))
+    title = context.section_title(conversion.title or conversion.name, conversion)
+    return Section(conversion.place.path, title, (*context.opening(conversion), Facts(tuple(rows))))

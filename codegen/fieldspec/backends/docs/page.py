@@ -1,34 +1,88 @@
-"""The page of a device at one version: its sections in order."""
+"""The page of a device version: its sections in order, and the sections of the manual that it cites."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from fieldspec.backends.docs.context import Context
-from fieldspec.backends.docs.document import Document, Line, Section, clean, code, plain
-from fieldspec.backends.docs.enums import codes, enums
+from fieldspec.backends.docs.context import Context, Holding
+from fieldspec.backends.docs.document import (
+    Document,
+    Line,
+    Paragraph,
+    Section,
+    TableColumn,
+    TableRow,
+    cell,
+    clean,
+    code,
+    table,
+    text_piece,
+)
+from fieldspec.backends.docs.enums import codes, enums, words
 from fieldspec.backends.docs.errata import errata
 from fieldspec.backends.docs.examples import examples
-from fieldspec.backends.docs.holding import Holding
 from fieldspec.backends.docs.identity import identity, version_title
 from fieldspec.backends.docs.links import links
-from fieldspec.backends.docs.lists import limits, lookups, notes
-from fieldspec.backends.docs.messages import messages
+from fieldspec.backends.docs.lookups import limits, lookups, notes
+from fieldspec.backends.docs.messages import conversions, messages, signals, telegrams
 from fieldspec.backends.docs.parameters import parameters
-from fieldspec.backends.docs.places import places
+from fieldspec.backends.docs.records import records, tables
 from fieldspec.backends.docs.registers import registers
-from fieldspec.backends.docs.signals import conversions, signals
-from fieldspec.backends.docs.tables import records, tables
+from fieldspec.backends.docs.spaces import spaces
 from fieldspec.backends.docs.tasks import tasks
-from fieldspec.backends.docs.telegrams import telegrams
-from fieldspec.backends.docs.words import words
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.fact import Citation
+
+COLUMNS = (
+    TableColumn("Section", unbroken=True),
+    TableColumn("Facts", "number", unbroken=True),
+    TableColumn("Lines", "wide", unbroken=True),
+)
+_PARTS = re.compile(r"[0-9]+|[^0-9.]+")
+
+
+def places(context: Context) -> Section:
+    """The sections of the manual with the lines that are cited, and how many facts cite them."""
+    facts: dict[str, int] = {}
+    lines: dict[str, set[tuple[int, int]]] = {}
+    for holder in context.holders.values():
+        for citation in holder.sources:
+            facts[citation.section] = facts.get(citation.section, 0) + 1
+            lines.setdefault(citation.section, set()).update(citation.lines)
+    rows = [
+        TableRow((cell(section or "none"), cell(str(facts[section])), cell(_merged(lines[section]))))
+        for section in sorted(facts, key=_order)
+    ]
+    manual = context.device.manual
+    text = f"Sections of {manual.file}, with the lines that the facts on this page cite."
+    return Section(
+        "sources", (text_piece("Sources"),), (Paragraph((text_piece(text),)), table("Sources", COLUMNS, rows))
+    )
+
+
+def _order(section: str) -> list[tuple[int, str]]:
+    """A key that puts 9.2 before 9.10."""
+    return [(int(part), "") if part.isdigit() else (-1, part) for part in _PARTS.findall(section)]
+
+
+def _merged(lines: set[tuple[int, int]]) -> str:
+    """Intervals of lines, those that touch in one."""
+    found: list[tuple[int, int]] = []
+    for first, last in sorted(lines):
+        if found and first <= found[-1][1] + 1:
+            found[-1] = (found[-1][0], max(found[-1][1], last))
+        else:
+            found.append((first, last))
+    return Citation("", tuple(found)).text()
+
 
 SECTIONS = (
     identity,
     tasks,
     links,
+    spaces,
     registers,
     tables,
     telegrams,
@@ -82,5 +136,5 @@ def _summary(layout: DeviceLayout) -> Iterator[Line]:
     )
     for title, number, anchor in counts:
         if number:
-            yield (plain(f"{number} {title}", f"#{anchor}"),)
-    yield (plain("identity "), code(layout.identity))
+            yield (text_piece(f"{number} {title}", f"#{anchor}"),)
+    yield (text_piece("identity "), code(layout.identity))

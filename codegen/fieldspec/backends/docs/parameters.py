@@ -7,19 +7,19 @@ from collections.abc import Iterator
 from fieldspec.backends.docs.context import Context, cited, names, sources
 from fieldspec.backends.docs.document import (
     Cell,
-    Column,
     Facts,
     Line,
-    Row,
     Section,
+    TableColumn,
+    TableRow,
     cell,
     code,
     joined,
-    plain,
     styled,
     table,
+    text_piece,
 )
-from fieldspec.backends.docs.inferences import Inferences
+from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import (
     VALUE_COLUMNS,
     access_cell,
@@ -29,28 +29,28 @@ from fieldspec.backends.docs.value_cells import (
     spoken,
     value_cells,
 )
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 
 COLUMNS = (
-    Column("Number", "number", kept=True),
-    Column("On the wire", "number"),
-    Column("Name", kept=True),
+    TableColumn("Number", "number", unbroken=True),
+    TableColumn("On the wire", "number"),
+    TableColumn("Name", unbroken=True),
     VALUE_COLUMNS[0],
-    Column("Access", "short", kept=True),
+    TableColumn("Access", "short", unbroken=True),
     *VALUE_COLUMNS[1:],
-    Column("Default"),
-    Column("Restart", "short"),
-    Column("For"),
-    Column("With"),
-    Column("Meaning", "wide"),
-    Column("Source", "source"),
+    TableColumn("Default"),
+    TableColumn("Restart", "short"),
+    TableColumn("For"),
+    TableColumn("With"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
 )
 
 
 def parameters(context: Context) -> Section:
     """All sets of parameters."""
     inner = tuple(_set(context, held) for held in context.device.parameters.values())
-    return Section("parameters", (plain("Parameters"),), (), inner)
+    return Section("parameters", (text_piece("Parameters"),), (), inner)
 
 
 def _set(context: Context, held: ParameterSet) -> Section:
@@ -73,24 +73,24 @@ def _numbering(held: ParameterSet) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if held.space != held.name:
         yield "Numbers are those of", ((code(held.space),),)
     if held.base:
-        yield "On the wire", ((plain("its number + "), code(f"0x{held.base:X}")),)
+        yield "On the wire", ((text_piece("its number + "), code(f"0x{held.base:X}")),)
     if held.numbers is not None:
-        first, last = held.written(held.numbers.low), held.written(held.numbers.high)
+        first, last = held.number_text(held.numbers.low), held.number_text(held.numbers.high)
         yield (
             "All numbers",
-            ((code(first), plain(" to "), code(last), plain("; the table has those that are described")),),
+            ((code(first), text_piece(" to "), code(last), text_piece("; the table has those that are described")),),
         )
 
 
 def _rows(
     context: Context, held: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool
-) -> Iterator[Row]:
+) -> Iterator[TableRow]:
     inferred, value = parameter.inferred, parameter.value
     kind, unit, bounds = value_cells(value, inferred, marks)
     last = parameter.number + parameter.count - 1
-    yield Row(
+    yield TableRow(
         (
-            cell(*_numbers(held.written(parameter.number), held.written(last))),
+            cell(*_numbers(held.number_text(parameter.number), held.number_text(last))),
             _wire(held, parameter.number, last),
             names(parameter, parameter.name, mark=marks.marks(inferred)),
             kind,
@@ -99,7 +99,7 @@ def _rows(
             bounds,
             default_cell(value, inferred, marks),
             restart_cell(parameter.restart, inferred, marks) if restart else Cell(),
-            cell(joined((plain(" ".join(name.split("_"))),) for name in parameter.applies_to)),
+            cell(joined((text_piece(" ".join(name.split("_"))),) for name in parameter.applies_to)),
             cell(joined((code(name, f"#messages/{name}"),) for name in parameter.messages)),
             meaning_cell(context, parameter, value, *_special(parameter)),
             sources(parameter),
@@ -111,7 +111,7 @@ def _rows(
 
 
 def _numbers(first: str, last: str) -> list[Line]:
-    return [(code(first),)] if first == last else [(code(first), plain(" to ")), (code(last),)]
+    return [(code(first),)] if first == last else [(code(first), text_piece(" to ")), (code(last),)]
 
 
 def _wire(held: ParameterSet, first: int, last: int) -> Cell:
@@ -127,18 +127,18 @@ def _special(parameter: Parameter) -> Iterator[Line]:
         yield (styled("reserved", "badge"),)
     if parameter.trigger:
         text = " Writing has an effect; reading does not give back what was written."
-        yield (styled("trigger", "badge"), plain(text))
+        yield (styled("trigger", "badge"), text_piece(text))
     if parameter.elements is not None:
-        yield (plain(f"{parameter.elements} elements, sub-index 0 to {parameter.elements - 1}"),)
+        yield (text_piece(f"{parameter.elements} elements, sub-index 0 to {parameter.elements - 1}"),)
 
 
-def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: Inferences) -> Row:
+def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: Inferences) -> TableRow:
     """The row of an element with a meaning of its own."""
     kind, unit, bounds = value_cells(inner.value, inner.inferred, marks)
     special: list[Line] = [(styled("reserved", "badge"),)] if inner.reserved else []
     index = spoken(inner.indices.text())
     shown = f"{parameter.name}[{index}]" + (f" {inner.name}" if inner.name else "")
-    return Row(
+    return TableRow(
         (
             Cell(),
             Cell(),

@@ -7,20 +7,20 @@ from collections.abc import Iterator
 from fieldspec.backends.docs.context import Context, address, cited, names, sources
 from fieldspec.backends.docs.document import (
     Cell,
-    Column,
     Facts,
     Line,
-    Row,
     Section,
+    TableColumn,
+    TableRow,
     cell,
     code,
     joined,
     label,
-    plain,
     styled,
     table,
+    text_piece,
 )
-from fieldspec.backends.docs.inferences import Inferences
+from fieldspec.backends.docs.sources import Inferences
 from fieldspec.backends.docs.value_cells import (
     VALUE_COLUMNS,
     access_cell,
@@ -29,27 +29,27 @@ from fieldspec.backends.docs.value_cells import (
     restart_cell,
     value_cells,
 )
-from fieldspec.model.register import Gap, Register, RegisterGroup
+from fieldspec.model.registers import Gap, Register, RegisterGroup
 
 COLUMNS = (
-    Column("No.", "number"),
-    Column("Address", "number", kept=True),
-    Column("Words", "number", kept=True),
-    Column("Name", kept=True),
+    TableColumn("No.", "number"),
+    TableColumn("Address", "number", unbroken=True),
+    TableColumn("Words", "number", unbroken=True),
+    TableColumn("Name", unbroken=True),
     VALUE_COLUMNS[0],
-    Column("Access", "short", kept=True),
+    TableColumn("Access", "short", unbroken=True),
     *VALUE_COLUMNS[1:],
-    Column("Default"),
-    Column("Restart", "short"),
-    Column("Meaning", "wide"),
-    Column("Source", "source"),
+    TableColumn("Default"),
+    TableColumn("Restart", "short"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
 )
 
 
 def registers(context: Context) -> Section:
     """All groups of registers."""
     inner = tuple(_group(context, group) for group in context.device.groups)
-    return Section("registers", (plain("Registers"),), (), inner)
+    return Section("registers", (text_piece("Registers"),), (), inner)
 
 
 def _group(context: Context, group: RegisterGroup) -> Section:
@@ -62,6 +62,9 @@ def _group(context: Context, group: RegisterGroup) -> Section:
     rows = [row for register in group.registers for row in _rows(context, register, marks, restart)]
     title = group.title or group.name
     blocks.append(table(title, COLUMNS, rows, marks.footnotes(), heading=3))
+    if context.device.spaces:
+        space = context.device.space(group.space)
+        blocks.append(Facts((("Address space", ((text_piece(space.title or space.name, f"#{space.place.path}"),),)),)))
     if group.gaps:
         blocks.append(Facts(tuple(_gaps(group.gaps))))
     if group.sources:
@@ -74,16 +77,16 @@ def _gaps(gaps: tuple[Gap, ...]) -> Iterator[tuple[str, tuple[Line, ...]]]:
     for reason in dict.fromkeys(gap.reason for gap in gaps):
         bounds = [bound for gap in gaps if gap.reason == reason for bound in gap.addresses.intervals]
         spans = (address(low) if low == high else f"{address(low)}..{address(high)}" for low, high in bounds)
-        yield "No registers at", (joined(((code(span),) for span in spans), ", "), (plain(reason),))
+        yield "No registers at", (joined(((code(span),) for span in spans), ", "), (text_piece(reason),))
 
 
-def _rows(context: Context, register: Register, marks: Inferences, restart: bool) -> Iterator[Row]:
+def _rows(context: Context, register: Register, marks: Inferences, restart: bool) -> Iterator[TableRow]:
     inferred = register.inferred
     kind, unit, bounds = value_cells(register.value, inferred, marks)
-    yield Row(
+    yield TableRow(
         (
             cell("" if register.number is None else str(register.number)),
-            _address(register),
+            _address(register, context.device.space(register.space).first_number),
             cell(str(register.width)),
             names(register, register.name, mark=marks.marks(inferred)),
             kind,
@@ -98,14 +101,18 @@ def _rows(context: Context, register: Register, marks: Inferences, restart: bool
         register.place.path,
     )
     if register.count > 1:
-        yield from (_element(register, number) for number in range(register.count))
+        first = context.device.space(register.space).first_number
+        yield from (_element(register, number, first) for number in range(register.count))
 
 
-def _address(register: Register) -> Cell:
+def _address(register: Register, first_number: int) -> Cell:
+    number = first_number + register.address
     last = register.address + (register.count - 1) * register.stride
     if register.count == 1:
-        return cell(code(address(register.address)), styled(str(register.address), "quiet"))
-    return cell(code(f"{address(register.address)}..{address(last)}"), styled(f"{register.address}..{last}", "quiet"))
+        return cell(code(address(register.address)), styled(str(number), "quiet"))
+    return cell(
+        code(f"{address(register.address)}..{address(last)}"), styled(f"{number}..{first_number + last}", "quiet")
+    )
 
 
 def _special(register: Register) -> Iterator[Line]:
@@ -113,31 +120,31 @@ def _special(register: Register) -> Iterator[Line]:
     if register.count > 1:
         apart = "" if register.stride == register.width else f", {register.stride} words apart"
         last = register.index_from + register.count - 1
-        yield (plain(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
+        yield (text_piece(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
     if register.reserved:
         yield (styled("reserved", "badge"),)
     if register.trigger:
         text = " Writing has an effect; reading does not give back what was written."
-        yield (styled("trigger", "badge"), plain(text))
+        yield (styled("trigger", "badge"), text_piece(text))
     if register.atomic:
-        yield (styled("atomic", "badge"), plain(" All of its words are to be accessed in one request."))
+        yield (styled("atomic", "badge"), text_piece(" All of its words are to be accessed in one request."))
     if register.copy_of:
-        yield (plain("Another copy of "), code(register.copy_of, f"#registers/{register.copy_of}"))
+        yield (text_piece("Another copy of "), code(register.copy_of, f"#registers/{register.copy_of}"))
     if register.same_as:
-        yield (plain("The same as "), code(register.same_as, f"#registers/{register.same_as}"))
+        yield (text_piece("The same as "), code(register.same_as, f"#registers/{register.same_as}"))
 
 
-def _element(register: Register, number: int) -> Row:
+def _element(register: Register, number: int, first_number: int) -> TableRow:
     """The row of one of several equal registers: where it lies, and what the manual calls it."""
     index = register.index_from + number
     at = register.address + number * register.stride
     printed = register.element_name.format(n=index) if register.element_name else ""
     source = register.element_sources[number : number + 1]
     blank = (Cell(),) * 7
-    return Row(
+    return TableRow(
         (
             Cell(),
-            cell(code(address(at)), styled(str(at), "quiet")),
+            cell(code(address(at)), styled(str(first_number + at), "quiet")),
             Cell(),
             cell((code(f"{register.name}[{index}]"),), (label(printed),)),
             *blank,

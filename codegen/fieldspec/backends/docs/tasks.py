@@ -7,37 +7,37 @@ from collections.abc import Iterator
 from fieldspec.backends.docs.context import Context, cited, sources
 from fieldspec.backends.docs.document import (
     Block,
-    Column,
     Facts,
     Line,
     Paragraph,
     Piece,
-    Row,
     Section,
+    TableColumn,
+    TableRow,
     cell,
     code,
     joined,
-    plain,
     styled,
     table,
+    text_piece,
 )
-from fieldspec.backends.docs.inferences import reasons
+from fieldspec.backends.docs.sources import reasons
 from fieldspec.model.operand import Operands
 from fieldspec.model.task import Step, Task, argument_text, value_text
 
 OVERVIEW = (
-    Column("Task", kept=True),
-    Column("How", "wide", kept=True),
-    Column("Source", "source"),
+    TableColumn("Task", unbroken=True),
+    TableColumn("How", "wide", unbroken=True),
+    TableColumn("Source", "source"),
 )
 STEPS = (
-    Column("Step", "number", kept=True),
-    Column("Do", kept=True),
-    Column("With", kept=True),
-    Column("Value"),
-    Column("At most"),
-    Column("Meaning", "wide"),
-    Column("Source", "source"),
+    TableColumn("Step", "number", unbroken=True),
+    TableColumn("Do", unbroken=True),
+    TableColumn("With", unbroken=True),
+    TableColumn("Value"),
+    TableColumn("At most"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
 )
 INTRODUCTION = (
     "Each task as the steps that the manual prints. A task without steps says why the device has none, or which "
@@ -49,23 +49,23 @@ def tasks(context: Context) -> Section:
     """All tasks of the device."""
     all_tasks = context.device.tasks
     if not all_tasks:
-        return Section("tasks", (plain("Tasks"),))
+        return Section("tasks", (text_piece("Tasks"),))
     operands = Operands(context.device)
     overview = table("Tasks", OVERVIEW, [_overview(context, task) for task in all_tasks])
     inner = tuple(_task(context, task, operands) for task in all_tasks if task.steps)
-    return Section("tasks", (plain("Tasks"),), (Paragraph((plain(INTRODUCTION),)), overview), inner)
+    return Section("tasks", (text_piece("Tasks"),), (Paragraph((text_piece(INTRODUCTION),)), overview), inner)
 
 
-def _overview(context: Context, task: Task) -> Row:
+def _overview(context: Context, task: Task) -> TableRow:
     path = task.place.path
     if task.steps:
-        ways: Line = (plain(f"{len(task.steps)} steps" if len(task.steps) > 1 else "1 step", f"#{path}"),)
+        ways: Line = (text_piece(f"{len(task.steps)} steps" if len(task.steps) > 1 else "1 step", f"#{path}"),)
         if task.messages:
-            ways = (*ways, plain(" with "), *joined((code(name, f"#messages/{name}"),) for name in task.messages))
-        return Row((cell(code(task.name)), cell(ways), sources(task)))
+            ways = (*ways, text_piece(" with "), *joined((code(name, f"#messages/{name}"),) for name in task.messages))
+        return TableRow((cell(code(task.name)), cell(ways), sources(task)))
     mark = styled("open question", "open") if task.open else styled("not applicable", "badge")
-    said: Line = (mark, plain(f" {task.open or task.not_applicable}"))
-    return Row((cell(code(task.name)), cell(said, *context.about(task)), sources(task)), path)
+    said: Line = (mark, text_piece(f" {task.open or task.not_applicable}"))
+    return TableRow((cell(code(task.name)), cell(said, *context.about(task)), sources(task)), path)
 
 
 def _task(context: Context, task: Task, operands: Operands) -> Section:
@@ -79,15 +79,15 @@ def _task(context: Context, task: Task, operands: Operands) -> Section:
     return Section(task.place.path, (code(task.name),), tuple(blocks))
 
 
-def _step(number: int, step: Step, task: Task, operands: Operands) -> Row:
+def _step(number: int, step: Step, task: Task, operands: Operands) -> TableRow:
     values: list[Line] = []
     if step.argument:
-        values.append((plain(argument_text(step.argument)),))
+        values.append((text_piece(argument_text(step.argument)),))
     elif step.value is not None:
         values.append((code(value_text(step.value)),))
-    values += [(code(name), plain(" = "), code(value_text(held))) for name, held in step.values.items()]
-    values += [(code(name), plain(f" = {argument_text(argument)}")) for name, argument in step.arguments.items()]
-    return Row(
+    values += [(code(name), text_piece(" = "), code(value_text(held))) for name, held in step.values.items()]
+    values += [(code(name), text_piece(f" = {argument_text(argument)}")) for name, argument in step.arguments.items()]
+    return TableRow(
         (
             cell(str(number)),
             cell(step.action),
@@ -103,7 +103,7 @@ def _step(number: int, step: Step, task: Task, operands: Operands) -> Row:
 def _targets(step: Step, task: Task, operands: Operands) -> Iterator[Line]:
     """What a step acts on: the role, and the fact that has it, in each message that differs."""
     if "/" not in step.target:
-        yield (plain(step.target),)
+        yield (text_piece(step.target),)
     seen: set[Piece] = set()
     for message in task.messages or ("",):
         for operand in operands.target(step.target, message):

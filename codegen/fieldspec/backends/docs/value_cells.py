@@ -8,27 +8,26 @@ from fieldspec.backends.docs.context import Context, many
 from fieldspec.backends.docs.document import (
     UNKNOWN,
     Cell,
-    Column,
     Item,
     Line,
+    TableColumn,
     cell,
     code,
     joined,
     label,
-    plain,
     styled,
+    text_piece,
 )
-from fieldspec.backends.docs.inferences import Inferences
-from fieldspec.layout.explaining.worded import decimal_text, in_unit, range_in_unit
-from fieldspec.model.enum import Enum, Member
+from fieldspec.backends.docs.sources import Inferences
+from fieldspec.explain.values import decimal_text, in_unit, range_in_unit
+from fieldspec.model.enums import Enum, Member
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Value
 
 # An enum with more members than this is not written out in the rows that use it.
 MOST_MEMBERS = 8
 
-VALUE_COLUMNS = (Column("Type"), Column("Unit", "short"), Column("Range", "range"))
+VALUE_COLUMNS = (TableColumn("Type"), TableColumn("Unit", "short"), TableColumn("Range", "range"))
 PARTS = {
     "number": "The number of one of: ",
     "subindex": "The first element that is meant of one of: ",
@@ -59,13 +58,13 @@ def type_lines(value: Value) -> list[Line]:
     """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
     kind = value.type.kind
     size = f" of {many(value.size, 'byte')}" if kind in (Kind.TEXT, Kind.BYTES) else ""
-    lines: list[Line] = [(code(value.type.name), plain(size))]
+    lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.characters is not None:
-        lines.append((plain(f"{value.characters} characters at most"),))
+        lines.append((text_piece(f"{value.characters} characters at most"),))
     if value.byte_order:
-        lines.append((plain(f"{value.byte_order} endian"),))
+        lines.append((text_piece(f"{value.byte_order} endian"),))
     if value.const is not None:
-        lines.append((plain("always "), code(_number(value, value.const))))
+        lines.append((text_piece("always "), code(_number(value, value.const))))
     return lines
 
 
@@ -77,21 +76,22 @@ def _number(value: Value, number: int) -> str:
 def unit_lines(value: Value) -> list[Line]:
     """`0.01 mm`: the worth of one count."""
     if not value.scaled:
-        return [(plain(value.unit),)] if value.unit else []
+        return [(text_piece(value.unit),)] if value.unit else []
     scale = value.scale_text if "/" in value.scale_text else decimal_text(value.scale)
-    lines: list[Line] = [(plain(f"{scale} {value.unit}".strip()),)]
+    lines: list[Line] = [(text_piece(f"{scale} {value.unit}".strip()),)]
     if value.offset:
-        lines.append((plain(f"plus {decimal_text(value.offset)} {value.unit}".strip()),))
+        lines.append((text_piece(f"plus {decimal_text(value.offset)} {value.unit}".strip()),))
     return lines
 
 
 def range_lines(value: Value) -> list[Line]:
-    """The range in the unit, then in counts where these are other numbers."""
-    if value.ranges is None:
-        return []
-    lines: list[Line] = [(plain(spoken(range_in_unit(value, value.ranges))),)]
-    if value.scaled:
-        lines.append((styled(f"raw {spoken(value.ranges.text())}", "quiet"),))
+    """The range in the unit, then in counts where these are other numbers; then that of writing, where it differs."""
+    lines: list[Line] = []
+    for before, ranges in (("", value.ranges), ("written: ", value.write_ranges)):
+        if ranges is not None:
+            lines.append((text_piece(before + spoken(range_in_unit(value, ranges))),))
+            if value.scaled:
+                lines.append((styled(f"raw {spoken(ranges.text())}", "quiet"),))
     return lines
 
 
@@ -105,8 +105,12 @@ def default_cell(value: Value, inferred: Mapping[str, str], marks: Inferences) -
     default = value.default
     lines: list[Line] = []
     if isinstance(default, int):
-        lines = [(plain(in_unit(value, default) or str(default)),)]
-        if value.scaled:
+        sentinel = value.sentinel(default)
+        if sentinel is not None:
+            lines = [(code(str(default)), text_piece(" "), code(sentinel.name))]
+        else:
+            lines = [(text_piece(in_unit(value, default) or str(default)),)]
+        if value.scaled and sentinel is None:
             lines.append((styled(f"raw {default}", "quiet"),))
     elif default is not None:
         lines = [(code(default),)]
@@ -121,7 +125,7 @@ def access_cell(access: str, inferred: Mapping[str, str], marks: Inferences) -> 
 
 def restart_cell(restart: bool | None, inferred: Mapping[str, str], marks: Inferences) -> Cell:
     """Whether a restart is needed, or that it is unknown."""
-    known: Line = (plain(RESTART[restart]),) if restart is not None else (UNKNOWN,)
+    known: Line = (text_piece(RESTART[restart]),) if restart is not None else (UNKNOWN,)
     return cell((*known, *marks.marks(inferred, "restart")))
 
 
@@ -151,8 +155,15 @@ def _meanings(context: Context, value: Value) -> Iterator[Item]:
     if enum is not None and _short(enum):
         yield from (Item(_member(member)) for member in enum.members)
     for sentinel in value.sentinels:
-        doc: Line = (plain(f": {sentinel.doc}"),) if sentinel.doc else ()
-        yield Item((code(str(sentinel.value)), plain(" "), code(sentinel.name), *doc))
+        doc: Line = (text_piece(f": {sentinel.doc}"),) if sentinel.doc else ()
+        yield Item(
+            (
+                code(sentinel.text),
+                text_piece(" "),
+                code(sentinel.name),
+                *doc,
+            )
+        )
 
 
 def _short(enum: Enum) -> bool:
@@ -160,6 +171,6 @@ def _short(enum: Enum) -> bool:
 
 
 def _member(member: Member) -> Line:
-    gone: Line = (plain(" "), styled("not available", "badge")) if member.unavailable else ()
-    beside: Line = (plain(" "), label(member.label)) if member.label else ()
-    return (code(str(member.value)), plain(" "), code(member.name), *beside, *gone)
+    gone: Line = (text_piece(" "), styled("not available", "badge")) if member.unavailable else ()
+    beside: Line = (text_piece(" "), label(member.label)) if member.label else ()
+    return (code(str(member.value)), text_piece(" "), code(member.name), *beside, *gone)

@@ -1,10 +1,10 @@
-"""The files for operator panels."""
+"""The files for operator panels, and what they can express."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.backends.hmi import plain_list
+from fieldspec.backends.hmi import code_lists
 from fieldspec.backends.hmi.workbooks import (
     CULTURES,
     ENGLISH,
@@ -15,6 +15,7 @@ from fieldspec.backends.hmi.workbooks import (
 )
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import stem
+from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, refused
 from fieldspec.spreadsheet import BYTE_ORDER_MARK, Workbook, csv_text
 
 
@@ -27,11 +28,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
     known: dict[tuple[str | None, tuple[TextList, ...]], dict[str, Workbook]] = {}
     for layout in versions:
         device = layout.device
-        rows = list(plain_list.rows(layout))
+        rows = list(code_lists.rows(layout))
         if not rows:
             continue
         name = stem(device.id, device.version)
-        made[f"{name}_codes.csv"] = BYTE_ORDER_MARK + csv_text([plain_list.COLUMNS, *rows])
+        made[f"{name}_codes.csv"] = BYTE_ORDER_MARK + csv_text([code_lists.COLUMNS, *rows])
         held = CULTURES.get(device.manual.language), tuple(text_lists(device))
         if held not in known:
             known[held] = dict(_workbooks(*held))
@@ -50,3 +51,11 @@ def _workbooks(culture: str | None, held: Sequence[TextList]) -> Iterator[tuple[
 def shared() -> dict[str, str | Workbook]:
     """Nothing belongs to no device."""
     return {}
+
+
+_EXACT = ("code_texts", "remedies", "labels")
+
+
+def capabilities() -> Mapping[str, Capability]:
+    """How far each construct is expressed: codes alone, since a list of texts has nothing else."""
+    return {name: Capability(EXACT) if name in _EXACT else refused("is no text of a code") for name in CONSTRUCTS}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.backends.hmi.codes import Code, lists
+from fieldspec.backends.hmi.code_lists import Code, lists
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.names import Name
@@ -71,7 +71,11 @@ def controller_workbook(held: Sequence[TextList], languages: Sequence[str]) -> W
 def _lists(held: Sequence[TextList], languages: Sequence[str]) -> Worksheet:
     head = ("Name", "ListRange", *(f"Comment [{language}]" for language in languages))
     rows = [
-        (one.name, "Decimal", *(_plain(one.comment) if language == ENGLISH else NO_VALUE for language in languages))
+        (
+            one.name,
+            "Decimal",
+            *(_single_line(one.comment) if language == ENGLISH else NO_VALUE for language in languages),
+        )
         for one in held
     ]
     return Worksheet("TextList", (head, *rows))
@@ -79,12 +83,12 @@ def _lists(held: Sequence[TextList], languages: Sequence[str]) -> Worksheet:
 
 def _texts(languages: Sequence[str], english: str, label: str) -> tuple[Cell, ...]:
     """The text in each language; the English one where the manual has none."""
-    return tuple(_plain(english if language == ENGLISH or not label else label) for language in languages)
+    return tuple(_single_line(english if language == ENGLISH or not label else label) for language in languages)
 
 
 def _part(code: Code, word: str) -> str:
     return code.cause if word == "cause" else code.remedy
 
 
-def _plain(text: str) -> str:
+def _single_line(text: str) -> str:
     return text.replace(_FIELD, f"< {_FIELD[1:]}")

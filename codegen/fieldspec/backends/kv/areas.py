@@ -1,14 +1,186 @@
-"""The areas of memory that hold what a device has: runs of registers, tables, and the data of messages."""
+"""Memory areas of a device: register runs, tables and message data, with the value at each offset and its bits."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from fieldspec.backends.kv.held import Held, of_part, of_record, of_register, of_table
-from fieldspec.classes import dataclass
+from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout, TableLayout
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.model.access import narrowed
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedValue:
+    """A value of `size` bytes that begins `start` bytes behind the begin of its area, as on the wire.
+
+    There are `elements` of it, `stride` bytes apart, the first numbered `first`. `order` and `swapped` are as in a
+    layout. `value` is None for a check. `case` says when the value lies there, `fixed` is what it always is. `reserved`
+    says that it means nothing.
+    """
+
+    name: str
+    start: int
+    size: int
+    type: str
+    order: str
+    swapped: bool
+    fact: Fact
+    value: Value | None
+    access: str = ""
+    case: str = ""
+    fixed: int | None = None
+    reserved: bool = False
+    elements: int = 1
+    stride: int = 0
+    first: int = 0
+
+    def names(self) -> Iterator[tuple[str, int]]:
+        """The name and the begin of each element."""
+        for number in range(self.elements):
+            name = self.name if self.elements == 1 else self.name.format(self.first + number)
+            yield name, self.start + number * self.stride
+
+    def regular(self, unit: int) -> Iterator[PlacedValue]:
+        """Itself, or one for each element where these do not all begin at the same byte of a word of `unit` bytes."""
+        if self.stride % unit == 0:
+            yield self
+            return
+        for name, start in self.names():
+            yield replace(self, name=name, start=start, elements=1, stride=0)
+
+    @property
+    def title(self) -> str:
+        """The name with the numbers of its elements: `points[1..127].speed`."""
+        return self.name if self.elements == 1 else self.name.format(f"{self.first}..{self.first + self.elements - 1}")
+
+
+def of_register(laid: RegisterLayout, index: int, start: int) -> PlacedValue:
+    """One element of a register."""
+    register = laid.register
+    value = register.value
+    many = laid.count > 1
+    return PlacedValue(
+        f"{laid.name}[{register.index_from + index}]" if many else laid.name,
+        start,
+        value.size,
+        value.type.name,
+        laid.order,
+        laid.swapped,
+        register,
+        value,
+        access=register.access,
+        fixed=value.const,
+    )
+
+
+def of_table(
+    name: str, record: RecordLayout, access: str, count: int, stride: int, first: int
+) -> Iterator[PlacedValue]:
+    """The fields of a table's record; each stands for those of all elements, `stride` bytes apart."""
+    for field in record.fields:
+        for inner in _of_field(field, f"{name}[{{}}]." if count > 1 else f"{name}.", 0, "", listed=False):
+            held = PlacedValue(
+                inner.name,
+                inner.start,
+                inner.size,
+                inner.type,
+                inner.order,
+                inner.swapped,
+                inner.fact,
+                inner.value,
+                narrowed(access, inner.access),
+                inner.case,
+                inner.fixed,
+                inner.reserved,
+                count,
+                stride,
+                first,
+            )
+            yield held
+
+
+def of_record(record: RecordLayout, start: int) -> Iterator[PlacedValue]:
+    """The values of a record. Equal values that follow each other are one with several elements."""
+    for field in record.fields:
+        yield from _of_field(field, "", start, record.selector.name if record.selector else "", listed=True)
+
+
+def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
+    """A part of a frame."""
+    value = part.value
+    name = value.type.name if value is not None else f"u{8 * part.size}"
+    if fixed is None and not part.reserved:
+        fixed = part.constant
+    return PlacedValue(
+        part.name,
+        start,
+        part.size,
+        name,
+        part.order,
+        False,
+        part.part,
+        value,
+        fixed=fixed,
+        reserved=part.reserved,
+    )
+
+
+def _of_field(field: FieldLayout, before: str, at: int, selector: str, listed: bool) -> Iterator[PlacedValue]:
+    repeat = field.field.repeat
+    count = field.count if field.count is not None else repeat.high if repeat is not None else 1
+    start = at + field.offset
+    if field.cases:
+        for case in field.cases:
+            yield from _elements(field, case, f"{before}{field.name}", start, count, selector, listed)
+        return
+    if field.record is None:
+        yield from _elements(field, field, f"{before}{field.name}", start, count, "", listed)
+        return
+    for number in range(count):
+        name = f"{before}{field.name}[{number}]." if field.is_list else f"{before}{field.name}."
+        for inner in field.record.fields:
+            for held in _of_field(inner, name, start + number * field.size, "", listed=False):
+                yield replace(held, access=narrowed(field.field.access, held.access))
+
+
+def _elements(
+    field: FieldLayout, held: FieldLayout | CaseLayout, name: str, start: int, count: int, selector: str, listed: bool
+) -> Iterator[PlacedValue]:
+    value = held.value
+    assert value is not None
+    case = f"{selector}: {', '.join(held.case.when)}" if isinstance(held, CaseLayout) else ""
+    fact = held.case if isinstance(held, CaseLayout) else held.field
+    spec = field.field
+
+    def one(named: str, at: int, elements: int) -> PlacedValue:
+        return PlacedValue(
+            named,
+            at,
+            value.size,
+            value.type.name,
+            held.order,
+            held.swapped,
+            fact,
+            value,
+            spec.access,
+            case,
+            value.const,
+            spec.reserved,
+            elements,
+            value.size,
+        )
+
+    if not field.is_list:
+        yield one(name, start, 1)
+    elif listed and count > 1:
+        yield one(f"{name}[{{}}]", start, count)
+    else:
+        for number in range(count):
+            yield one(f"{name}[{number}]", start + number * value.size, 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +195,7 @@ class Area:
     tag: str
     unit: int
     size: int
-    held: tuple[Held, ...]
+    values: tuple[PlacedValue, ...]
     address: int | None = None
 
     @property
@@ -45,26 +217,36 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
 
 def _runs(layout: DeviceLayout) -> Iterator[Area]:
     """Registers whose addresses follow each other, so that one request can read or write them."""
+    names = list(layout.device.spaces) if layout.device.several_spaces else [""]
+    for name in names:
+        yield from _runs_of(layout, name)
+
+
+def _runs_of(layout: DeviceLayout, space: str) -> Iterator[Area]:
+    """The runs of a space; of all registers where it has no name."""
     placed = [
-        (laid.address + number * laid.stride, laid, number) for laid in layout.registers for number in range(laid.count)
+        (laid.address + number * laid.stride, laid, number)
+        for laid in layout.registers
+        if not space or layout.device.space_name(laid.register.space) == space
+        for number in range(laid.count)
     ]
     placed.sort(key=lambda one: one[0])
-    run: list[Held] = []
+    run: list[PlacedValue] = []
     first = end = 0
     for address, laid, number in placed:
         if run and address > end:
-            yield _run(first, end, run)
+            yield _run(space, first, end, run)
             run = []
         if not run:
             first = end = address
         run.append(of_register(laid, number, 2 * (address - first)))
         end = max(end, address + laid.words)
     if run:
-        yield _run(first, end, run)
+        yield _run(space, first, end, run)
 
 
-def _run(first: int, end: int, run: list[Held]) -> Area:
-    return Area(f"registers 0x{first:04X}..0x{end - 1:04X}", "", 2, 2 * (end - first), tuple(run), first)
+def _run(space: str, first: int, end: int, run: list[PlacedValue]) -> Area:
+    return Area(f"{space or 'registers'} 0x{first:04X}..0x{end - 1:04X}", "", 2, 2 * (end - first), tuple(run), first)
 
 
 def _table(laid: TableLayout) -> Area:
@@ -76,13 +258,14 @@ def _table(laid: TableLayout) -> Area:
 
 def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Iterator[Area]:
     """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
-    if laid.message.accesses is not None:
+    if layout.device.register_access(laid.message) is not None:
         return
     several = sum(laid.name in other.messages for other in layout.links.values()) > 1
     for direction, sign in (("request", ">"), ("response", "<")):
         shape, data = link.frame(direction), laid.data(direction)
         whole = None if data.size is None else shape.head_size + data.size + shape.tail_size
-        fixed = {"code": laid.message.code, "length": whole}
+        length = shape.role("length")
+        fixed = {"code": laid.message.code, "length": None if length is None or whole is None else length.number(whole)}
         held = [of_part(part, part.offset, fixed.get(part.role)) for part in shape.head]
         held += of_record(data, shape.head_size)
         if whole is not None:
@@ -94,3 +277,51 @@ def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Ite
             unit = 1 if shape.check else 2
             each = tuple(one for some in held for one in some.regular(unit))
             yield Area(f"{name} {direction}", f"{laid.name}{sign}", unit, size, each)
+
+
+Bit = tuple[int, int]
+"""A word, and a bit in it; bit 0 is the least significant."""
+
+
+def bits(start: int, size: int, order: str, swapped: bool, unit: int) -> tuple[Bit, ...]:
+    """The bits of a number in memory, the least significant first.
+
+    It begins at a byte of its area, whose words hold `unit` bytes each, the first one of two in the upper half.
+    """
+    return tuple(
+        (byte // unit, 8 * (unit - 1 - byte % unit) + bit)
+        for significance in range(size)
+        for byte in (start + wire_byte(significance, size, order, swapped),)
+        for bit in range(8)
+    )
+
+
+def wire_byte(significance: int, size: int, order: str, swapped: bool) -> int:
+    """Which byte on the wire, from 0, is the one with a significance, from 0."""
+    byte = size - 1 - significance if order == "big" else significance
+    return (size // 2 - 1 - byte // 2) * 2 + byte % 2 if swapped else byte
+
+
+def bits_text(held: Sequence[Bit], first: int) -> str:
+    """Bits as text, the most significant first: `15..0`, `3`, `1:15..0 0:15..0`.
+
+    The number before a colon is that of the word, counted from `first`; it is left out where all are in that word.
+    """
+    runs: list[tuple[int, int, int]] = []
+    for word, bit in reversed(held):
+        if runs and runs[-1][0] == word and runs[-1][2] == bit + 1:
+            runs[-1] = (word, runs[-1][1], bit)
+        else:
+            runs.append((word, bit, bit))
+    alone = all(word == first for word, _, _ in runs)
+    return " ".join(("" if alone else f"{word - first}:") + _span(high, low) for word, high, low in runs)
+
+
+def words(held: Iterable[Bit]) -> int:
+    """How many words some bits reach over."""
+    numbers = [word for word, _ in held]
+    return max(numbers) - min(numbers) + 1
+
+
+def _span(high: int, low: int) -> str:
+    return str(high) if high == low else f"{high}..{low}"

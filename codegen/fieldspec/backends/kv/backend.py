@@ -1,22 +1,22 @@
-"""The files for controllers whose memory is words."""
+"""The files for controllers with word memory, and what they can express."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.backends.kv import comments, word_map
+from fieldspec.backends.kv import word_map
 from fieldspec.backends.kv.areas import Area, areas
 from fieldspec.backends.kv.dialect import KV, WordDialect
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.model.enum import Enum
-from fieldspec.model.flags import Flags
+from fieldspec.model.enums import Enum, Flags
 from fieldspec.names import stem
+from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, lossy, refused
 from fieldspec.spreadsheet import BYTE_ORDER_MARK, csv_text
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class AreaRows:
     """The rows of an area in both files, and what they were made of."""
 
     area: Area
@@ -28,24 +28,24 @@ class Written:
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """A word map and a list of device comments for each version of a device."""
     texts = {}
-    known: dict[tuple[int, str], Written] = {}
+    known: dict[tuple[int, str], AreaRows] = {}
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
-        written = [_written(layout, base, area, known) for base, area in _placed(layout, KV)]
+        written = [_area_rows(layout, base, area, known) for base, area in _placed(layout, KV)]
         words = [csv_text(word_map.head(layout)), *(one.words for one in written)]
         texts[f"{name}_words.csv"] = BYTE_ORDER_MARK + "".join(words)
         texts[f"{name}_comments.csv"] = "".join(one.comments for one in written)
     return texts
 
 
-def _written(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], Written]) -> Written:
+def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
     """The rows of an area: those of another version, where nothing of it differs there."""
     device = layout.device
     meanings = word_map.meanings(device, area)
     before = known.get((base, area.name))
     if before is None or before.area != area or before.meanings != meanings:
         words = csv_text(word_map.rows(device, base, area, KV))
-        before = Written(area, meanings, words, csv_text(comments.rows(base, area, KV)))
+        before = AreaRows(area, meanings, words, csv_text(word_map.comment_rows(base, area, KV)))
         known[base, area.name] = before
     return before
 
@@ -61,3 +61,25 @@ def _placed(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, A
     for area in areas(layout):
         yield at, area
         at = dialect.next_step(at + area.words)
+
+
+_TABLE = "are in the table, for people; KV STUDIO imports comments alone"
+_NOT_EXACT = {
+    "wide_numbers": lossy("are words; no instruction of the KV takes them"),
+    "wide_lists": lossy("are words; no instruction of the KV takes them"),
+    "choices": lossy("stand once for each type, with the values that decide it"),
+    "frames": lossy("are words to fill in and to compare; nothing sums and compares them"),
+    "orders": lossy("are said for each value; the ladder turns words and bytes"),
+    "scales": lossy(_TABLE),
+    "conversions": refused("are formulas, which a map of words has not"),
+    "ranges": lossy(_TABLE),
+    "constants": lossy(_TABLE),
+    "code_texts": refused("are no words: see the output for operator panels"),
+    "remedies": refused("are no words: see the output for operator panels"),
+    "labels": lossy("are in the table; comments are ASCII"),
+}
+
+
+def capabilities() -> Mapping[str, Capability]:
+    """How far each construct is expressed."""
+    return {name: _NOT_EXACT.get(name, Capability(EXACT)) for name in CONSTRUCTS}

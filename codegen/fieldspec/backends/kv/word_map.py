@@ -1,20 +1,19 @@
-"""The word map: one row a value, one row a bit with a meaning."""
+"""The word map with one row per value and bit, and the comment of each memory word."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import TypeAlias
 
-from fieldspec.backends.kv.areas import Area
-from fieldspec.backends.kv.bits import bits, words, written
+from fieldspec.backends.kv.areas import Area, PlacedValue, bits, bits_text, words
 from fieldspec.backends.kv.dialect import WordDialect
-from fieldspec.backends.kv.held import Held
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
-from fieldspec.model.enum import Enum
+from fieldspec.model.enums import Bit, Enum, Flags
 from fieldspec.model.fact import Fact
-from fieldspec.model.flags import Bit, Flags
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Value
 
 COLUMNS = (
     "area",
@@ -58,7 +57,7 @@ def head(layout: DeviceLayout) -> list[Sequence[Cell]]:
 
 def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterator[list[Cell]]:
     """The rows of an area, whose first word has the number `base`."""
-    for held in area.held:
+    for held in area.values:
         for cells in _value(device, base, area, held, dialect):
             yield list(map(cells.get, COLUMNS))
 
@@ -66,7 +65,7 @@ def rows(device: Device, base: int, area: Area, dialect: WordDialect) -> Iterato
 def meanings(device: Device, area: Area) -> list[Enum | Flags]:
     """What the rows of an area tell beside what is in the area."""
     found: list[Enum | Flags] = []
-    for held in area.held:
+    for held in area.values:
         value = held.value
         if value is not None and value.enum in device.enums:
             found.append(device.enums[value.enum])
@@ -76,7 +75,7 @@ def meanings(device: Device, area: Area) -> list[Enum | Flags]:
     return found
 
 
-def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDialect) -> Iterator[Cells]:
+def _value(device: Device, base: int, area: Area, held: PlacedValue, dialect: WordDialect) -> Iterator[Cells]:
     value = held.value
     word = held.start // area.unit
     number = value is None or value.type.letter != "s"
@@ -87,7 +86,7 @@ def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDiale
     where = _where(area, held)
     row = place | where | {"words": words(places) if held.size else 0, "name": held.title, "type": held.type}
     if number:
-        text = written(places, word)
+        text = bits_text(places, word)
         row |= {"bits": text, "in_memory": _in_memory(text, held, dialect), "suffix": _suffix(text, held, dialect)}
     if value is not None:
         enum = device.enums.get(value.enum) if value.enum else None
@@ -95,9 +94,9 @@ def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDiale
             "scale": value.scale_text if value.scaled else None,
             "offset": f"{value.offset:f}" if value.offset else None,
             "unit": value.unit or None,
-            **_ranges(value.ranges),
+            **_ranges(value),
             "default": value.default,
-            "values": _members(enum) if enum is not None else None,
+            "values": "; ".join(_named(value, enum)) or None,
         }
     yield row | {
         "fixed": held.fixed,
@@ -111,7 +110,7 @@ def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDiale
         enum = device.enums.get(bit.enum) if bit.enum else None
         yield place | {
             "words": 1,
-            "bits": written(places[bit.first : bit.last + 1], word),
+            "bits": bits_text(places[bit.first : bit.last + 1], word),
             "name": f"{held.title}.{bit.name}",
             "type": "bit" if bit.width == 1 else "bits",
             "values": _members(enum) if enum is not None else _senses(bit),
@@ -122,14 +121,14 @@ def _value(device: Device, base: int, area: Area, held: Held, dialect: WordDiale
         }
 
 
-def _where(area: Area, held: Held) -> Cells:
+def _where(area: Area, held: PlacedValue) -> Cells:
     """Where a value is on the wire: the address of its first register, or its first byte."""
     if area.address is None:
         return {"byte": held.start}
     return {"address": f"0x{area.address + held.start // 2:04X}"}
 
 
-def _in_memory(text: str, held: Held, dialect: WordDialect) -> str:
+def _in_memory(text: str, held: PlacedValue, dialect: WordDialect) -> str:
     """What must be done with the words before an instruction reads them as a number of that size."""
     if text in ("15..0", "7..0") or text == _native(dialect):
         return "direct"
@@ -146,19 +145,30 @@ def _native(dialect: WordDialect) -> str:
     return "1:15..0 0:15..0" if dialect.low_word_first else "0:15..0 1:15..0"
 
 
-def _suffix(text: str, held: Held, dialect: WordDialect) -> str | None:
+def _suffix(text: str, held: PlacedValue, dialect: WordDialect) -> str | None:
     return dialect.suffixes.get(held.type) if _in_memory(text, held, dialect) == "direct" else None
 
 
-def _ranges(ranges: Ranges | None) -> Cells:
-    """The bounds, and all intervals where there are several."""
+def _ranges(value: Value) -> Cells:
+    """The bounds of what may be written, and all intervals where there are several, or others are read."""
+    ranges = value.written_ranges
     if ranges is None:
         return {}
-    return {"min": ranges.low, "max": ranges.high, "ranges": ranges.text() if len(ranges.intervals) > 1 else None}
+    several = ranges.text() if len(ranges.intervals) > 1 else None
+    if value.write_ranges is not None:
+        several = f"{ranges.text()}; read: {value.ranges.text() if value.ranges is not None else 'any'}"
+    return {"min": ranges.low, "max": ranges.high, "ranges": several}
 
 
 def _members(enum: Enum) -> str:
     return "; ".join(f"{member.value} {member.name}" for member in enum.members)
+
+
+def _named(value: Value, enum: Enum | None) -> Iterator[str]:
+    """The values that have names: members of the enum, and sentinels."""
+    if enum is not None:
+        yield _members(enum)
+    yield from (f"{sentinel.text} {sentinel.name}" for sentinel in value.sentinels)
 
 
 def _senses(bit: Bit) -> str | None:
@@ -167,3 +177,56 @@ def _senses(bit: Bit) -> str | None:
 
 def _source(fact: Fact) -> str | None:
     return "; ".join(source.text() for source in fact.sources) or None
+
+
+_LETTERS = re.compile("[A-Za-z]+")
+_FOREIGN = {"°C": "degC"}
+
+
+def comment_rows(base: int, area: Area, dialect: WordDialect) -> Iterator[tuple[str, str]]:
+    """Devices and their comments, for an area whose first word has the number `base`."""
+    texts: dict[int, dict[str, str]] = {}
+    for held in area.values:
+        unit = _scaled(held)
+        for name, start in held.names():
+            first, last = start // area.unit, (start + max(held.size, 1) - 1) // area.unit
+            texts.setdefault(first, {}).setdefault(name, unit)
+            for word in range(first + 1, last + 1):
+                texts.setdefault(word, {}).setdefault(f"{name}+{word - first}", unit)
+    for word, found in sorted(texts.items()):
+        device = dialect.device(base + word)
+        if device:
+            yield device, _fitted(area.tag, found, dialect.width)
+
+
+def _scaled(held: PlacedValue) -> str:
+    """What one count is worth: `0.01mm`."""
+    value = held.value
+    if value is None or not value.unit:
+        return ""
+    unit = _FOREIGN.get(value.unit, value.unit)
+    return f"{value.scale_text}{unit}" if value.scaled else unit
+
+
+def _fitted(tag: str, found: dict[str, str], width: int) -> str:
+    """The names of what a word holds, and the unit of a single one if there is room.
+
+    Words of letters are cut, all to the same length, until it fits.
+    """
+    text = tag + "/".join(found)
+    (unit, *others) = found.values()
+    if unit and not others and len(text) + len(unit) < width:
+        return f"{text} {unit}"
+    if len(text) <= width:
+        return text
+    lengths = [len(word) for word in _LETTERS.findall(text)]
+    for letters in range(max(lengths, default=0) - 1, 0, -1):
+        if len(text) - sum(length - letters for length in lengths if length > letters) <= width:
+            return _longer(letters).sub(r"\1", text)
+    return text[:width]
+
+
+@cache
+def _longer(letters: int) -> re.Pattern[str]:
+    """Words of more letters; the group is what is kept of them."""
+    return re.compile(f"([A-Za-z]{{{letters}}})[A-Za-z]+")

@@ -4,9 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.plcopen.elements import Element, element, written
-from fieldspec.backends.plcopen.types import enum_type, struct_type, text_type
-from fieldspec.backends.plcopen.variables import constants_list, documentation, function, sizes_function, texts_list
+from fieldspec.backends.plcopen.elements import (
+    Element,
+    constants_list,
+    document_text,
+    documentation,
+    element,
+    enum_type,
+    function,
+    sizes_function,
+    struct_type,
+    text_type,
+    texts_list,
+)
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.dialects import DIALECTS
@@ -24,7 +34,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """A project with everything of a device's newest version, and a table of where members of structs lie."""
     layout = newest(versions)
     made = program(layout)
-    return {f"{stem(layout)}.xml": written(project(made)), f"{stem(layout)}_layout.csv": layout_table(made)}
+    return {f"{stem(layout)}.xml": document_text(project(made)), f"{stem(layout)}_layout.csv": layout_table(made)}
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:

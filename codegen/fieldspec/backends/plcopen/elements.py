@@ -1,10 +1,19 @@
-"""XML as a tree of elements, written with a blank a level. Text of a spec gets into it through this module only."""
+"""PLCopen XML elements: types, variables, functions and lists of constants."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from html import escape
 
 from fieldspec.classes import dataclass
+from fieldspec.plc.constants import ConstantList
+from fieldspec.plc.enums import EnumDeclaration, TextTable
+from fieldspec.plc.routines.expressions import BOOL, ArrayType, Elementary, StructType, Type
+from fieldspec.plc.routines.printer import comment_text
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.structs import Struct
+from fieldspec.plc.structured.objects import ENUM_ATTRIBUTES, LIST_ATTRIBUTES, PACK_MODE, Item, TextForm, number, string
+from fieldspec.plc.structured.program import Program
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +31,7 @@ def element(tag: str, /, *children: Element, text: str = "", **attributes: str) 
     return Element(tag, tuple(attributes.items()), children, text)
 
 
-def written(root: Element) -> str:
+def document_text(root: Element) -> str:
     """A whole document."""
     lines = ['<?xml version="1.0" encoding="utf-8"?>']
     _write(root, "", lines)
@@ -56,3 +65,162 @@ def _legal(text: str) -> str:
     if text.replace("\n", "").isprintable():
         return text
     return "".join(char for char in text if char in "\t\n\u00a0" or char.isprintable())
+
+
+ATTRIBUTES = "http://www.3s-software.com/plcopenxml/attributes"
+_XHTML = "http://www.w3.org/1999/xhtml"
+
+
+def type_element(kind: Type) -> Element:
+    """A type."""
+    if isinstance(kind, ArrayType):
+        bounds = element("dimension", lower=str(kind.low), upper=str(kind.high))
+        return element("array", bounds, element("baseType", type_element(kind.of)))
+    return element(kind.name) if isinstance(kind, Elementary) else element("derived", name=kind.name)
+
+
+def attributes(*pairs: tuple[str, str]) -> Element:
+    """Pragmas, which the schema does not know: as data that CODESYS reads and writes itself."""
+    held = (element("Attribute", Name=name, Value=value) for name, value in pairs)
+    return element(
+        "addData", element("data", element("Attributes", *held), name=ATTRIBUTES, handleUnknown="implementation")
+    )
+
+
+def documentation(lines: Iterable[str]) -> Element:
+    """A comment."""
+    return element(
+        "documentation", element("xhtml", text="\n".join(comment_text(line) for line in lines), xmlns=_XHTML)
+    )
+
+
+def variable(name: str, kind: Element, initial: Element | None, remark: str) -> Element:
+    """A variable or a member."""
+    parts = [element("type", kind)]
+    if initial is not None:
+        parts.append(element("initialValue", initial))
+    if comment_text(remark):
+        parts.append(documentation([remark]))
+    return element("variable", *parts, name=name)
+
+
+def _declared(name: str, base: Element, pairs: Iterable[tuple[str, str]], title: str) -> Element:
+    parts = [element("baseType", base)]
+    given = tuple(pairs)
+    if given:
+        parts.append(attributes(*given))
+    if comment_text(title):
+        parts.append(documentation([title]))
+    return element("dataType", *parts, name=name)
+
+
+def enum_type(declared: EnumDeclaration) -> Element:
+    """A strict enum with its base type."""
+    values = (element("value", name=one.name, value=str(one.value)) for one in declared.members)
+    base = element("baseType", type_element(declared.base))
+    held = element("enum", element("values", *values), base)
+    remarks = [f"{one.name}: {one.remark}" for one in declared.members if comment_text(one.remark)]
+    made = _declared(declared.name, held, ((name, "") for name in ENUM_ATTRIBUTES), declared.title)
+    if not remarks:
+        return made
+    told = documentation([declared.title, *remarks])
+    return element("dataType", *(one for one in made.children if one.name != "documentation"), told, name=declared.name)
+
+
+def struct_type(struct: Struct, size: int) -> Element:
+    """A struct of some bytes, without gaps between its members."""
+    members = [variable(one.name, type_element(one.type), None, one.remark) for one in struct.members]
+    members = members or [variable("byNothing", element("BYTE"), None, "a struct must have a member")]
+    pairs = [("pack_mode", str(PACK_MODE))]
+    return _declared(struct.name, element("struct", *members), pairs, f"{struct.title} {size} bytes.".strip())
+
+
+def text_type(form: TextForm) -> Element:
+    """The struct of a code's text."""
+    code, text = form.members
+    kind = element("wstring" if form.wide else "string", length=str(form.longest))
+    members = (variable(code, type_element(form.code), None, ""), variable(text, kind, None, ""))
+    return _declared(form.name, element("struct", *members), (), "What a code means.")
+
+
+_SECTIONS = {"input": "inputVars", "in_out": "inOutVars", "output": "outputVars", "local": "localVars"}
+_DOCUMENTATION_NAMESPACE = "http://www.w3.org/1999/xhtml"
+
+
+def function(routine: Routine, text: Item) -> Element:
+    """A function and its statements in Structured Text."""
+    sections = []
+    for role, name in _SECTIONS.items():
+        held = [
+            variable(one.variable.name, type_element(one.variable.type), None, one.remark)
+            for one in routine.of_role(role)
+        ]
+        if held:
+            sections.append(element(name, *held))
+    interface = element(
+        "interface",
+        element("returnType", type_element(routine.returns)),
+        *sections,
+        documentation(routine.remarks),
+    )
+    return element("pou", interface, _body(text.implementation), name=routine.name, pouType="function")
+
+
+def _body(lines: Sequence[str]) -> Element:
+    return element("body", element("ST", element("xhtml", text="\n".join(lines), xmlns=_DOCUMENTATION_NAMESPACE)))
+
+
+def sizes_function(made: Program) -> Element:
+    """The function that compares the sizes of structs."""
+    measured = [one.struct.name for one in made.placed if one.struct.members]
+    held = [
+        variable(f"st{number_of}", type_element(StructType(name)), None, "")
+        for number_of, name in enumerate(measured, 1)
+    ]
+    told = [line.removeprefix("// ") for line in made.sizes.declaration if line.startswith("//")]
+    interface = element(
+        "interface",
+        element("returnType", type_element(BOOL)),
+        *([element("localVars", *held)] if held else []),
+        documentation(told),
+    )
+    return element("pou", interface, _body(made.sizes.implementation), name=made.sizes.name, pouType="function")
+
+
+def constants_list(listed: ConstantList) -> Element:
+    """A list of numbers."""
+    held = [
+        variable(one.name, type_element(one.type), element("simpleValue", value=number(one)), one.remark)
+        for one in listed.constants
+    ]
+    return _list(listed.name, held, listed.title)
+
+
+def texts_list(name: str, tables: tuple[TextTable, ...], form: TextForm) -> Element:
+    """The list of all texts of codes."""
+    code, text = form.members
+    held = []
+    for table in tables:
+        rows = [
+            element(
+                "value",
+                element(
+                    "structValue",
+                    element("value", element("simpleValue", value=str(one.code)), member=code),
+                    element("value", element("simpleValue", value=string(one.text, form.wide)), member=text),
+                ),
+            )
+            for one in table.texts
+        ]
+        bounds = element("dimension", lower="0", upper=str(len(rows) - 1))
+        kind = element("array", bounds, element("baseType", element("derived", name=form.name)))
+        held.append(variable(table.name, kind, element("arrayValue", *rows), table.title))
+    return _list(name, held, "Texts of codes")
+
+
+def _list(name: str, held: list[Element], title: str) -> Element:
+    pragmas = attributes(*((one, "") for one in LIST_ATTRIBUTES))
+    return element("globalVars", *held, pragmas, documentation([title]), name=name, constant="true")
+
+
+__all__ = ["constants_list", "documentation", "function", "sizes_function", "texts_list"]

@@ -26,6 +26,7 @@ RUNTIME = (
     "_framers",
     "_frames",
     "_parameters",
+    "_part_frames",
     "_quantities",
     "_record",
     "_refusals",
@@ -50,11 +51,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     modules = {layout.device.version: scope.take(module_name(layout.device.version)) for layout in versions}
     texts = {f"{folder}/{modules[layout.device.version]}.py": _module(layout) for layout in versions}
     listed = [
-        f" {modules[layout.device.version]}: version {', '.join((layout.device.version, *layout.twins))},"
+        f" {modules[layout.device.version]}: version {', '.join((layout.device.version, *layout.equal_versions))},"
         f" identity {layout.identity}"
         for layout in versions
     ]
-    modules |= {twin: modules[layout.device.version] for layout in versions for twin in layout.twins}
+    modules |= {twin: modules[layout.device.version] for layout in versions for twin in layout.equal_versions}
     doc = [sentence(f"{device.vendor} {device.name}"), sentence(device.title), sentence(device.doc)]
     doc.append("This package has the names of the newest version. Each version has a module:")
     texts[f"{folder}/__init__.py"] = fill(

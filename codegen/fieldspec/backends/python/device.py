@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
-from fieldspec.backends.python.access import read_access, write_accesses
-from fieldspec.backends.python.columns import column_lines
-from fieldspec.backends.python.conversions import conversion_view
-from fieldspec.backends.python.heads import code_literal
+from fieldspec.backends.python.enums import enum_view, flags_view
+from fieldspec.backends.python.frames import code_literal
 from fieldspec.backends.python.links import Exchange, ExchangeView, LinkView, carries, link_view
 from fieldspec.backends.python.naming import MESSAGE, RECORD, Scope, module_scope
 from fieldspec.backends.python.parameters import parameter_set_view, space_views
-from fieldspec.backends.python.record_docs import record_doc
+from fieldspec.backends.python.quantities import conversion_view
+from fieldspec.backends.python.record_parts import column_lines, record_doc
 from fieldspec.backends.python.records import RecordShape, RecordView, record_view, shape
 from fieldspec.backends.python.registers import register_view, table_view
+from fieldspec.backends.python.requests import space_accesses
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import docstring, literal, sentence
-from fieldspec.backends.python.words import enum_view, flags_view
 from fieldspec.backends.python.writing import tuple_of
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import MessageLayout
 from fieldspec.names import Name
 
 
@@ -55,13 +55,14 @@ _IMPORTS = {
     "_framers": "CodeFramer LengthFramer MarkFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
+    "_part_frames": "CountFramer PartFrames",
     "_quantities": "Conversion",
     "_record": "Record",
     "_refusals": (
         "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
     ),
-    "_registers": "Register RegisterArray Table found only spans writable",
-    "_values": "Boolean Bytes Closed Constant Float Number Open Text Word",
+    "_registers": "Register RegisterArray Table found only replies spans unreachable writable",
+    "_values": "Boolean Bytes Closed Constant Float Number Open Setting Text Trigger Word",
 }
 
 
@@ -81,7 +82,11 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     ]
     messages = [view for one in exchanges for view in _messages(one, links, layout)]
     order = device.byte_order
-    single, block = write_accesses(exchanges)
+    accesses = space_accesses(device, exchanges)
+
+    def space(name: str) -> str:
+        return device.space_name(name) if device.several_spaces else ""
+
     sets = [parameter_set_view(held, layout, words, exchanges, scope) for held in device.parameters.values()]
     view: dict[str, Any] = {
         "doc": docstring(_doc(layout)),
@@ -94,19 +99,35 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "messages": messages,
         "links": links,
         "conversions": [conversion_view(held, device, scope) for held in device.conversions.values()],
-        "registers": [register_view(laid, words, order, scope) for laid in layout.registers],
-        "tables": [table_view(laid, words, order, scope) for laid in layout.tables.values()],
-        "read": read_access(exchanges),
-        "single": single,
-        "block": block,
+        "registers": [
+            register_view(laid, words, order, scope, space(laid.register.space)) for laid in layout.registers
+        ],
+        "tables": [table_view(laid, words, order, scope, space(laid.table.space)) for laid in layout.tables.values()],
+        "accesses": accesses,
+        "spaces_of_words": [one.space for one in accesses if one.space],
+        "read": next((one.read for one in accesses if one.read), None),
+        "single": next((one.single for one in accesses if one.single), None),
+        "block": next((one.block for one in accesses if one.block), None),
+        "read_requests": union(one.read.request for one in accesses if one.read),
+        "read_responses": union(one.read.response for one in accesses if one.read),
+        "write_requests": union(
+            held.request
+            for held in (*(one.single for one in accesses), *(one.block for one in accesses))
+            if held is not None
+        ),
         "parameters": sets,
         "spaces": space_views(layout, sets, words, exchanges, scope),
     }
     made = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
     made += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
-    made += ["write_request", "write_requests"] * (single is not None or block is not None)
+    made += ["write_request", "write_requests"] * bool(view["write_requests"])
     made += ["register_at"] * bool(view["registers"] or view["tables"])
-    return {**view, "names": [*made, *scope.given]}
+    return {**view, "names": [*made, *scope.names]}
+
+
+def union(names: Iterable[str]) -> str:
+    """The type that is one of some classes."""
+    return " | ".join(dict.fromkeys(names))
 
 
 def imports(body: str) -> list[str]:

@@ -4,27 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.backends.python.framing import framer
-from fieldspec.backends.python.fusing import Fused, fused, fuses
-from fieldspec.backends.python.heads import (
+from fieldspec.backends.python.fixed_frames import FixedFrame, fixed_frame, has_fixed_length
+from fieldspec.backends.python.frames import (
     PartView,
+    argument_views,
     code_literal,
     constants,
+    framer,
     head_refusals,
     head_tests,
     head_value,
+    is_simple,
     letter,
-    plain_views,
+    part_rows,
 )
-from fieldspec.backends.python.lines import chained, listed, union
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import described, docstring, literal
+from fieldspec.backends.python.text import chained, described, docstring, literal, one_item_per_line, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
 
@@ -41,7 +41,7 @@ class ExchangeView:
     message: str
     key: str
     known: list[str]
-    fused: Fused | None
+    fused: FixedFrame | None
     parameters: str
     frames: str
     head: str
@@ -49,7 +49,7 @@ class ExchangeView:
     refuse: list[str]
     wrapper: str
     station: str
-    plain: list[PartView]
+    head_parts: list[PartView]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +58,7 @@ class DirectionView:
 
     direction: str
     frames: str
+    kind: str
     arguments: list[str]
     quick: str
     quickly: str
@@ -66,11 +67,11 @@ class DirectionView:
     union: list[str]
     exchanges: list[ExchangeView]
     wrapper: str
-    plain: list[PartView]
+    head_parts: list[PartView]
     before: str
     after: str
     call: str
-    made: str
+    construction: str
     code: str
     framer: str
     framer_arguments: list[str]
@@ -100,8 +101,8 @@ class WrapperView:
     slots: str
     match_args: str
     init: list[str]
-    given: str
-    plain: list[PartView]
+    parameters: str
+    head_parts: list[PartView]
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,12 +151,14 @@ def link_view(
     }
     error = _error(link, words, pascal, scope) if coded else None
     wrappers = [
-        _wrapper(views[direction].wrapper, direction, ["message: _M"], views[direction].plain)
+        _wrapper(views[direction].wrapper, direction, ["message: _M"], views[direction].head_parts)
         for direction in ("request", "response")
-        if views[direction].plain
+        if views[direction].head_parts
     ]
-    if error is not None and views["response"].plain:
-        wrappers.append(_wrapper(error.wrapper, "error_reply", ["code: int", "exception: _M"], views["response"].plain))
+    if error is not None and views["response"].head_parts:
+        wrappers.append(
+            _wrapper(error.wrapper, "error_reply", ["code: int", "exception: _M"], views["response"].head_parts)
+        )
     facts = [f"Stations {stations.ranges.text()}."] if stations and stations.ranges else []
     if stations and stations.broadcast is not None:
         facts.append(f"A request to {stations.broadcast} is for all of them.")
@@ -191,14 +194,14 @@ def _wrapper(name: str, kind: str, held: list[str], plain: list[PartView]) -> Wr
         doc=docstring([text], 4),
         slots=quoted,
         match_args=", ".join(["station", *names]).replace(", ", '", "'),
-        init=listed(
+        init=one_item_per_line(
             "def __init__(",
             ["self", "station: int", *held, *(f"{part.name}: {part.type}" for part in plain)],
             ") -> None:",
             4,
         ),
-        given=", ".join(["station", *names]),
-        plain=plain,
+        parameters=", ".join(["station", *names]),
+        head_parts=plain,
     )
 
 
@@ -226,7 +229,7 @@ def _direction(
     upper = Name.of(link.name).upper()
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
-    plain = plain_views(frame, words)
+    plain = argument_views(frame, words)
     station = frame.role("station")
     wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
@@ -238,6 +241,7 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
+        kind="_Frames" if is_simple(frame) else "_PartFrames",
         arguments=_frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
@@ -246,11 +250,11 @@ def _direction(
         union=union(alias, [view.message for view in views]),
         exchanges=views,
         wrapper=wrapper,
-        plain=plain,
+        head_parts=plain,
         before="station: int, " if station else "",
         after="".join(f", {part.name}: {part.type}" for part in plain).replace(", ", ", *, ", 1),
         call=", ".join(["station"] * bool(station) + [part.name for part in plain]),
-        made=", ".join([held, "{}", *(part.made for part in plain)]),
+        construction=", ".join([held, "{}", *(part.expression for part in plain)]),
         code=f"head[{frame.head.index(code)}]" if code else "",
         framer=framing,
         framer_arguments=arguments,
@@ -270,12 +274,7 @@ def _known(message: MessageLayout) -> list[str]:
 
 
 def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    order = next((part.order for part in frame.head if part.size > 1), "big")
-    letters = "".join(map(letter, frame.head))
-    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
-    arguments.append(literal(frame.check.algorithm if frame.check else ""))
-    if frame.check and frame.check.order == "big":
-        arguments.append('check_order="big"')
+    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
     for role in ("code", "length"):
         part = frame.role(role)
         if part is not None:
@@ -287,8 +286,30 @@ def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
     if link.link.encoding == "hex_ascii":
         arguments.append("hexadecimal=True")
-    if constants(frame):
+    if is_simple(frame) and constants(frame):
         arguments.append(f"constants=({', '.join(constants(frame))},)")
+    return arguments
+
+
+def _simple_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_Frames` that say what the head and the check are."""
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    letters = "".join(map(letter, frame.head))
+    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
+    arguments.append(literal(frame.check.algorithm if frame.check else ""))
+    if frame.check and frame.check.order == "big":
+        arguments.append('check_order="big"')
+    return arguments
+
+
+def _part_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_PartFrames` that say what the parts are."""
+    check, length = frame.check, frame.role("length")
+    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
+    if check is not None:
+        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
+    if length is not None:
+        arguments += [f"unit={length.unit_size}", f"base={length.base}"]
     return arguments
 
 
@@ -301,7 +322,7 @@ def _exchange(
     upper = f"_{Name.of(one.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
     part, station = frame.role("code"), frame.role("station")
     flag = link.link.error.flag if link.link.error and direction == "response" else 0
-    together = fuses(shaped, frame)
+    together = has_fixed_length(shaped, frame)
     # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.
     reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
     tests, refusals = head_tests(link, frame), head_refusals(link, frame)
@@ -312,7 +333,7 @@ def _exchange(
         message=name,
         key=code_literal(code) if part is not None else name,
         known=_known(one.message) if part is None else [],
-        fused=fused(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
+        fused=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
             [", station: int"] * (station is not None) + [f", {held.variable}: {held.type}" for held in plain]
         ),
@@ -322,7 +343,7 @@ def _exchange(
         refuse=chained("raise ", ["self._refused()", *refusals, unfit], "or", "", 8),
         wrapper=wrapper,
         station="station" if station is not None else "0",
-        plain=plain,
+        head_parts=plain,
     )
 
 
@@ -333,7 +354,7 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
         return None
     head = [head_value(part, f"code | {error.flag:#x}") for part in frame.head]
     limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
-    plain = plain_views(frame, words)
+    plain = argument_views(frame, words)
     return ErrorView(
         wrapper=scope.take(f"{pascal}ErrorReply") if plain else "_ErrorReply",
         flag=f"{error.flag:#x}",

@@ -49,7 +49,7 @@ class Scope:
         self._given: list[str] = []
 
     @property
-    def given(self) -> list[str]:
+    def names(self) -> list[str]:
         """The names that were taken here, in order."""
         return list(self._given)
 

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.python.exchanging import ParameterMessageView, parameter_messages
-from fieldspec.backends.python.lines import filled
 from fieldspec.backends.python.links import Exchange
 from fieldspec.backends.python.naming import PARAMETERS, TYPES, Scope
-from fieldspec.backends.python.registers import ACCESS
+from fieldspec.backends.python.registers import ACCESS, register_value, value_facts
+from fieldspec.backends.python.requests import ParameterMessageView, parameter_messages
 from fieldspec.backends.python.slots import Words, value_type
-from fieldspec.backends.python.text import described, docstring, literal, places
-from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.backends.python.text import described, docstring, filled, literal, places
 from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
+from fieldspec.model.registers import Parameter, ParameterSet, Subindex
+from fieldspec.model.value import Value
 from fieldspec.names import Name
 
 
@@ -47,7 +46,7 @@ class ParameterSetView:
     type: str
     make: str
     doc: list[str]
-    made: list[str]
+    construction: list[str]
     rows: list[RowView]
     constants: str
     numbers: list[NumberView]
@@ -91,7 +90,7 @@ def parameter_set_view(
         type=kind,
         make=f"_{held.name}_rows",
         doc=docstring(described(held.title or Name.of(held.name).title(), held), 4),
-        made=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
+        construction=filled(f"{taken}: _Final = {kind}(", arguments, ")", 0),
         rows=[_row(row, held, carrier, layout, words, names) for row in held.parameters],
         constants=scope.take(f"{pascal}Number", f"{pascal}ParameterNumber") if alone else "",
         numbers=_numbers([held]) if alone else [],
@@ -143,7 +142,7 @@ def _numbers(sets: Sequence[ParameterSet]) -> list[NumberView]:
         NumberView(
             scope.take(Name.of(row.name).upper(), f"{Name.of(held.name).upper()}_{Name.of(row.name).upper()}"),
             _digits(held.base + row.number, held),
-            docstring([f"{row.printed_name or held.written(row.number)} of `{held.name}`."], 4),
+            docstring([f"{row.printed_name or held.number_text(row.number)} of `{held.name}`."], 4),
         )
         for held in sets
         for row in held.parameters
@@ -172,7 +171,7 @@ def _row(
     value, run = row.value, row.count > 1
     order = carrier.order if carrier else layout.device.byte_order
     number, name = _digits(row.number, held), literal(row.name)
-    printed_name = literal(row.printed_name or held.written(row.number))
+    printed_name = literal(row.printed_name or held.number_text(row.number))
     if run:
         number, name = f"{number} + place", f'f"{row.name}[{{place}}]"'
         printed_name = f"{literal(held.printed_as)}.format(number={number})" if held.printed_as else f"str({number})"
@@ -182,7 +181,7 @@ def _row(
         "printed_name": printed_name if run or row.printed_name or held.printed_as else "",
         "default": _default(row),
         "elements": "" if row.elements is None else str(row.elements),
-        "subindices": tuple_of(_subindex(one, order, words) for one in row.subindices),
+        "subindices": tuple_of(_subindex(one, order, words, row.trigger) for one in row.subindices),
         "restart": "" if row.restart is None else str(row.restart),
         "applies_to": tuple_of(map(literal, row.applies_to)),
         "messages": tuple_of(map(literal, row.messages)),
@@ -193,7 +192,13 @@ def _row(
         "base": f"0x{held.base:X}" if held.base else "",
     }
     kept = [f"{key}={text}" for key, text in more.items() if text not in ("", "()", '""')]
-    arguments = [name, number, value_expression(value, value.size, order, False, words), literal(row.access), *kept]
+    arguments = [
+        name,
+        number,
+        register_value(value, value.size, order, False, words, row.trigger),
+        literal(row.access),
+        *kept,
+    ]
     call = filled("_Parameter(", arguments, ")", 16 if run else 12)
     lines = ["tuple(", *(f"    {line}" for line in call), f"    for place in range({row.count})", ")"] if run else call
     kind = f"_Parameter[{_type(row, words)}]"
@@ -217,8 +222,8 @@ def _default(row: Parameter) -> str:
     return "" if default is None else literal(default) if isinstance(default, str) else str(default)
 
 
-def _subindex(one: Subindex, order: str, words: Words) -> str:
-    value = value_expression(one.value, one.value.size, order, False, words)
+def _subindex(one: Subindex, order: str, words: Words, trigger: bool) -> str:
+    value = register_value(one.value, one.value.size, order, False, words, trigger)
     more = [f"type={literal(one.value.type.name)}"]
     more += ["reserved=True"] if one.reserved else []
     more += [f"source={literal(places(one.sources))}"] if one.sources else []
@@ -228,7 +233,13 @@ def _subindex(one: Subindex, order: str, words: Words) -> str:
 def _type(row: Parameter, words: Words) -> str:
     """The type of the values of a parameter and of all its elements."""
     every = [row.value, *(one.value for one in row.subindices)]
-    return " | ".join(dict.fromkeys(value_type(value, words) for value in every))
+    return " | ".join(dict.fromkeys(_answered(value, words, row.trigger) for value in every))
+
+
+def _answered(value: Value, words: Words, trigger: bool) -> str:
+    """The type of what is read of a parameter, which takes more than a closed enum lists where that is a trigger."""
+    more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
+    return value_type(value, words) + more
 
 
 def _doc(row: Parameter, held: ParameterSet) -> list[str]:

@@ -1,10 +1,15 @@
-"""The code that reads a field from the raw values of its slots."""
+"""Code that reads a field from the raw values of its slots, and the choices between field types."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from fieldspec.backends.python.registers import value_expression
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.model.primitive import Kind
+from fieldspec.backends.python.writing import tuple_of
+from fieldspec.layout.record import CaseLayout, RecordLayout
+from fieldspec.model.value import Kind
 
 
 def local(field: Slots) -> str:
@@ -16,10 +21,10 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
     """What the slots of a field are unpacked into: an attribute, or locals, always locals where it is to be `bound`."""
     if field.skipped:
         return []
-    star = "*" if field.listed or field.decided else ""
+    star = "*" if field.is_list or field.decided else ""
     if field.field.field.reserved and not field.field.field.measures:
         return [f"{star}_"]
-    if (field.plain or field.deferred) and field.stored and not bound:
+    if (field.is_raw or field.deferred) and field.stored and not bound:
         return [f"{star}{owner}.{field.slot}"]
     if field.parted:
         return [f"{local(field)}__{part}" for part in range(field.parted)]
@@ -30,7 +35,7 @@ def sources(field: Slots, at: int) -> str:
     """The raw value of a field in a tuple `raws`, from a place on."""
     if field.repeated or field.decided:
         return f"raws[{at}:]"
-    if field.listed:
+    if field.is_list:
         return f"raws[{at}:{at + field.count}]"
     return f"raws[{at}]"
 
@@ -41,9 +46,9 @@ def indexed(field: Slots, owner: str, at: int) -> list[str]:
         return []
     if field.parted:
         return [f"{local(field)}__{part} = raws[{at + part}]" for part in range(field.parted)]
-    if (field.plain or field.deferred) and field.stored:
+    if (field.is_raw or field.deferred) and field.stored:
         held = sources(field, at)
-        return [f"{owner}.{field.slot} = {f'list({held})' if field.listed else held}"]
+        return [f"{owner}.{field.slot} = {f'list({held})' if field.is_list else held}"]
     return [f"{local(field)} = {sources(field, at)}"]
 
 
@@ -56,7 +61,7 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
     reserved = field.field.field.reserved and not field.field.field.measures
     if reserved:
         return []
-    if (field.plain or field.deferred) and field.stored:
+    if (field.is_raw or field.deferred) and field.stored:
         return [f"{owner}.{field.slot} = {local(field)}"] if bound else []
     lines, raw = _number(field)
     title = literal(field.title)
@@ -65,11 +70,11 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
         return lines
     if field.field.record is not None:
         record = field.element_type
-        call = "_decoded_each" if field.listed else "_decoded_at"
-        sized = f", {size}" if field.listed else ""
+        call = "_decoded_each" if field.is_list else "_decoded_at"
+        sized = f", {size}" if field.is_list else ""
         return [f"{owner}.{field.name} = {call}({record}, {raw}, {at}{sized})"]
     if field.constant is not None:
-        if field.listed:
+        if field.is_list:
             return [*lines, f"_constants({title}, {raw}, {field.constant}, {at}, {size})"]
         return [
             *lines,
@@ -77,7 +82,7 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
             f"    raise _wrong_const({title}, {raw}, {field.constant}, {at})",
         ]
     if field.kind is Kind.BOOLEAN:
-        if field.listed:
+        if field.is_list:
             return [*lines, f"{owner}.{field.name} = _booleans({title}, {raw}, {at}, {size})"]
         return [
             *lines,
@@ -86,20 +91,20 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
             f"{owner}.{field.name} = {raw} == 1",
         ]
     if field.kind is Kind.TEXT:
-        call = f"_texts({title}, {raw}, {at}, {size})" if field.listed else f"_text({title}, {raw}, {at})"
+        call = f"_texts({title}, {raw}, {at}, {size})" if field.is_list else f"_text({title}, {raw}, {at})"
         return [f"{owner}.{field.name} = {call}"]
     if field.value.flags:
         flags = field.element_type
-        made = f"[{flags}(raw) for raw in {raw}]" if field.listed else f"{flags}({raw})"
+        made = f"[{flags}(raw) for raw in {raw}]" if field.is_list else f"{flags}({raw})"
         return [*lines, f"{owner}.{field.name} = {made}"]
     if field.enum is not None:
         return [*lines, *_member(field, owner, raw, at)]
-    if field.listed:
+    if field.is_list:
         return [*lines, f"{owner}.{field.name} = {raw}"]
     return [*lines[:-1], f"{owner}.{field.name} = {lines[-1].partition(' = ')[2]}"]
 
 
-def made(field: Slots) -> list[str]:
+def deferred_value_lines(field: Slots) -> list[str]:
     """Lines that give what a deferred field stands for; a word of flags is kept, once it is made."""
     if not field.deferred:
         return []
@@ -126,8 +131,8 @@ def _number(field: Slots) -> tuple[list[str], str]:
         return [f"{raw} = {joined}"], raw
     if not field.foreign:
         return [], raw
-    held = _from_bytes(field, "item" if field.listed else raw)
-    return [f"{raw} = [{held} for item in {raw}]" if field.listed else f"{raw} = {held}"], raw
+    held = _from_bytes(field, "item" if field.is_list else raw)
+    return [f"{raw} = [{held} for item in {raw}]" if field.is_list else f"{raw} = {held}"], raw
 
 
 def _from_bytes(field: Slots, raw: str) -> str:
@@ -144,13 +149,13 @@ def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
     assert enum is not None
     title, name, held = literal(field.title), literal(enum.title), f"{owner}.{field.name}"
     if enum.open:
-        made = f"[{enum.table}.get(raw, raw) for raw in {raw}]" if field.listed else f"{enum.table}.get({raw}, {raw})"
+        made = f"[{enum.table}.get(raw, raw) for raw in {raw}]" if field.is_list else f"{enum.table}.get({raw}, {raw})"
         return [f"{held} = {made}"]
     table = enum.table
     if field.sentinels:
         others = ", ".join(f"{value}: {value}" for value in field.sentinels)
         table = f"{{**{enum.table}, {others}}}"
-    if field.listed:
+    if field.is_list:
         return [f"{held} = _members({title}, {raw}, {table}, {name}, {at}, {field.field.size})"]
     wrong = f"raise _unknown_member({title}, {raw}, {name}, {at}) from None"
     lines = ["try:", f"    {held} = {enum.table}[{raw}]", "except KeyError:"]
@@ -158,3 +163,45 @@ def _member(field: Slots, owner: str, raw: str, at: int) -> list[str]:
         return [*lines, f"    {wrong}"]
     others = ", ".join(map(str, field.sentinels)) + ","
     return [*lines, f"    if {raw} not in ({others}):", f"        {wrong}", f"    {held} = {raw}"]
+
+
+CASE = "case"
+"""The variable that holds the case of the selector."""
+
+
+def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], letters: str, order: str) -> list[str]:
+    """The statement that makes the `Choice` of a record; `letters` are those of the fields before the decided one."""
+    by, decided = record.selector, fields[-1]
+    assert by is not None
+    repeat = decided.field.field.repeat
+    least, most = (repeat.low, repeat.high) if repeat else (decided.count, decided.count)
+    arguments = [literal(record.name), literal(letters), literal(by.name), str(by.offset), str(by.size)]
+    cases = [_case(case, order, decided) for case in decided.field.cases]
+    bounds = [f"least={least}", f"most={most}"] + (['order="little"'] if by.order == "little" else [])
+    return [
+        f"{variable} = _Choice(",
+        f"    {', '.join(arguments)},",
+        *(f"    {case}," for case in cases),
+        f"    {', '.join(bounds)},",
+        ")",
+    ]
+
+
+def _case(case: CaseLayout, order: str, decided: Slots) -> str:
+    native = case.value.size == 1 or (case.order == order and not case.swapped)
+    letters = case.value.type.letter if native and case.value.type.letter != "s" else f"{case.value.size}s"
+    value = value_expression(case.value, case.value.size, case.order, case.swapped, decided.words)
+    return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"
+
+
+def decided_read(decided: Slots, owner: str, at: int) -> list[str]:
+    """Lines that make the value of the decided field."""
+    first = "" if decided.is_list else "[0]"
+    held = f"{CASE}.values({literal(decided.title)}, {local(decided)}, {at}){first}"
+    return [f"{owner}.{decided.name} = {held}"]
+
+
+def decided_values(decided: Slots, held: str) -> str:
+    """What fills the slots of the decided field."""
+    values = held if decided.is_list else f"({held},)"
+    return f"*{CASE}.raws({literal(decided.title)}, {values})"

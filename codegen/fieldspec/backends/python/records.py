@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from fieldspec.backends.python.choosing import CASE, choice_lines, decided_read, decided_values
-from fieldspec.backends.python.lines import chained, filled, listed, unpacked
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
-from fieldspec.backends.python.reading import indexed, local, made, reading, targets
-from fieldspec.backends.python.scaled import ConstantView, ScaledView, scaled_views, sentinel_views
+from fieldspec.backends.python.quantities import ConstantView, ScaledView, scaled_views, sentinel_views
+from fieldspec.backends.python.reading import (
+    CASE,
+    choice_lines,
+    decided_read,
+    decided_values,
+    deferred_value_lines,
+    indexed,
+    local,
+    reading,
+    targets,
+)
 from fieldspec.backends.python.slots import Slots, Words, native_order, slots
-from fieldspec.backends.python.text import docstring, literal
+from fieldspec.backends.python.text import chained, docstring, filled, literal, one_item_per_line, unpacked
 from fieldspec.backends.python.writing import conditions, fixed, measured, pairs, refusal, values, within
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.record import RecordLayout
@@ -110,18 +118,21 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         declared=_declared(shaped, upper),
         title=record.name,
         doc=docstring(doc, 4),
-        fields=[FieldView(field.name, field.type, field.accepted, field.slot, made(field)) for field in stored],
+        fields=[
+            FieldView(field.name, field.type, field.accepted, field.slot, deferred_value_lines(field))
+            for field in stored
+        ],
         constants=sentinel_views(stored),
         scaled=scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(field.name for field in stored))),
         read=read,
-        make=[*taken, *making_lines(shaped, "record", 0)],
+        make=[*taken, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,
         tests=condition(binding.tests),
         pack=filled(f"return {_pack(shaped, upper)}(", binding.values, ")", 16 if binding.tests else 12),
         refusals=chained("return ", binding.refusals, "or", "None", 8),
         slots=_quoted("__slots__", [field.slot for field in stored]),
         match_args=_quoted("__match_args__", names),
-        init=listed(
+        init=one_item_per_line(
             "def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4
         ),
         size=record.size,
@@ -140,7 +151,7 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
 def _pack(shaped: RecordShape, upper: str) -> str:
     """What packs as many elements as there are."""
     last = shaped.fields[-1] if shaped.fields else None
-    number = f"len({local(last)})" if last is not None and last.listed else "1"
+    number = f"len({local(last)})" if last is not None and last.is_list else "1"
     if shaped.selector is not None:
         return f"{CASE}.structs[{number}].pack"
     return f"{upper}_STRUCT[{number}].pack" if shaped.tail is not None else f"{upper}_PACK"
@@ -192,7 +203,7 @@ def _unpacked(struct: str, fixed_size: int, unit: int) -> str:
 def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -> tuple[list[str], list[str]]:
     """The statement that unpacks all fields, and the lines that take the raw values where it gives one tuple."""
     case = f"{CASE}, " if shaped.selector is not None else ""
-    if sum((field.listed or field.decided) and not field.skipped for field in shaped.fields) < 2:
+    if sum((field.is_list or field.decided) and not field.skipped for field in shaped.fields) < 2:
         names = [target for field in shaped.fields for target in targets(field, owner)]
         if case:
             return [f"{case}raws = {source}", *unpacked(names, "raws", indent)], []
@@ -205,15 +216,25 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
     return [f"{case}raws = {source}"], lines
 
 
-def making_lines(shaped: RecordShape, owner: str, at: int, bound: bool = False) -> list[str]:
-    """Lines that make the values of all fields. `bound` says that all raw values are in locals."""
+def construction_lines(shaped: RecordShape, owner: str, at: int, bound: bool = False) -> list[str]:
+    """Lines that make the values of all fields.
+
+    `bound` says that all raw values are in locals, and that the constants among them have been compared.
+    """
     lines: list[str] = []
     for field in shaped.fields:
+        if bound and field.constant is not None:
+            continue
         place = at + field.field.offset
         lines += decided_read(field, owner, place) if field.decided else reading(field, owner, place, bound)
     for field in shaped.fields:
         lines += _measure_test(shaped, field, owner, at)
     return lines
+
+
+def constant_tests(shaped: RecordShape) -> list[str]:
+    """The conditions under which a constant, whose raw value is in a local, is another number."""
+    return [f"{local(field)} != {field.constant}" for field in shaped.fields if field.constant is not None]
 
 
 def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> list[str]:
@@ -286,7 +307,7 @@ def _refusals(shaped: RecordShape, struct: str) -> list[str]:
         found += [refusal(selector), f"{struct}.refused_by(self.{selector.name})"]
     for field in shaped.stored:
         if field.decided and selector is not None:
-            function = "refused" if field.listed else "refused_one"
+            function = "refused" if field.is_list else "refused_one"
             found.append(f"{struct}.{function}({literal(field.title)}, self.{selector.name}, self.{field.name})")
         elif field is not selector:
             found.append(refusal(field))

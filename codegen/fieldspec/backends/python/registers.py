@@ -1,15 +1,101 @@
-"""Registers and tables as constants."""
+"""Registers and tables as constants, and the expressions of their values."""
 
 from __future__ import annotations
 
 from fieldspec.backends.python.naming import Scope
+from fieldspec.backends.python.quantities import quantity, ratio
 from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import described, docstring, literal
-from fieldspec.backends.python.values import value_expression, value_facts
+from fieldspec.backends.python.writing import pairs, tuple_of
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import TableLayout
-from fieldspec.layout.register import RegisterLayout
+from fieldspec.layout.record import RegisterLayout
+from fieldspec.model.value import Kind, Ranges, Value
 from fieldspec.names import Name
+
+
+def register_value(value: Value, size: int, order: str, swapped: bool, words: Words, trigger: bool) -> str:
+    """The `Value` of a register or a parameter, in `size` bytes: what the device answers is read, whatever it is.
+
+    Only what is written is bound to a constant, and, where it starts something, to a closed enum.
+    """
+    return _value(value, size, order, swapped, words, value.as_answer(trigger) != value)
+
+
+def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
+    """The `Value` of a value in a frame that lies in `size` bytes, which may be more than its own."""
+    return _value(value, size, order, swapped, words, False)
+
+
+def _value(value: Value, size: int, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
+    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+        kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
+        return f'{kind}("{size}s", {value.size})'
+    letter, narrow = value.type.letter, value.size < size
+    if narrow:
+        letter = "h" if value.type.signed else "H"
+    letters = literal((">" if (order == "big") != swapped else "<") + letter)
+    more = ["swapped=True"] if swapped else []
+    if value.type.kind is Kind.BOOLEAN:
+        return _call("_Boolean", letters, more)
+    if value.type.kind is Kind.FLOAT:
+        more += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+        others = [repr(float("nan")) if one.is_nan else str(one.value) for one in value.sentinels]
+        others = ['float("nan")' if one == "nan" else one for one in others]
+        more += [f"others={tuple_of(others)}"] if others else []
+        more += [f"unit={literal(value.unit)}"] if value.unit and (others or value.ranges is not None) else []
+        return _call("_Float", letters, more)
+    if value.const is not None:
+        if not any_answer:
+            return _call("_Constant", letters, [str(value.const), *more])
+        more += [f'limits="{value.type.letter}"'] if narrow else []
+        return _call("_Setting", letters, [str(value.const), *more])
+    ranges = _ranges(value)
+    if ranges is not None:
+        more.append(f"ranges={pairs(ranges)}")
+    if value.flags:
+        return _call("_Word", letters, [words.flags[value.flags], *more])
+    if value.sentinels:
+        more.append(f"others={tuple_of(sentinel.value for sentinel in value.sentinels)}")
+    if value.enum:
+        enum = words.enums[value.enum]
+        if any_answer:
+            return _call("_Trigger", letters, [literal(enum.title), enum.table, *more])
+        if not enum.open and value.sentinels:
+            more.append("closed=True")
+        return _call(
+            "_Open" if enum.open or value.sentinels else "_Closed", letters, [literal(enum.title), enum.table, *more]
+        )
+    if value.unit:
+        more.append(f"unit={literal(value.unit)}")
+    if value.scaled:
+        more.append(f"ratio={ratio(value)}")
+    if narrow:
+        more.append(f'limits="{value.type.letter}"')
+    return _call("_Number", letters, more)
+
+
+def _call(name: str, letters: str, more: list[str]) -> str:
+    return f"{name}({', '.join([letters, *more])})"
+
+
+def _ranges(value: Value) -> Ranges | None:
+    ranges = value.written_ranges
+    return None if ranges is None or ranges.intervals == ((value.type.low, value.type.high),) else ranges
+
+
+def value_facts(value: Value) -> list[str]:
+    """What a docstring says of a value: how it counts, its range, its sentinels, its initial value."""
+    facts = [quantity(value)] if quantity(value) else []
+    if value.ranges is not None:
+        facts.append(value.ranges.text())
+    if value.write_ranges is not None:
+        facts.append(f"{value.write_ranges.text()} when it is written")
+    facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
+    if value.default is not None:
+        facts.append(f"initially {value.default}")
+    return facts
+
 
 ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
 
@@ -34,11 +120,14 @@ class TableView:
     doc: list[str]
 
 
-def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) -> ConstantView:
-    """The view of a register, or of an array of registers. `order` is the byte order of the device."""
+def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> ConstantView:
+    """The view of a register, or of an array of registers.
+
+    `order` is the byte order of the device, `space` the address space where the device has several.
+    """
     register = laid.register
     name = scope.take(Name.of(laid.name).upper())
-    value = value_expression(register.value, 2 * laid.words, laid.order, laid.swapped, words)
+    value = register_value(register.value, 2 * laid.words, laid.order, laid.swapped, words, register.trigger)
     arguments = [literal(laid.name), f"0x{laid.address:04X}", str(laid.words), value, literal(register.access)]
     if laid.count > 1:
         arguments += [f"count={laid.count}", f"first={register.index_from}", f"stride={laid.stride}"]
@@ -47,7 +136,13 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
     if order == "little":
         arguments.append('order="<"')
-    facts = [f"0x{laid.address:04X}", f"{laid.words} word{'s' if laid.words > 1 else ''}"]
+    if space:
+        arguments.append(f"space={literal(space)}")
+    facts = [
+        f"0x{laid.address:04X}",
+        *([f"in {space}"] if space else []),
+        f"{laid.words} word{'s' if laid.words > 1 else ''}",
+    ]
     if register.access:
         facts.append(ACCESS[register.access])
     facts.append(register.value.type.name)
@@ -71,7 +166,7 @@ def register_view(laid: RegisterLayout, words: Words, order: str, scope: Scope) 
     return ConstantView(name, f"{'_RegisterArray' if laid.count > 1 else '_Register'}({', '.join(arguments)})", doc)
 
 
-def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> TableView:
+def table_view(laid: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:
     """The view of a table of records."""
     table = laid.table
     record = words.records[table.record]
@@ -85,16 +180,22 @@ def table_view(laid: TableLayout, words: Words, order: str, scope: Scope) -> Tab
         f"first={table.index_from}",
     ]
     if table.access:
-        arguments.append(f"access={literal(table.access)}")
+        arguments.append(f"access={literal(table.access if laid.writable else 'ro')}")
     if order == "little":
         arguments.append('order="<"')
+    if space:
+        arguments.append(f"space={literal(space)}")
     last = table.index_from + table.count - 1
     facts = [
         f"{table.count} records of {laid.words} words, {table.index_from} to {last}",
         f"the first at 0x{table.base:04X}, each {table.stride} words behind the one before",
     ]
+    if space:
+        facts.append(f"in {space}")
     if table.access:
         facts.append(ACCESS[table.access])
+    if laid.read_only:
+        facts.append(f"none as a whole, as these fields are read only: {', '.join(laid.read_only)}")
     doc = docstring(described(table.title or Name.of(table.name).title(), table, f"{', '.join(facts)}."), 4)
     name = scope.take(laid.name)
     return TableView(name, scope.take(f"{Name.of(laid.name).pascal()}Table"), record, ", ".join(arguments), doc)

@@ -10,12 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from fieldspec.backends.python.words import EnumView
+from fieldspec.backends.python.enums import EnumView
 from fieldspec.classes import dataclass
 from fieldspec.layout.record import FieldLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import Value
+from fieldspec.model.value import Kind, Ranges, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +64,9 @@ class Slots:
         return self.field.value.type.kind if self.field.value else None
 
     @property
-    def listed(self) -> bool:
+    def is_list(self) -> bool:
         """Whether it is a list."""
-        return self.field.listed
+        return self.field.is_list
 
     @property
     def repeated(self) -> bool:
@@ -125,11 +123,11 @@ class Slots:
 
     @property
     def sentinels(self) -> tuple[int, ...]:
-        """Values beside the ranges."""
-        return tuple(sentinel.value for sentinel in self.value.sentinels)
+        """Values beside the ranges, but for a NaN."""
+        return tuple(sentinel.value for sentinel in self.value.sentinels if not sentinel.is_nan)
 
     @property
-    def plain(self) -> bool:
+    def is_raw(self) -> bool:
         """Whether the raw value is the value."""
         if self.field.value is None or self.parted or self.foreign or self.kind in (Kind.BOOLEAN, Kind.TEXT):
             return False
@@ -141,7 +139,7 @@ class Slots:
 
         No such word is refused when it is read, and its class can be made from it at any time.
         """
-        if self.field.value is None or self.listed or not self.stored or self.parted or self.foreign:
+        if self.field.value is None or self.is_list or not self.stored or self.parted or self.foreign:
             return False
         return bool(self.value.flags) or (self.enum is not None and self.enum.open)
 
@@ -157,9 +155,9 @@ class Slots:
     @property
     def type(self) -> str:
         """The type of the attribute. A tuple takes elements of one of several types, a list only of all of them."""
-        if self.listed and self.decided:
+        if self.is_list and self.decided:
             return f"tuple[{self.element_type}, ...]"
-        return f"list[{self.element_type}]" if self.listed else self.element_type
+        return f"list[{self.element_type}]" if self.is_list else self.element_type
 
     @property
     def accepted(self) -> str:
@@ -168,11 +166,12 @@ class Slots:
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges, where they are narrower than the type."""
-        if self.field.value is None or self.value.ranges is None or not self.whole:
-            return None
-        full = self.value.ranges.intervals == ((self.value.type.low, self.value.type.high),)
-        return None if full else self.value.ranges
+        """The ranges of what may be written, where they are narrower than the type."""
+        ranges = self.field.value.written_ranges if self.field.value is not None else None
+        if ranges is None or self.kind is Kind.FLOAT:
+            return ranges
+        full = ranges.intervals == ((self.value.type.low, self.value.type.high),)
+        return None if full or not self.whole else ranges
 
 
 def value_type(value: Value, words: Words) -> str:
@@ -217,7 +216,7 @@ def _letters(field: FieldLayout, order: str) -> str:
         return f"{field.size}s"
     if field.size == 1 or (field.order == order and not field.swapped):
         return value.type.letter
-    if field.order == order and not field.listed and value.type.kind is Kind.INTEGER:
+    if field.order == order and not field.is_list and value.type.kind is Kind.INTEGER:
         parts = field.size // 2 - 1
         last = "h" if value.type.signed else "H"
         # The least significant word lies first where bytes lie the most significant first, and the other way round.

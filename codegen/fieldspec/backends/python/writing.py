@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.python.enums import EnumView
 from fieldspec.backends.python.slots import Slots
 from fieldspec.backends.python.text import literal
-from fieldspec.backends.python.words import EnumView
-from fieldspec.model.primitive import Kind, Primitive
-from fieldspec.model.ranges import Ranges
+from fieldspec.model.value import Kind, Primitive, Ranges
 
 FEW = 3
 """Comparisons up to which a test is written out."""
@@ -75,18 +74,18 @@ def conditions(field: Slots, held: str) -> list[str]:
     if field.repeated and field.field.field.repeat is not None:
         lengths = field.field.field.repeat
         found.append(within(f"len({held})", lengths))
-    elif field.listed:
+    elif field.is_list:
         found.append(f"len({held}) == {field.count}")
     if field.decided:
         return found
-    item = "item" if field.listed else held
-    each = _one(field, item)
-    if field.listed:
+    item = "item" if field.is_list else held
+    each = _element_lines(field, item)
+    if field.is_list:
         return found + [f"all({condition} for item in {held})" for condition in each]
     return each
 
 
-def _one(field: Slots, held: str) -> list[str]:
+def _element_lines(field: Slots, held: str) -> list[str]:
     if field.field.record is not None:
         return []
     size = field.field.size
@@ -95,7 +94,7 @@ def _one(field: Slots, held: str) -> list[str]:
     if field.kind is Kind.BYTES:
         return [f"len({held}) == {size}"]
     if field.kind is Kind.FLOAT:
-        return []
+        return _float_tests(field, held)
     found: list[str] = []
     raw = f"{held}.raw" if field.value.flags and not field.deferred else held
     enum = field.enum
@@ -106,6 +105,16 @@ def _one(field: Slots, held: str) -> list[str]:
     elif field.ranges is not None:
         found.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
     return [test for test in found if test]
+
+
+def _float_tests(field: Slots, held: str) -> list[str]:
+    """What must hold of a floating-point number: no comparison holds of a NaN."""
+    if field.ranges is None:
+        return []
+    parts = [f"{low} <= {held} <= {high}" for low, high in field.ranges.intervals]
+    parts += [f"{held} == {number}" for number in field.sentinels]
+    parts += [f"{held} != {held}"] * field.value.absent_nan
+    return [parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"]
 
 
 def packed(type: Primitive) -> tuple[int, int]:
@@ -151,7 +160,7 @@ def values(field: Slots, held: str) -> list[str]:
         parts = [f"{raw} & 65535", *(f"{raw} >> {16 * part} & 65535" for part in range(1, field.parted - 1))]
         parts.append(f"{raw} >> {16 * (field.parted - 1)}")
         return parts if field.big else parts[::-1]
-    if not field.listed:
+    if not field.is_list:
         return [_item(field, held)]
     item = _item(field, "item")
     return [f"*{held}" if item == "item" else f"*[{item} for item in {held}]"]
@@ -179,7 +188,7 @@ def measured(field: Slots, other: Slots, held: str, decided: str) -> str:
     measure = field.field.field.measures
     assert measure is not None
     size = decided if other.decided else str(other.field.size)
-    if not other.listed:
+    if not other.is_list:
         return size if measure.of == "bytes" else "1"
     items = f"len({held})"
     return f"{items} * {size}" if measure.of == "bytes" and size != "1" else items
@@ -189,7 +198,7 @@ def refusal(field: Slots) -> str:
     """The expression that says what is wrong with a field: a CodecError, or None."""
     title, held = literal(field.title), f"self.{field.name}"
     function, limits = _refusing(field)
-    if not field.listed:
+    if not field.is_list:
         return f"{function}({', '.join([title, held, *limits])})"
     repeat = field.field.field.repeat
     lengths = (repeat.low, repeat.high) if repeat else (field.count, field.count)
@@ -206,7 +215,10 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
     if field.kind is Kind.BYTES:
         return "_refused_bytes", [size]
     if field.kind is Kind.FLOAT:
-        return "_refused_float", []
+        if field.ranges is None:
+            return "_refused_float", []
+        others = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
+        return "_refused_float", [pairs(field.ranges), *([tuple_of(others)] if others else [])]
     ranges = pairs(field.ranges)
     if field.value.flags:
         return "_refused_flags", [str(primitive.high), *([ranges] if ranges else [])]

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.backends.scl.blocks import blocks
-from fieldspec.backends.scl.functions import clashes, functions
 from fieldspec.backends.scl.project import Project, project
-from fieldspec.backends.scl.source import source
+from fieldspec.backends.scl.sources import blocks, clashes, functions, source, types
 from fieldspec.backends.scl.tags import tag_tables
-from fieldspec.backends.scl.types import types
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
-from fieldspec.plc.layout.rows import table
+from fieldspec.plc.layout.table import table
 from fieldspec.spreadsheet import BYTE_ORDER_MARK, Cell, Workbook, csv_text
 
 
@@ -36,7 +33,7 @@ def shared() -> dict[str, str | Workbook]:
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """What TIA Portal cannot have of a device: names, sizes and places."""
     held = project(versions[-1])
-    return [*held.found, *clashes(held)]
+    return [*held.findings, *clashes(held)]
 
 
 def _layout(held: Project) -> list[Sequence[Cell]]:

@@ -8,17 +8,16 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name, stem
+from fieldspec.plc.cache import cached
 from fieldspec.plc.declarations import Declarations, declarations
-from fieldspec.plc.dialects import SIEMENS
-from fieldspec.plc.kept import kept
-from fieldspec.plc.naming import Scope
+from fieldspec.plc.dialects import SIEMENS, Scope
+from fieldspec.plc.enums import TextTable
 from fieldspec.plc.routines.device import routines
+from fieldspec.plc.routines.expressions import Elementary
+from fieldspec.plc.routines.messages import telegrams
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.telegrams import telegrams
-from fieldspec.plc.routines.types import Elementary
 from fieldspec.plc.routines.world import narrowest
 from fieldspec.plc.structs import Struct
-from fieldspec.plc.texts import TextTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +52,7 @@ class Project:
     texts: tuple[TextBlock, ...]
     routines: tuple[Routine, ...]
     text_type: str
-    found: tuple[Diagnostic, ...]
+    findings: tuple[Diagnostic, ...]
 
     @property
     def stem(self) -> str:
@@ -81,11 +80,11 @@ LONGEST_STRING = 254
 """The most characters of a STRING."""
 
 
-@kept
+@cached
 def project(layout: DeviceLayout) -> Project:
     """The project of a device that has passed the checks."""
     declared = declarations(layout, SIEMENS)
-    found = [*declared.found]
+    found = [*declared.findings]
     scope = Scope(SIEMENS, "block", found)
     device = Name.of(layout.device.id).pascal()
     made_telegrams = tuple(_telegrams(declared, scope, device))

@@ -6,7 +6,7 @@ from decimal import Decimal
 
 from fieldspec.backends.scl.project import Project
 from fieldspec.plc.constants import Constant
-from fieldspec.plc.routines.written import plain
+from fieldspec.plc.routines.printer import comment_text
 from fieldspec.spreadsheet import Workbook, Worksheet
 
 _TAGS = (
@@ -38,7 +38,7 @@ def tag_tables(held: Project) -> Workbook:
     """The workbook: no tags, a table for each list of constants, and the constants. All cells are texts."""
     lists = held.declared.constants
     constants = [
-        (one.name, listed.name, _TYPES[one.type.name], value(one), plain(one.remark))
+        (one.name, listed.name, _TYPES[one.type.name], value(one), comment_text(one.remark))
         for listed in lists
         for one in listed.constants
     ]

@@ -9,8 +9,8 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.plc.dialects import DIALECTS
-from fieldspec.plc.structured.item import Item
 from fieldspec.plc.structured.layout_table import layout_table
+from fieldspec.plc.structured.objects import Item
 from fieldspec.plc.structured.program import newest, program, stem
 from fieldspec.plc.structured.program import refusals as program_refusals
 

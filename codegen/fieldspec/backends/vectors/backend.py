@@ -1,12 +1,79 @@
-"""The file of vectors."""
+"""The file of test vectors: example frames as data."""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
+from typing import TypeAlias
 
-from fieldspec.backends.vectors.view import vectors
+from fieldspec.explain.explanation import explained_example, printed
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.values import Raw
+from fieldspec.model.texts import Example
+
+Json: TypeAlias = bool | int | float | str | list["Json"] | dict[str, "Json"] | None
+Vector: TypeAlias = dict[str, Json]
+
+
+def vectors(layouts: Sequence[DeviceLayout]) -> list[Vector]:
+    """The examples of all versions in the order of the manual; equal ones in one, with the versions that have it."""
+    found: list[tuple[tuple[bool, int], Vector, list[Json]]] = []
+    for layout in layouts:
+        for example in layout.device.examples.values():
+            made = vector(layout, example)
+            same = next((versions for _, other, versions in found if other == made), None)
+            if same is None:
+                same = []
+                found.append((_order(example), made, same))
+            same.append(layout.device.version)
+    found.sort(key=lambda one: one[0])
+    return [{"id": made.pop("id"), "versions": versions, **made} for _, made, versions in found]
+
+
+def _order(example: Example) -> tuple[bool, int]:
+    return not example.sources, example.sources[0].line() if example.sources else 0
+
+
+def vector(layout: DeviceLayout, example: Example) -> Vector:
+    """One example at one version, without the versions that have it."""
+    print_of = printed(layout.device, example)
+    source = example.sources[0] if example.sources else None
+    found = explained_example(layout, example)
+    by_characters = layout.links[example.link].link.encoding != "binary"
+    return {
+        "id": example.id,
+        "link": example.link,
+        "direction": example.direction,
+        "message": example.message or None,
+        "error": example.error,
+        "refused": example.refused or None,
+        "reply_to": example.reply_to or None,
+        "origin": example.origin,
+        "elided": list(example.elided),
+        "printed": print_of.frame.lower() or None,
+        "printed_characters": print_of.characters or None,
+        "right": example.frame.hex(),
+        "characters": example.frame.decode("latin-1") if by_characters else None,
+        "values": None if example.refused else {name: _json_value(raw) for name, raw in found.values.items()},
+        "section": source.section or None if source else None,
+        "line": source.line() if source else None,
+        "verdict": print_of.verdict,
+        "errata": [erratum.id for erratum in print_of.errata],
+    }
+
+
+def _json_value(raw: Raw) -> Json:
+    """A raw value as JSON has it: bytes as hexadecimal digits; what is no number as its name."""
+    if isinstance(raw, bytes):
+        return raw.hex()
+    if isinstance(raw, list):
+        return [_json_value(item) for item in raw]
+    if isinstance(raw, dict):
+        return {name: _json_value(item) for name, item in raw.items()}
+    if isinstance(raw, float) and not math.isfinite(raw):
+        return str(raw)
+    return raw
 
 
 def files(layouts: Sequence[DeviceLayout]) -> dict[str, str]:

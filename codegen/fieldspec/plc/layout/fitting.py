@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.fact import Fact
-from fieldspec.plc.layout.placing import Placed, PlacedMember
-from fieldspec.plc.routines.types import Elementary, innermost
+from fieldspec.plc.layout.memory import Placed, PlacedMember
+from fieldspec.plc.routines.expressions import Elementary, innermost
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,7 @@ def readable(placed: Placed) -> bool:
     return not any(True for _ in misfits(placed)) and all(direct(placed, one) for _, _, one in placed.rows())
 
 
-def found(placed: Placed) -> list[Diagnostic]:
+def misfit_findings(placed: Placed) -> list[Diagnostic]:
     """The findings that forbid to take an image for what is on the wire."""
     made = []
     for one in misfits(placed):

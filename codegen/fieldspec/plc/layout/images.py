@@ -10,8 +10,8 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.value import Value
 from fieldspec.names import Name
-from fieldspec.plc.routines.types import BOOL, StructType, Type, sequence
-from fieldspec.plc.structs import Member, Struct, bit_names, bit_places, elements, wire_type
+from fieldspec.plc.routines.expressions import BOOL, StructType, Type, sequence
+from fieldspec.plc.structs import Struct, StructMember, bit_names, bit_places, elements, wire_type
 
 
 class Naming(Protocol):
@@ -30,7 +30,7 @@ class Naming(Protocol):
         ...
 
 
-class PlainNaming:
+class SpecNaming:
     """Everything by its name in the spec."""
 
     def struct(self, key: str, fact: Fact) -> str:
@@ -65,7 +65,7 @@ class Images:
             named = zip(record.fields, kinds, strict=True)
             names = self.naming.members(record.name, [(field.name, field.field, kind_of) for field, kind_of in named])
             members = tuple(
-                Member(
+                StructMember(
                     name,
                     kind_of,
                     self.naming.remark(field.field, field.value),
@@ -89,7 +89,7 @@ class Images:
         else:
             assert field.value is not None
             one = self._of_value(field.value, field.order, field.swapped)
-        return sequence(elements(field), one) if field.listed else one
+        return sequence(elements(field), one) if field.is_list else one
 
     def _of_value(self, value: Value, order: str, swapped: bool) -> Type:
         # A struct has an even number of bytes where bits share bytes.
@@ -107,7 +107,7 @@ class Images:
             named = [(name, fact, BOOL) for name, fact in facts]
             names = self.naming.members(flags.name, named)
             members = tuple(
-                Member(
+                StructMember(
                     name,
                     BOOL,
                     f"bit {bit}. {self.naming.remark(fact, None) if fact else ''}".strip(),

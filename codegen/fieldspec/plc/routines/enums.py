@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.model.enum import Enum
-from fieldspec.plc.routines.expressions import Expression, Listed, Truth, Variable, Whole
-from fieldspec.plc.routines.routine import Declared, Routine
-from fieldspec.plc.routines.statements import Assignment, Selection, Statement
-from fieldspec.plc.routines.types import BOOL, EnumType
+from fieldspec.model.enums import Enum
+from fieldspec.plc.routines.expressions import BOOL, EnumMemberExpression, EnumType, Expression, Truth, Variable, Whole
+from fieldspec.plc.routines.routine import Assignment, Declared, Routine, Selection, Statement
 from fieldspec.plc.routines.world import World, raw_name
 
 
@@ -21,12 +19,14 @@ def enum_routines(world: World, enum: Enum) -> Iterator[Routine]:
     yield _to_raw(world, enum, kind)
 
 
-def _listed(world: World, enum: Enum, kind: EnumType) -> list[Listed]:
+def _distinct_members(world: World, enum: Enum, kind: EnumType) -> list[EnumMemberExpression]:
     """The members that there are, one for each number."""
-    found: dict[int, Listed] = {}
+    found: dict[int, EnumMemberExpression] = {}
     for member in enum.members:
         if not member.unavailable and member.value not in found:
-            found[member.value] = Listed(world.names.enum_members[enum.name][member.name], member.value, kind)
+            found[member.value] = EnumMemberExpression(
+                world.names.enum_members[enum.name][member.name], member.value, kind
+            )
     return list(found.values())
 
 
@@ -35,8 +35,8 @@ def _from_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
     value = Variable("eValue", kind)
     name = world.routine(enum.name, "from_raw")
     result = Variable(name, BOOL)
-    listed = _listed(world, enum, kind)
-    branches: list[tuple[tuple[tuple[int, int] | Listed, ...], tuple[Statement, ...]]] = [
+    listed = _distinct_members(world, enum, kind)
+    branches: list[tuple[tuple[tuple[int, int] | EnumMemberExpression, ...], tuple[Statement, ...]]] = [
         (((one.value, one.value),), (Assignment(value, one),)) for one in listed
     ]
     # What a function leaves unwritten is undefined on some controllers.
@@ -53,7 +53,7 @@ def _from_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
             Assignment(result, Truth(True)),
             Selection(raw, tuple(branches), otherwise),
         ),
-        (f"The member of {kind.name} with a number; FALSE where there is none. {world.told(enum, None)}".strip(),),
+        (f"The member of {kind.name} with a number; FALSE where there is none. {world.comment(enum, None)}".strip(),),
     )
 
 
@@ -62,8 +62,8 @@ def _to_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
     value = Variable("eValue", kind)
     name = world.routine(enum.name, "to_raw")
     result = Variable(name, BOOL)
-    branches: list[tuple[tuple[tuple[int, int] | Listed, ...], tuple[Statement, ...]]] = [
-        ((one,), (_given(raw, one),)) for one in _listed(world, enum, kind)
+    branches: list[tuple[tuple[tuple[int, int] | EnumMemberExpression, ...], tuple[Statement, ...]]] = [
+        ((one,), (_member_or_number(raw, one),)) for one in _distinct_members(world, enum, kind)
     ]
     return Routine(
         name,
@@ -72,13 +72,13 @@ def _to_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
         (Declared(value, "input"), Declared(raw, "output", "number on the wire, 0 where it is no member")),
         (
             Assignment(result, Truth(True)),
-            Selection(value, tuple(branches), (_given(raw, None), Assignment(result, Truth(False)))),
+            Selection(value, tuple(branches), (_member_or_number(raw, None), Assignment(result, Truth(False)))),
         ),
         (f"The number of a member of {kind.name}; FALSE where the variable holds none.",),
     )
 
 
-def _given(raw: Variable, member: Listed | None) -> Statement:
+def _member_or_number(raw: Variable, member: EnumMemberExpression | None) -> Statement:
     kind = raw.type
     number: Expression = Whole(member.value if member is not None else 0, kind)  # type: ignore[arg-type]
     return Assignment(raw, number)

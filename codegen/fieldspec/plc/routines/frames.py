@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
-from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
+    BOOL,
+    INT,
+    UNSIGNED,
     Conversion,
-    Element,
+    Elementary,
     Expression,
     Operation,
     Truth,
@@ -20,35 +22,20 @@ from fieldspec.plc.routines.expressions import (
     number,
     outside,
     plus,
-    within,
 )
 from fieldspec.plc.routines.holders import Bytes, Holder
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Body, Condition, Loop, Statement, when
-from fieldspec.plc.routines.types import BOOL, BYTE, INT, UNSIGNED, USINT, Elementary
+from fieldspec.plc.routines.routine import Assignment, Draft, Routine, Statement, when
 from fieldspec.plc.routines.values import Wire, read, write
 from fieldspec.plc.routines.world import PREFIXES, World
+from fieldspec.plc.routines.wrapping import LENGTH, link_words, unwrap_routine, wrap_routine, wrapped
 
-LENGTH = "iLength"
-
-
-def framed(link: LinkLayout) -> bool:
-    """Whether anything stands around a body."""
-    return bool(link.request.head or link.request.tail or wrapped(link))
-
-
-def wrapped(link: LinkLayout) -> bool:
-    """Whether the bytes are written as characters, or stand between marks."""
-    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end)
+_LENGTHS = {1: "byLength", 2: "wLength", 4: "dwLength"}
+_CHECKS = {1: "byCheck", 2: "wCheck"}
 
 
 def head_members(shape: FrameLayout) -> list[PartLayout]:
     """The parts before the body that users give: neither the length nor the code, nor a constant."""
-    return [
-        part
-        for part in shape.head
-        if part.role in ("station", "plain") and not (part.value and part.value.const is not None)
-    ]
+    return [part for part in shape.head if part.is_argument]
 
 
 def wire_of(part: PartLayout) -> Wire:
@@ -63,17 +50,11 @@ def code_type(shape: FrameLayout) -> Elementary | None:
     return UNSIGNED[part.size] if part is not None else None
 
 
-def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
-    """The words in names of routines that tell links apart."""
-    several = sum(framed(one) for one in world.layout.links.values()) > 1
-    return (link.name,) if several else ()
-
-
 def frame_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
     """What opens the responses of a link and closes its requests."""
     if wrapped(link):
-        yield _wrap(world, link)
-        yield _unwrap(world, link)
+        yield wrap_routine(world, link)
+        yield unwrap_routine(world, link)
     yield _close(world, link)
     yield _open(world, link)
 
@@ -99,23 +80,38 @@ def _close(world: World, link: LinkLayout) -> Routine:
     out_of_room = compared(total, ">", number(most))
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
     for part in shape.head:
-        draft.add(_head_written(draft, world, link, part, given, code, total, holder))
+        if part.role != "check":
+            draft.add(_write_header_part(draft, world, link, shape, part, given, code, total, holder))
     check = shape.check
+    behind = [part for part in shape.tail if part is not check]
+    if behind:
+        tail = draft.local("iTail")
+        draft.add([Assignment(tail, plus(body_length, shape.head_size))])
+        for part in behind:
+            draft.add(_constant_written(part, Bytes(frame, tail), part.offset + shape.tail_size))
     if check is not None:
-        end = plus(body_length, shape.head_size)
+        total_size = shape.head_size + shape.tail_size
+
+        def place(at: int) -> Expression:
+            return number(at) if at >= 0 else plus(body_length, total_size + at)
+
         at = draft.local("iAt")
-        draft.add([Assignment(at, end)])
-        wide = world.checksum(check.algorithm, at, frame)
-        raw = draft.local("wCheck" if check.size == 2 else "byCheck", wide.type)
-        draft.add([Assignment(raw, wide), *Bytes(frame, at).stored(0, check.size, check.order, False, raw)])
+        draft.add([Assignment(at, total if check.stop is None else place(check.stop))])
+        wide = world.checksum(check.algorithm, at, frame, place(check.start))
+        raw = draft.local(_CHECKS[check.size], wide.type)
+        draft.add([Assignment(raw, wide)])
+        if check.stop != check.offset:
+            draft.add([Assignment(at, place(check.offset))])
+        draft.add(Bytes(frame, at).stored(0, check.size, check.order, False, raw))
     draft.add([Assignment(length, total)])
     return draft.finished()
 
 
-def _head_written(
+def _write_header_part(
     draft: Draft,
     world: World,
     link: LinkLayout,
+    shape: FrameLayout,
     part: PartLayout,
     given: dict[str, Variable],
     code: Variable | None,
@@ -124,18 +120,19 @@ def _head_written(
 ) -> list[Statement]:
     wire = wire_of(part)
     if part.role == "length":
-        raw = draft.local("wLength" if part.size == 2 else "byLength", wire.bits)
-        tests = []
-        if world.frame.high + 1 > wire.value.type.high:
-            tests.append(draft.refusal(compared(total, ">", number(wire.value.type.high)), "wrong_length"))
-        value = Conversion(total, wire.bits)
-        return [*tests, Assignment(raw, value), *holder.stored(part.offset, part.size, part.order, False, raw)]
+        raw = draft.local(_LENGTHS[part.size], wire.bits)
+        units, tests = _units(shape, part, total)
+        most = (world.frame.high + 1 - part.base) // part.unit_size
+        if most > wire.value.type.high:
+            tests.append(compared(units, ">", number(wire.value.type.high)))
+        refusals = [draft.refusal(either(tests), "wrong_length")] if tests else []
+        value = Conversion(units, wire.bits)
+        return [*refusals, Assignment(raw, value), *holder.stored(part.offset, part.size, part.order, False, raw)]
     if part.role == "code":
         assert code is not None
         return _stored(draft, wire, holder, part, code)
-    if wire.value.const is not None:
-        literal = Whole(wire.value.const & wire.bits.high, wire.bits)
-        return holder.stored(part.offset, part.size, part.order, False, literal)
+    if part.constant is not None:
+        return _constant_written(part, holder, part.offset)
     source = given[part.name]
     stations = link.link.stations
     statements: list[Statement] = []
@@ -147,6 +144,26 @@ def _head_written(
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     return [*statements, *write(draft, world, wire, holder, part.offset, source)]
+
+
+def _constant_written(part: PartLayout, holder: Holder, offset: int) -> list[Statement]:
+    """What puts the constant of a part at an offset."""
+    wire = wire_of(part)
+    assert part.constant is not None
+    return holder.stored(offset, part.size, part.order, False, Whole(part.constant & wire.bits.high, wire.bits))
+
+
+def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
+    """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it."""
+    counted = plus(total, -part.base)
+    tests: list[Expression] = (
+        [compared(counted, "<", number(0))] if part.base > shape.head_size + shape.tail_size else []
+    )
+    if part.unit_size == 1:
+        return counted, tests
+    size = number(part.unit_size)
+    tests.append(compared(Operation("MOD", (counted, size), INT), "<>", number(0)))
+    return Operation("/", (counted, size), INT), tests
 
 
 def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: Variable) -> list[Statement]:
@@ -184,27 +201,50 @@ def _open(world: World, link: LinkLayout) -> Routine:
         draft.add([Assignment(refused, Truth(False))])
     draft.refuse(compared(length, "<", number(least)), "incomplete")
     draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
-    for part in shape.head:
-        if part.role == "length":
-            wire = wire_of(part)
-            said = Conversion(holder.number(part.offset, part.size, part.order, False), INT)
-            draft.refuse(compared(said, "<>", length), "wrong_length")
-            assert wire.value.type.high <= 0x7FFF or part.size == 2
+    counted = shape.role("length")
+    if counted is not None:
+        draft.refuse(_length_differs(world, shape, counted, holder, length), "wrong_length")
     check = shape.check
     if check is not None:
+
+        def place(at: int) -> Expression:
+            return number(at) if at >= 0 else plus(length, at)
+
         at = draft.local("iAt")
-        draft.add([Assignment(at, plus(length, check.offset))])
+        draft.add([Assignment(at, place(check.offset))])
         have = Bytes(frame, at).number(0, check.size, check.order, False)
-        draft.refuse(compared(world.checksum(check.algorithm, at, frame), "<>", have), "wrong_check")
+        stop = at if check.stop == check.offset else length if check.stop is None else place(check.stop)
+        wide = world.checksum(check.algorithm, stop, frame, place(check.start))
+        draft.refuse(compared(wide, "<>", have), "wrong_check")
     for part in shape.head:
-        if part.role not in ("length", "code"):
+        if part.role not in ("length", "code", "check") and not part.reserved:
             target = held.get(part.name)
             draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
+    behind = [part for part in shape.tail if part is not check and not part.reserved]
+    if behind:
+        tail = draft.local("iTail")
+        draft.add([Assignment(tail, plus(length, -shape.tail_size))])
+        for part in behind:
+            offset = part.offset + shape.tail_size
+            draft.add(read(draft, world, wire_of(part), Bytes(frame, tail), offset, None))
     coded = shape.role("code")
     if coded is not None and code is not None:
         draft.add(_code_read(link, coded, holder, code, refused))
     draft.add([Assignment(body_length, plus(length, -least))])
     return draft.finished()
+
+
+def _length_differs(world: World, shape: FrameLayout, part: PartLayout, holder: Holder, length: Variable) -> Expression:
+    """The condition under which a length part does not say how many bytes a frame has."""
+    wire = wire_of(part)
+    bits = holder.number(part.offset, part.size, part.order, False)
+    if (part.unit_size, part.base) == (1, 0) and part.size < 4:
+        # A number of two bytes that INT does not hold becomes a negative one, which no length is.
+        return compared(Conversion(bits, INT), "<>", length)
+    units, tests = _units(shape, part, length)
+    if (world.frame.high + 1 - part.base) // part.unit_size > wire.value.type.high:
+        tests.append(compared(units, ">", number(wire.value.type.high)))
+    return either([*tests, compared(bits, "<>", Conversion(units, wire.bits))])
 
 
 def _code_read(
@@ -227,135 +267,9 @@ def _code_read(
 def _part_declared(draft: Draft, world: World, part: PartLayout, role: str) -> Variable:
     wire = wire_of(part)
     kind = world.type_of(wire.value)
-    return draft.declare(world.variable(part.name, kind), kind, role, world.told(part.part, wire.value))
+    return draft.declare(world.variable(part.name, kind), kind, role, world.comment(part.part, wire.value))
 
 
 def _form(link: LinkLayout) -> str:
     parts = [part.name for part in link.link.request]
     return f"A frame of {link.name} has these parts: {', '.join(parts)}."
-
-
-def _wrap(world: World, link: LinkLayout) -> Routine:
-    start, end = link.link.start, link.link.end
-    width = 2 if link.link.encoding == "hex_ascii" else 1
-    draft = Draft(
-        world.routine("wrap", *link_words(world, link)),
-        f"frames of {link.name}",
-        world.status,
-        f"Writes bytes as they are sent on {link.name}: {_marks(link)}.",
-    )
-    count = draft.declare("iBytes", INT, "input", "how many bytes there are")
-    source = draft.declare("aBytes", world.frame, "in_out", "is read only")
-    frame = draft.declare("aFrame", world.frame, "in_out", "receives what is sent")
-    length = draft.declare(LENGTH, INT, "output", "how much of aFrame is sent")
-    draft.add([Assignment(length, number(0))])
-    draft.refuse(
-        either(
-            [
-                compared(count, "<", number(0)),
-                compared(count, ">", number((world.frame.high + 1 - len(start) - len(end)) // width)),
-            ]
-        ),
-        "no_room",
-    )
-    for at, byte in enumerate(start):
-        draft.add([Assignment(Element(frame, number(at), BYTE), Whole(byte, BYTE))])
-    index = draft.local("iAt")
-    here = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
-    held = Element(source, index, BYTE)
-    body: Body
-    if width == 2:
-        digit = draft.local("usiDigit", USINT)
-        body = (
-            *_digit_written(
-                draft, digit, Operation("/", (Conversion(held, USINT), Whole(16, USINT)), USINT), frame, here
-            ),
-            *_digit_written(
-                draft, digit, Operation("MOD", (Conversion(held, USINT), Whole(16, USINT)), USINT), frame, plus(here, 1)
-            ),
-        )
-    else:
-        body = (Assignment(Element(frame, here, BYTE), held),)
-    draft.add([Loop(index, number(0), plus(count, -1), body)])
-    stop = plus(Operation("*", (count, number(width)), INT) if width > 1 else count, len(start))
-    for at, byte in enumerate(end):
-        draft.add([Assignment(Element(frame, plus(stop, at), BYTE), Whole(byte, BYTE))])
-    draft.add([Assignment(length, plus(stop, len(end)))])
-    return draft.finished()
-
-
-def _digit_written(
-    draft: Draft, digit: Variable, value: Expression, frame: Variable, at: Expression
-) -> tuple[Statement, ...]:
-    letter = Operation("+", (digit, Whole(ord("A") - 10, USINT)), USINT)
-    figure = Operation("+", (digit, Whole(ord("0"), USINT)), USINT)
-    return (
-        Assignment(digit, value),
-        when(compared(digit, ">", Whole(9, USINT)), [Assignment(digit, letter)], [Assignment(digit, figure)]),
-        Assignment(Element(frame, at, BYTE), Conversion(digit, BYTE)),
-    )
-
-
-def _marks(link: LinkLayout) -> str:
-    text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
-    before = f"16#{link.link.start.hex(' ').upper()} before them" if link.link.start else ""
-    behind = f"16#{link.link.end.hex(' ').upper()} behind them" if link.link.end else ""
-    return ", ".join(one for one in (text, before, behind) if one)
-
-
-def _unwrap(world: World, link: LinkLayout) -> Routine:
-    start, end = link.link.start, link.link.end
-    draft = Draft(
-        world.routine("unwrap", *link_words(world, link)),
-        f"frames of {link.name}",
-        world.status,
-        f"Takes bytes out of what is received on {link.name}: {_marks(link)}.",
-    )
-    length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
-    frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
-    target = draft.declare("aBytes", world.frame, "in_out", "receives the bytes")
-    count = draft.declare("iBytes", INT, "output", "how many bytes there are")
-    marks = len(start) + len(end)
-    draft.add([Assignment(count, number(0))])
-    draft.refuse(compared(length, "<", number(marks)), "wrong_mark")
-    draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
-    for at, byte in enumerate(start):
-        draft.refuse(compared(Element(frame, number(at), BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
-    for at, byte in enumerate(end):
-        place = plus(length, at - len(end))
-        draft.refuse(compared(Element(frame, place, BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
-    index = draft.local("iAt")
-    if link.link.encoding != "hex_ascii":
-        draft.add([Assignment(count, plus(length, -marks))])
-        taken = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
-        draft.add([Loop(index, number(0), plus(count, -1), (taken,))])
-        return draft.finished()
-    digit, high = draft.local("usiDigit", USINT), draft.local("usiHigh", USINT)
-    here = Element(frame, plus(index, len(start)), BYTE)
-    odd = compared(Operation("MOD", (index, number(2)), INT), "<>", number(0))
-    whole = Operation("+", (Operation("*", (high, Whole(16, USINT)), USINT), digit), USINT)
-    place = Operation("/", (index, number(2)), INT)
-    body: Body = (
-        Assignment(digit, Conversion(here, USINT)),
-        _digit_read(draft, digit),
-        when(
-            odd,
-            [Assignment(Element(target, place, BYTE), Conversion(whole, BYTE))],
-            [Assignment(high, digit)],
-        ),
-    )
-    draft.add([Loop(index, number(0), plus(length, -marks - 1), body)])
-    draft.refuse(compared(Operation("MOD", (plus(length, -marks), number(2)), INT), "<>", number(0)), "wrong_length")
-    draft.add([Assignment(count, Operation("/", (plus(length, -marks), number(2)), INT))])
-    return draft.finished()
-
-
-def _digit_read(draft: Draft, digit: Variable) -> Statement:
-    """What makes the number of a character; letters of both cases are taken."""
-    ranges = (("0", "9", 48), ("A", "F", 55), ("a", "f", 87))
-    branches = []
-    for low, high, less in ranges:
-        test = within(digit, [(ord(low), ord(high))], USINT)
-        assert test is not None
-        branches.append((test, (Assignment(digit, Operation("-", (digit, Whole(less, USINT)), USINT)),)))
-    return Condition(tuple(branches), draft.status.give(draft.result, "not_hexadecimal"))

@@ -6,19 +6,22 @@ from collections.abc import Iterable
 from typing import Protocol, TypeVar
 
 from fieldspec.classes import dataclass, replace
-from fieldspec.plc.routines.expressions import Element, Expression, Operation, Whole, converted, joined, part, plus
-from fieldspec.plc.routines.statements import Assignment, Statement
-from fieldspec.plc.routines.types import BYTE, WORD
+from fieldspec.plc.routines.expressions import (
+    BYTE,
+    WORD,
+    Element,
+    Expression,
+    Operation,
+    Whole,
+    converted,
+    joined,
+    part,
+    plus,
+)
+from fieldspec.plc.routines.routine import Assignment, Statement
+from fieldspec.plc.structs import places
 
 Self = TypeVar("Self", bound="Holder")
-
-
-def places(size: int, order: str, swapped: bool) -> list[int]:
-    """By how many bits each byte of a number is moved to the left, the byte at the lowest place first."""
-    steps = [8 * at for at in range(size)]
-    if (order == "big") != swapped:
-        steps.reverse()
-    return [steps[at ^ 1] for at in range(size)] if swapped else steps
 
 
 class Holder(Protocol):

@@ -1,34 +1,51 @@
-"""Messages of a link: requests are built, responses are parsed."""
+"""Messages of a link and process data: requests, responses, telegrams."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
-from fieldspec.plc.routines.choices import choice_type, chosen_read, chosen_written, selecting
-from fieldspec.plc.routines.draft import Draft
 from fieldspec.plc.routines.expressions import (
+    BOOL,
+    BYTE,
+    INT,
+    WORD,
+    ArrayType,
     Call,
     Conversion,
     Expression,
     Operation,
+    StructType,
+    Type,
     Variable,
     Whole,
     compared,
     number,
     plus,
+    sequence,
 )
-from fieldspec.plc.routines.frames import LENGTH, code_type, framed, head_members, link_words, wire_of, wrapped
-from fieldspec.plc.routines.holders import Bytes
-from fieldspec.plc.routines.records import field_type, given, read_field, write_field
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Statement, when
-from fieldspec.plc.routines.types import BOOL, INT, ArrayType, StructType, Type
-from fieldspec.plc.routines.values import Wire
+from fieldspec.plc.routines.frames import code_type, head_members, wire_of
+from fieldspec.plc.routines.holders import Bytes, Holder, Words
+from fieldspec.plc.routines.records import (
+    choice_type,
+    field_type,
+    is_user_field,
+    members_of,
+    read_choice,
+    read_field,
+    read_fields,
+    selecting,
+    write_choice,
+    write_field,
+    write_fields,
+)
+from fieldspec.plc.routines.routine import Assignment, Draft, Routine, Statement, when
+from fieldspec.plc.routines.values import Wire, order_remark
 from fieldspec.plc.routines.world import PREFIXES, World
+from fieldspec.plc.routines.wrapping import LENGTH, framed, link_words, wrapped
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +74,11 @@ def _declared(draft: Draft, world: World, message: MessageLayout, record: Record
     variables: dict[str, Variable] = {}
     count: Variable | None = None
     for field in record.fields:
-        if not given(field):
+        if not is_user_field(field):
             continue
         kind = _type(world, message, field)
         lent = isinstance(kind, ArrayType | StructType)
-        remark = world.told(field.field, field.value)
+        remark = world.comment(field.field, field.value)
         if lent and role == "input":
             remark = f"is read only. {remark}".strip()
         name = world.variable(field.name, kind)
@@ -74,7 +91,7 @@ def _declared(draft: Draft, world: World, message: MessageLayout, record: Record
 
 def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
     """The type of a parameter: words of registers are in the one array that all routines for registers take."""
-    access = message.message.accesses
+    access = world.layout.device.register_access(message.message)
     if access is not None and field.field.repeat is not None and field.name == access.values:
         return world.words
     return choice_type(field) if field.cases else field_type(world, field)
@@ -84,7 +101,7 @@ def _of_message(world: World, link: LinkLayout, message: MessageLayout, deed: st
     title = message.message.title or message.name.replace("_", " ")
     code = message.message.code
     told = f"{title} (code {code}) on {link.name}" if code is not None else f"{title} on {link.name}"
-    source = world.told(message.message, None)
+    source = world.comment(message.message, None)
     return (
         world.routine(deed, *link_words(world, link), message.name),
         f"messages of {link.name}",
@@ -100,7 +117,7 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     for part in head_members(shape):
         wire = wire_of(part)
         kind = world.type_of(wire.value)
-        variable = draft.declare(world.variable(part.name, kind), kind, "input", world.told(part.part, wire.value))
+        variable = draft.declare(world.variable(part.name, kind), kind, "input", world.comment(part.part, wire.value))
         head[variable.name] = variable
     fields = _declared(draft, world, message, record, "input")
     frame = draft.declare("aFrame", world.frame, "in_out", "receives the request")
@@ -148,7 +165,7 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
             assert fields.count is not None or field.count
             element = draft.local("iSize")
             selector = selecting(draft, world, record.selector, fields.place(record.selector))
-            draft.add(chosen_written(draft, world, field, selector, holder, fields.place(field), fields.count, element))
+            draft.add(write_choice(draft, world, field, selector, holder, fields.place(field), fields.count, element))
         else:
             draft.add(write_field(draft, world, field, holder, fields.place, fields.count))
     if fields.count is not None and last is not None:
@@ -156,7 +173,7 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
         size = plus(fields.count, last.offset) if element == number(1) else size
     for field in record.fields:
         if field.field.measures is not None:
-            draft.add(_measure_written(draft, record, field, fields, element, holder))
+            draft.add(_write_length(draft, record, field, fields, element, holder))
     return size
 
 
@@ -173,7 +190,7 @@ def _measure(record: RecordLayout, field: FieldLayout, fields: Fields, element: 
     return Operation("*", (fields.count, element), INT)
 
 
-def _measure_written(
+def _write_length(
     draft: Draft, record: RecordLayout, field: FieldLayout, fields: Fields, element: Expression, holder: Bytes
 ) -> list[Statement]:
     wire = Wire.of_field(field)
@@ -200,7 +217,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     for part in head_members(shape):
         wire = wire_of(part)
         kind = world.type_of(wire.value)
-        variable = draft.declare(world.variable(part.name, kind), kind, "output", world.told(part.part, wire.value))
+        variable = draft.declare(world.variable(part.name, kind), kind, "output", world.comment(part.part, wire.value))
         head.append((variable.name, variable))
     fields = _declared(draft, world, message, record, "output")
     why = _declared(draft, world, message, refusal, "output") if refusal is not None else None
@@ -262,7 +279,7 @@ def _read_body(
         assert record.selector is not None
         element = draft.local("iSize")
     elif last is not None and fields.count is not None:
-        draft.add(_counted(draft, fields.count, size, last, element))
+        draft.add(_element_count(draft, fields.count, size, last, element))
     for field in record.fields:
         if field.field.measures is not None:
             continue
@@ -270,7 +287,7 @@ def _read_body(
             assert record.selector is not None
             selector = selecting(draft, world, record.selector, fields.place(record.selector))
             draft.add(
-                chosen_read(draft, world, field, selector, holder, fields.place(field), fields.count, size, element)
+                read_choice(draft, world, field, selector, holder, fields.place(field), fields.count, size, element)
             )
         else:
             draft.add(read_field(draft, world, field, holder, fields.place, fields.count))
@@ -285,7 +302,7 @@ def _read_body(
             draft.refuse(compared(held, "<>", wanted), "wrong_measure")
 
 
-def _counted(
+def _element_count(
     draft: Draft, count: Variable, size: Expression, last: FieldLayout, element: Expression
 ) -> list[Statement]:
     """How many elements lie in a body, which must hold whole ones only."""
@@ -297,3 +314,61 @@ def _counted(
         draft.refusal(odd, "wrong_length"),
         Assignment(count, Operation("/", (rest, element), INT)),
     ]
+
+
+def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
+    """The messages that are sent without anything around them."""
+    links = [link for link in layout.links.values() if not framed(link)]
+    found = {message.name: message for link in links for message in link.messages.values()}
+    return list(found.values())
+
+
+def telegram_routines(world: World) -> Iterator[Routine]:
+    """The functions of all telegrams, for each direction in which they have a fixed size."""
+    for message in telegrams(world.layout):
+        for data in (message.request, message.response):
+            if not data.size:
+                continue
+            for unit in ("bytes", "words") if data.size % 2 == 0 else ("bytes",):
+                yield _packed(world, message, data, unit)
+                yield _unpacked(world, message, data, unit)
+
+
+def _holder(world: World, draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
+    if unit == "bytes":
+        return Bytes(draft.declare("aBytes", sequence(data.size or 0, BYTE), "in_out", remark), number(0))
+    array = draft.declare("aWords", sequence((data.size or 0) // 2, WORD), "in_out", remark)
+    return Words(array, number(0), world.layout.device.byte_order)
+
+
+def _about(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> str:
+    size = f"{data.size} bytes" if unit == "bytes" else f"{(data.size or 0) // 2} words"
+    title = message.message.title or message.name.replace("_", " ")
+    return f"{title}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
+
+
+def _packed(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
+    draft = Draft(
+        world.routine("pack", data.name, unit),
+        f"telegram {message.name}",
+        world.status,
+        f"Struct to process data: {_about(world, message, data, unit)}",
+    )
+    kind = world.struct(data.name)
+    struct = draft.declare("stData", kind, "in_out", "is read only")
+    holder = _holder(world, draft, data, unit, "receives the process data")
+    draft.add(write_fields(draft, world, data, holder, members_of(world, data, struct)))
+    return draft.finished()
+
+
+def _unpacked(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
+    draft = Draft(
+        world.routine("unpack", data.name, unit),
+        f"telegram {message.name}",
+        world.status,
+        f"Process data to struct: {_about(world, message, data, unit)}",
+    )
+    holder = _holder(world, draft, data, unit, "is read only")
+    struct = draft.declare("stData", world.struct(data.name), "in_out", "receives the values")
+    draft.add(read_fields(draft, world, data, holder, members_of(world, data, struct)))
+    return draft.finished()

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.model.primitive import Kind
-from fieldspec.plc.routines.draft import Draft
+from fieldspec.model.value import Kind
 from fieldspec.plc.routines.expressions import (
+    BOOL,
+    DINT,
+    DWORD,
+    INT,
+    REAL,
+    UDINT,
     Conversion,
     Fraction,
     Negation,
@@ -19,9 +24,7 @@ from fieldspec.plc.routines.expressions import (
     number,
     plus,
 )
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Loop, when
-from fieldspec.plc.routines.types import BOOL, DINT, DWORD, INT, REAL, UDINT
+from fieldspec.plc.routines.routine import Assignment, Draft, Loop, Routine, when
 from fieldspec.plc.routines.world import World, values_of
 
 _BIAS = 127

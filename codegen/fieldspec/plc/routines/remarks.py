@@ -24,11 +24,13 @@ def of_value(value: Value | None) -> str:
         facts.append(f"1 count = {count_of(value)}.")
     if value.ranges is not None and (value.ranges.low, value.ranges.high) != (value.type.low, value.type.high):
         facts.append(f"{value.ranges.text()}.")
+    if value.write_ranges is not None:
+        facts.append(f"Writing: {value.write_ranges.text()}.")
     if value.enum:
         facts.append(f"See {Name.of(value.enum).pascal()}.")
     if value.flags:
         facts.append(f"Bits: {Name.of(value.flags).upper()}_...")
-    facts += [f"{sentinel.value} is {sentinel.name}." for sentinel in value.sentinels]
+    facts += [f"{sentinel.text} is {sentinel.name}." for sentinel in value.sentinels]
     return " ".join(facts)
 
 

@@ -1,11 +1,72 @@
-"""Functions: what they take, what they give, and what they do."""
+"""Routines with their variables, statements and status, and drafts of them."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import TypeAlias
+
 from fieldspec.classes import dataclass
-from fieldspec.plc.routines.expressions import Call, Expression, Variable
-from fieldspec.plc.routines.statements import Body
-from fieldspec.plc.routines.types import Type
+from fieldspec.plc.routines.expressions import (
+    INT,
+    UINT,
+    Call,
+    EnumMemberExpression,
+    EnumType,
+    Expression,
+    Type,
+    Variable,
+    compared,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """`target := value;`"""
+
+    target: Expression
+    value: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """IF, with as many further tests as there are branches; `otherwise` may be empty."""
+
+    branches: tuple[tuple[Expression, Body], ...]
+    otherwise: Body = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """FOR from `first` to `last`, both included; nothing is done where `last` is less."""
+
+    index: Variable
+    first: Expression
+    last: Expression
+    body: Body
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """CASE; each branch has the intervals of whole numbers, or the members of an enum, for which it is taken."""
+
+    of: Expression
+    branches: tuple[tuple[tuple[tuple[int, int] | EnumMemberExpression, ...], Body], ...]
+    otherwise: Body = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """RETURN."""
+
+
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return
+Body: TypeAlias = tuple[Statement, ...]
+
+
+def when(test: Expression, body: Iterable[Statement], otherwise: Iterable[Statement] = ()) -> Condition:
+    """IF with one test."""
+    return Condition(((test, tuple(body)),), tuple(otherwise))
+
 
 SECTIONS = {"input": "VAR_INPUT", "in_out": "VAR_IN_OUT", "output": "VAR_OUTPUT", "local": "VAR"}
 """The roles of variables in the order in which they are declared, and the words for them."""
@@ -55,4 +116,108 @@ class Routine:
             tuple((name, given[name]) for name in wanted if name not in outputs),
             tuple((name, given[name]) for name in wanted if name in outputs),
             self.returns,
+        )
+
+
+STATUSES = (
+    ("ok", "It is done."),
+    ("incomplete", "There are too few words or bytes."),
+    ("wrong_length", "The words, bytes or elements are not as many as they must be."),
+    ("wrong_mark", "The frame does not start or end with its mark."),
+    ("not_hexadecimal", "A character is no hexadecimal digit."),
+    ("wrong_check", "The check at the end does not fit the bytes."),
+    ("unknown_code", "The answer is to another message."),
+    ("unknown_value", "A value is none of those that its enum has, or is neither 0 nor 1."),
+    ("wrong_constant", "A constant has another value."),
+    ("wrong_measure", "A field that holds a size does not fit what it measures."),
+    ("out_of_range", "A value is out of its range."),
+    ("no_room", "The array is too small."),
+    ("refused", "The device refuses: the outputs say why."),
+    ("not_covered", "None of the registers lies wholly in the words, or one of the words belongs to no register."),
+    ("no_number", "A floating-point value is infinite or no number."),
+)
+"""The names of the members, in the order of their numbers, and what they mean."""
+
+
+class Status:
+    """The enum of a device's statuses as expressions. `members` has the member of each name."""
+
+    def __init__(self, kind: EnumType, members: dict[str, str]) -> None:
+        self.type = kind
+        self._numbers = {name: number for number, (name, _) in enumerate(STATUSES)}
+        self._members = members
+
+    def of(self, name: str) -> EnumMemberExpression:
+        """The status with a name."""
+        return EnumMemberExpression(self._members[name], self._numbers[name], self.type)
+
+    def give(self, result: Variable, name: str) -> Body:
+        """Returns a status."""
+        return (Assignment(result, self.of(name)), Return())
+
+    def refuse(self, result: Variable, test: Expression, name: str) -> Statement:
+        """Returns a status where a test holds."""
+        return Condition(((test, self.give(result, name)),))
+
+    def passed_on(self, result: Variable, status: Expression) -> Statement:
+        """Returns what another routine has returned, unless all is well."""
+        return when(compared(status, "<>", self.of("ok")), (Assignment(result, status), Return()))
+
+
+BASE = UINT
+
+
+class Draft:
+    """A routine that returns a status. Names are compared without their case, as all dialects do."""
+
+    def __init__(self, name: str, group: str, status: Status, *remarks: str) -> None:
+        self.name, self.group, self.status = name, group, status
+        self.remarks = [remark for remark in remarks if remark]
+        self.example: list[str] = []
+        self.result = Variable(name, status.type)
+        self.body: list[Statement] = []
+        self._declared: list[Declared] = []
+        self._names: set[str] = {name.lower()}
+
+    def declare(self, name: str, kind: Type, role: str, remark: str = "") -> Variable:
+        """A new variable; where its name is taken, a number stands behind it."""
+        number, tried = 1, name
+        while tried.lower() in self._names:
+            number += 1
+            tried = f"{name}{number}"
+        self._names.add(tried.lower())
+        variable = Variable(tried, kind)
+        self._declared.append(Declared(variable, role, remark))
+        return variable
+
+    def local(self, name: str, kind: Type = INT) -> Variable:
+        """A local variable; one that is asked for twice is the same one."""
+        for one in self._declared:
+            if one.role == "local" and one.variable == Variable(name, kind):
+                return one.variable
+        return self.declare(name, kind, "local")
+
+    def add(self, statements: Iterable[Statement]) -> None:
+        """Adds statements to the end."""
+        self.body += statements
+
+    def refuse(self, test: Expression, status: str) -> None:
+        """Returns a status where a test holds."""
+        self.body.append(self.status.refuse(self.result, test, status))
+
+    def refusal(self, test: Expression, status: str) -> Statement:
+        """The statement that returns a status where a test holds."""
+        return self.status.refuse(self.result, test, status)
+
+    def finished(self, last: Expression | None = None) -> Routine:
+        """The routine; at its end it returns a status, where none is given that all is well."""
+        body = (*self.body, Assignment(self.result, self.status.of("ok") if last is None else last))
+        return Routine(
+            self.name,
+            self.group,
+            self.status.type,
+            tuple(self._declared),
+            body,
+            tuple(self.remarks),
+            tuple(self.example),
         )

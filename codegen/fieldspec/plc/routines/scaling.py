@@ -8,12 +8,15 @@ from fractions import Fraction as Ratio
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
-from fieldspec.model.primitive import Kind
-from fieldspec.model.signal import Conversion as Share
-from fieldspec.model.value import Value
-from fieldspec.plc.routines.draft import Draft
+from fieldspec.model.value import Conversion as Share
+from fieldspec.model.value import Kind, Value
 from fieldspec.plc.routines.expressions import (
+    BOOL,
+    LREAL,
+    SIGNED,
+    UNSIGNED,
     Conversion,
+    Elementary,
     Expression,
     Fraction,
     Negation,
@@ -25,9 +28,7 @@ from fieldspec.plc.routines.expressions import (
     outside,
 )
 from fieldspec.plc.routines.remarks import count_of
-from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.statements import Assignment, Condition
-from fieldspec.plc.routines.types import BOOL, LREAL, SIGNED, UNSIGNED, Elementary
+from fieldspec.plc.routines.routine import Assignment, Condition, Draft, Routine
 from fieldspec.plc.routines.world import PREFIXES, World, every_record
 
 # A double has no halves beyond this.
@@ -55,7 +56,8 @@ class Quantity:
         """What makes two quantities of one name the same."""
         value = self.value
         sentinels = tuple(sentinel.value for sentinel in value.sentinels)
-        return value.type.name, value.scale, value.offset, value.unit, value.ranges, sentinels
+        ranges = value.ranges, value.write_ranges
+        return value.type.name, value.scale, value.offset, value.unit, *ranges, sentinels
 
 
 def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
@@ -120,11 +122,12 @@ def _times(of: Expression, ratio: Ratio) -> Expression:
 def _about(world: World, same: list[Quantity], way: str) -> list[str]:
     first = same[0]
     owners = ", ".join(dict.fromkeys(one.owner for one in same if one.owner != one.name))
-    ranges = first.value.ranges
+    ranges, written = first.value.ranges, first.value.write_ranges
     return [
         f"{way}: 1 count = {count_of(first.value)}.",
         f"Counts: {ranges.text()}." if ranges is not None else "",
-        f"Of {owners}. {world.told(first.fact, None)}" if owners else world.told(first.fact, None),
+        f"Counts that may be written: {written.text()}." if written is not None else "",
+        f"Of {owners}. {world.comment(first.fact, None)}" if owners else world.comment(first.fact, None),
         " ".join(f"{one.value} is {one.name}, no quantity." for one in first.value.sentinels),
     ]
 
@@ -178,7 +181,7 @@ def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
     shifted = _plus(value, -Ratio(first.value.offset))
-    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value))
+    _rounded(draft, _times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.as_written()))
     return draft.finished()
 
 
@@ -236,7 +239,7 @@ def _share_about(world: World, share: Share) -> list[str]:
     full = f"{share.full_scale}"
     formula = f"reference * (1 - counts / {full})" if share.complement else f"reference * counts / {full}"
     return [
-        f"{share.title or share.name} = {formula}. {world.told(share, None)}".strip(),
+        f"{share.title or share.name} = {formula}. {world.comment(share, None)}".strip(),
         f"Counts are those of {', '.join(share.signals)}." if share.signals else "",
         f"The reference is {' or '.join(share.references)}." if share.references else "",
     ]

@@ -1,30 +1,38 @@
-"""Single values: out of a holder into a variable, and back, with all that is to be refused."""
+"""Single values, from bytes into a variable and back, and names of their byte orders."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from fieldspec.classes import dataclass
-from fieldspec.layout.record import FieldLayout
-from fieldspec.layout.register import RegisterLayout
-from fieldspec.model.primitive import Kind
-from fieldspec.model.value import Value
-from fieldspec.plc.routines.draft import Draft
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RegisterLayout
+from fieldspec.model.value import Kind, Value
 from fieldspec.plc.routines.expressions import (
+    BITS,
+    BYTE,
+    REAL,
+    SIGNED,
+    UNSIGNED,
+    ArrayType,
     Element,
+    Elementary,
+    EnumType,
     Expression,
+    Fraction,
     Negation,
     Truth,
     Variable,
     Whole,
     compared,
     converted,
+    either,
+    every,
     number,
     outside,
 )
 from fieldspec.plc.routines.holders import Holder
-from fieldspec.plc.routines.statements import Assignment, Condition, Loop, Statement, when
-from fieldspec.plc.routines.types import BITS, BYTE, SIGNED, UNSIGNED, ArrayType, Elementary, EnumType
+from fieldspec.plc.routines.routine import Assignment, Condition, Draft, Loop, Statement, when
 from fieldspec.plc.routines.world import PREFIXES, World
 
 
@@ -44,8 +52,13 @@ class Wire:
 
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
-        """The value of a register."""
+        """The value of a register, as it is written."""
         return Wire(register.register.value, register.order, register.swapped)
+
+    @staticmethod
+    def of_answer(register: RegisterLayout) -> Wire:
+        """The value of a register, as the device answers it."""
+        return Wire(register.register.answer, register.order, register.swapped)
 
     @property
     def kind(self) -> Kind:
@@ -73,10 +86,7 @@ def read(
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
         wanted = Whole(value.const & wire.bits.high, wire.bits)
-        refusal = draft.refusal(compared(bits, "<>", wanted), "wrong_constant")
-        if target is None or not isinstance(target.type, Elementary):
-            return [refusal]
-        return [refusal, Assignment(target, converted(bits, target.type))]
+        return [draft.refusal(compared(bits, "<>", wanted), "wrong_constant")]
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
@@ -102,12 +112,13 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     """What refuses a value that must not be sent, and puts the others into the holder."""
     value = wire.value
     if wire.kind in (Kind.TEXT, Kind.BYTES):
-        return _characters_written(draft, wire, holder, offset, source)
+        return _write_characters(draft, wire, holder, offset, source)
     raw = draft.local(_RAW[wire.bits.name], wire.bits)
     stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
     if wire.kind is Kind.FLOAT:
         call = world.bits_from_real(source, raw)
-        return [draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+        limits = [] if value.ranges is None else [draft.refusal(_outside_real(value, source), "out_of_range")]
+        return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
     if wire.kind is Kind.BOOLEAN:
         one = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
         zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
@@ -124,12 +135,24 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
     if value.const is not None:
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
-    if value.ranges is not None:
-        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in value.ranges]
-        wrong = outside(converted(source, wire.whole), [*value.ranges.intervals, *sentinels], wire.whole)
+    ranges = value.written_ranges
+    if ranges is not None:
+        sentinels = [(one.value, one.value) for one in value.sentinels if one.value not in ranges]
+        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     return [*statements, *_put(wire, holder, offset, raw, source)]
+
+
+def _outside_real(value: Value, of: Expression) -> Expression:
+    """Whether a floating-point number is neither in range nor a sentinel."""
+    pairs = list(value.ranges.intervals) if value.ranges is not None else []
+    pairs += [(one.value, one.value) for one in value.sentinels if not one.is_nan]
+    inside = [
+        every([compared(of, ">=", Fraction(f"{low}.0", REAL)), compared(of, "<=", Fraction(f"{high}.0", REAL))])
+        for low, high in sorted(pairs)
+    ]
+    return Negation(either(inside))
 
 
 def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
@@ -191,7 +214,7 @@ def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, targ
     return [*statements, *_ascii(draft, wire, target)]
 
 
-def _characters_written(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
     statements = _ascii(draft, wire, source)
     for at in range(wire.value.size):
         statements.append(holder.byte_stored(offset + at, Element(source, number(at), BYTE)))
@@ -206,3 +229,28 @@ def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
     character = converted(Element(array, index, BYTE), UNSIGNED[1])
     test = draft.refusal(compared(character, ">", Whole(127, UNSIGNED[1])), "unknown_value")
     return [Loop(index, number(0), number(wire.value.size - 1), (test,))]
+
+
+_FIRST = {True: "high_word_first", False: "low_word_first"}
+
+
+def word_order(wires: Iterable[Wire]) -> str:
+    """`high_word_first` or `low_word_first` where values of several words have that order; else empty."""
+    found = {
+        _FIRST[(wire.order == "big") != wire.swapped]
+        for wire in wires
+        if wire.kind in (Kind.INTEGER, Kind.FLOAT) and wire.value.size > 2
+    }
+    return found.pop() if len(found) == 1 else "both_word_orders" if found else ""
+
+
+def order_remark(layout: DeviceLayout, unit: str, needed: bool = True) -> str:
+    """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
+    if not needed:
+        return ""
+    device = layout.device
+    byte = "high" if device.byte_order == "big" else "low"
+    word = "high" if device.word_order == "big" else "low"
+    if unit == "bytes":
+        return f"Of several bytes, the {byte} one comes first on the wire."
+    return f"Of several words, the {word} one comes first; a word is a number, whatever the order of bytes in memory."

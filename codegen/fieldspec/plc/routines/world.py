@@ -9,14 +9,10 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.model.fact import Fact
 from fieldspec.model.link import CHECK_SIZES
-from fieldspec.model.primitive import Kind
-from fieldspec.model.register import RegisterGroup
-from fieldspec.model.value import Value
+from fieldspec.model.registers import RegisterGroup
+from fieldspec.model.value import Kind, Value
 from fieldspec.names import Name
-from fieldspec.plc.routines.expressions import Call, Expression
-from fieldspec.plc.routines.remarks import of_value, source
-from fieldspec.plc.routines.status import Status
-from fieldspec.plc.routines.types import (
+from fieldspec.plc.routines.expressions import (
     BITS,
     BOOL,
     BYTE,
@@ -26,12 +22,16 @@ from fieldspec.plc.routines.types import (
     UNSIGNED,
     WORD,
     ArrayType,
+    Call,
     Elementary,
     EnumType,
+    Expression,
     StructType,
     Type,
     sequence,
 )
+from fieldspec.plc.routines.remarks import of_value, source
+from fieldspec.plc.routines.routine import Status
 
 _NARROWEST_FIRST = ("USINT", "SINT", "UINT", "INT", "UDINT", "DINT", "ULINT", "LINT")
 PREFIXES = {
@@ -93,14 +93,21 @@ class World:
             prefix = "a" if isinstance(kind, ArrayType) else "e" if isinstance(kind, EnumType) else "st"
         return prefix + Name.of(name).pascal()
 
-    def told(self, fact: Fact, value: Value | None) -> str:
+    def comment(self, fact: Fact, value: Value | None) -> str:
         """What a comment says of a fact and its value: unit, range, meaning, place in the manual."""
         return " ".join(part for part in (of_value(value), source(fact)) if part)
 
-    def checksum(self, algorithm: str, length: Expression, frame: Expression) -> Call:
-        """The check of the first bytes of a frame."""
+    def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
+        """The check of the bytes of a frame from an index on up to a length."""
         kind = WORD if CHECK_SIZES[algorithm] == 2 else BYTE
-        return Call(self.routine(algorithm), (("iLength", length), ("aFrame", frame)), (), kind)
+        begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
+        return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
+
+    def begins_later(self, algorithm: str) -> bool:
+        """Whether a check with an algorithm covers bytes that do not begin with the first one."""
+        shapes = (shape for link in self.layout.links.values() for shape in (link.request, link.response))
+        checks = (shape.check for shape in shapes)
+        return any(check is not None and check.algorithm == algorithm and check.start != 0 for check in checks)
 
     def struct(self, name: str) -> StructType:
         """The struct of a record, a group of registers, or the data of a telegram."""
@@ -196,7 +203,7 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
 
 def _register_lists(layout: DeviceLayout) -> Iterator[int]:
     for message in layout.messages.values():
-        access = message.message.accesses
+        access = layout.device.register_access(message.message)
         for data in (message.request, message.response):
             found = data.named(access.values) if access is not None else None
             if found is not None and found.field.repeat is not None:
@@ -209,7 +216,7 @@ def values_of(layout: DeviceLayout) -> Iterator[Value]:
         yield from (found.value for found in record.fields if found.value is not None)
     for link in layout.links.values():
         for shape in (link.request, link.response):
-            yield from (part.value for part in shape.head if part.value is not None)
+            yield from (part.value for part in shape.parts if part.value is not None)
     yield from (laid.register.value for laid in layout.registers)
     for held in layout.device.parameters.values():
         for parameter in held.parameters:

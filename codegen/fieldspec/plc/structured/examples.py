@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.layout.frame import LinkLayout
-from fieldspec.layout.message import MessageLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout
+from fieldspec.model.device import Device
+from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.routines.expressions import Expression, number
-from fieldspec.plc.routines.frames import framed, link_words
-from fieldspec.plc.routines.records import given
+from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.routines.printer import call_lines
+from fieldspec.plc.routines.records import is_user_field
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.spelling import Spelling
-from fieldspec.plc.routines.telegrams import telegrams
 from fieldspec.plc.routines.world import World
-from fieldspec.plc.routines.written import call_lines
+from fieldspec.plc.routines.wrapping import framed, link_words
 
 _STEP = "    "
 
@@ -45,8 +45,8 @@ class _Uses:
 
     def _registers(self, link: LinkLayout) -> Iterator[tuple[str, list[str]]]:
         """How registers are read, and how values are taken out of them."""
-        message = _reading(link)
-        unpack = self._unpacking()
+        unpack, space = self._unpacking()
+        message = _reading(self.world.layout.device, link, space)
         if message is None or unpack is None:
             return
         parse = self._function("parse", link, message)
@@ -70,12 +70,16 @@ class _Uses:
             *call_lines(self._function("parse", link, message), self.spelling),
         ]
 
-    def _unpacking(self) -> Routine | None:
-        """The first function that takes values out of registers: of a record in a table, or of a group."""
+    def _unpacking(self) -> tuple[Routine | None, str]:
+        """The first function that takes values out of registers: of a record in a table, or of a group; its space."""
         start = self.world.routine("unpack")
         found = [routine for name, routine in self.by_name.items() if name.startswith(start)]
         ordered = [one for kind in ("record ", "registers ") for one in found if one.group.startswith(kind)]
-        return next(iter(ordered), None)
+        first = next(iter(ordered), None)
+        device = self.world.layout.device
+        spaces = {f"record {table.record}": table.space for table in reversed(list(device.tables.values()))}
+        spaces |= {f"registers {group.name}": group.space for group in device.groups}
+        return first, spaces.get(first.group, "") if first is not None else ""
 
     def _cyclic(self) -> Iterator[tuple[str, list[str]]]:
         """The exchange of the longest telegram."""
@@ -91,11 +95,13 @@ class _Uses:
             yield f"In each cycle, with {longest.name}; aWords is what the fieldbus gives and takes:", lines
 
 
-def _reading(link: LinkLayout) -> MessageLayout | None:
-    """The message that reads registers."""
+def _reading(device: Device, link: LinkLayout, space: str) -> MessageLayout | None:
+    """The message that reads the registers of a space."""
     for message in link.messages.values():
-        access = message.message.accesses
-        if access is not None and access.operation == "read":
+        access = device.register_access(message.message)
+        if access is None or access.operation != "read":
+            continue
+        if device.space_name(access.space) == device.space_name(space):
             return message
     return None
 
@@ -105,8 +111,8 @@ def _telling(link: LinkLayout) -> MessageLayout | None:
     best: MessageLayout | None = None
     most = 0
     for message in link.messages.values():
-        fields = [field for field in message.request.fields if given(field)]
-        single = all(field.value is not None and not field.listed for field in fields)
+        fields = [field for field in message.request.fields if is_user_field(field)]
+        single = all(field.value is not None and not field.is_list for field in fields)
         if single and message.message.accesses is None and len(fields) > most:
             best, most = message, len(fields)
     return best

@@ -6,11 +6,10 @@ from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.plc.declarations import Declarations
-from fieldspec.plc.layout.memory import MEMORIES
-from fieldspec.plc.layout.placing import placed
-from fieldspec.plc.routines.records import given
-from fieldspec.plc.routines.types import BYTE, sequence
-from fieldspec.plc.structs import Member, Struct
+from fieldspec.plc.layout.memory import MEMORIES, placed
+from fieldspec.plc.routines.expressions import BYTE, sequence
+from fieldspec.plc.routines.records import is_user_field
+from fieldspec.plc.structs import Struct, StructMember
 
 PACKED = MEMORIES["tc3:1"]
 """Where nothing is aligned: what pack_mode 1 says."""
@@ -36,11 +35,11 @@ def _filled(struct: Struct, record: RecordLayout, others: dict[str, Struct]) -> 
     """The struct with padding where a field is not given, or takes more bytes on the wire than its variable."""
     members = {id(member.fact): member for member in struct.members}
     taken = {member.name.lower() for member in struct.members}
-    made: list[Member] = []
+    made: list[StructMember] = []
     at = 0
     for field in record.fields:
         size = field.size * (field.count or 1)
-        if given(field):
+        if is_user_field(field):
             member = members[id(field.field)]
             made.append(replace(member, at=field.offset, order=field.order, swapped=field.swapped))
             at += placed(replace(struct, members=(member,)), PACKED, others).size
@@ -51,11 +50,11 @@ def _filled(struct: Struct, record: RecordLayout, others: dict[str, Struct]) -> 
     return replace(struct, members=tuple(made), size=record.size)
 
 
-def _padding(size: int, field: FieldLayout, taken: set[str], at: int) -> Member:
+def _padding(size: int, field: FieldLayout, taken: set[str], at: int) -> StructMember:
     prefix, number = "by" if size == 1 else "aby", 1
     while f"{prefix}padding{number}" in taken:
         number += 1
     taken.add(f"{prefix}padding{number}")
-    remark = f"fills up {field.name}" if given(field) else f"{field.name} on the wire; the functions set it"
+    remark = f"fills up {field.name}" if is_user_field(field) else f"{field.name} on the wire; the functions set it"
     kind = BYTE if size == 1 else sequence(size, BYTE)
-    return Member(f"{prefix}Padding{number}", kind, remark, None, None, at)
+    return StructMember(f"{prefix}Padding{number}", kind, remark, None, None, at)

@@ -8,21 +8,27 @@ from fieldspec.classes import dataclass
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.names import Name
+from fieldspec.plc.cache import cached
 from fieldspec.plc.declarations import Declarations, declarations
-from fieldspec.plc.dialects import STRUCTURED, Dialect
-from fieldspec.plc.kept import kept
-from fieldspec.plc.layout.placing import Placed, placed
+from fieldspec.plc.dialects import STRUCTURED, Dialect, Spelling
+from fieldspec.plc.layout.memory import Placed, placed
 from fieldspec.plc.routines.device import routines
+from fieldspec.plc.routines.printer import comment_text, declaration, implementation
 from fieldspec.plc.routines.routine import Routine
-from fieldspec.plc.routines.spelling import Spelling
-from fieldspec.plc.routines.written import declaration, implementation, plain
 from fieldspec.plc.structs import Struct
 from fieldspec.plc.structured.examples import examples
-from fieldspec.plc.structured.item import Item
-from fieldspec.plc.structured.lists import TextForm, constants_item, form_item, text_form, texts_item
+from fieldspec.plc.structured.objects import (
+    Item,
+    TextForm,
+    constants_item,
+    enum_item,
+    form_item,
+    sizes_item,
+    struct_item,
+    text_form,
+    texts_item,
+)
 from fieldspec.plc.structured.padding import PACKED, padded
-from fieldspec.plc.structured.sizes import sizes_item
-from fieldspec.plc.structured.types import enum_item, struct_item
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,8 +58,8 @@ class Program:
         device = layout.device
         manual = f"{device.manual.title} {device.manual.edition}".strip()
         return [
-            plain(f"{device.name} ({device.vendor}), version {device.version}"),
-            plain(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
+            comment_text(f"{device.name} ({device.vendor}), version {device.version}"),
+            comment_text(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
             f"Identity of the layout: {layout.identity}",
             "Written by fieldspec. Do not edit: change the spec and build again.",
         ]
@@ -71,15 +77,15 @@ class Program:
 
 def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
     """What a dialect of Structured Text cannot have of a device: the same as any other, but each has its title."""
-    return list(declarations(layout, dialect).found) if _declared(layout).found else []
+    return list(declarations(layout, dialect).findings) if _declared(layout).findings else []
 
 
-@kept
+@cached
 def _declared(layout: DeviceLayout) -> Declarations:
     return declarations(layout, STRUCTURED)
 
 
-@kept
+@cached
 def program(layout: DeviceLayout) -> Program:
     """The program of a device that has no findings, in Structured Text, whose dialects differ in their files alone."""
     declared = _declared(layout)

@@ -1,4 +1,4 @@
-"""What every builder needs: keys of a mapping as plain values, citations, and the list of findings."""
+"""What every builder needs: keys as values, citations, findings, and reuse of what versions share."""
 
 from __future__ import annotations
 
@@ -6,14 +6,11 @@ import re
 from collections.abc import Callable, Iterator
 from decimal import Decimal
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.model.fact import Citation, Claim, Plain
-from fieldspec.model.handling import NOTHING_SAID, Handling
-from fieldspec.model.place import Place
-from fieldspec.model.provenance import Report, Standard
-from fieldspec.model.ranges import Ranges, intervals, whole_intervals
+from fieldspec.model.fact import Citation, Claim, Place, PlainValue, Report, Standard
+from fieldspec.model.value import UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
@@ -54,7 +51,7 @@ class Entry:
             node = self.defaults.values.get(key)
         return node
 
-    def value(self, key: str) -> Plain:
+    def value(self, key: str) -> PlainValue:
         """The typed value of a scalar, or None."""
         node = self.own.get(key)
         if node is None:
@@ -123,13 +120,13 @@ class Entry:
 
     def entries(self, key: str, name: str = "name", defaults: Mapping | None = None) -> Iterator[Entry]:
         """The mappings of the list under a key, each with its own path."""
-        yield from self._listed(self.get(key), f"{self.path}/{key}", name, defaults)
+        yield from self._list_items(self.get(key), f"{self.path}/{key}", name, defaults)
 
     def named(self, key: str, path: str, defaults: Mapping | None = None, name: str = "name") -> Iterator[Entry]:
         """The same, where paths leave out the key."""
-        yield from self._listed(self.node.values.get(key), path, name, defaults)
+        yield from self._list_items(self.node.values.get(key), path, name, defaults)
 
-    def _listed(self, node: Node | None, path: str, name: str, defaults: Mapping | None) -> Iterator[Entry]:
+    def _list_items(self, node: Node | None, path: str, name: str, defaults: Mapping | None) -> Iterator[Entry]:
         for number, item in enumerate(node.items if isinstance(node, Sequence) else ()):
             if isinstance(item, Mapping):
                 held = item.values.get(name)
@@ -175,7 +172,7 @@ class Entry:
 
     def fact(self) -> dict[str, Any]:
         """The arguments that every fact of the model takes."""
-        arguments = _NOT_GIVEN.copy()
+        arguments = _ABSENT.copy()
         arguments["place"] = self.place()
         arguments["sources"] = self.sources
         # Most facts have few of these keys, so that their own keys are gone through instead.
@@ -190,7 +187,7 @@ class Entry:
     def handling(self) -> Handling:
         """What whoever reads or writes the value must know."""
         if self.defaults is None and _HANDLING.isdisjoint(self.own):
-            return NOTHING_SAID
+            return UNSPECIFIED
         endurance = self.value("endurance")
         return Handling(
             memory=self.text("memory"),
@@ -254,11 +251,11 @@ _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
 }
 """The keys of a fact: the argument of the model, how it is read, and what it is where the key is not given."""
 
-_NOT_GIVEN: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.values()}
+_ABSENT: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.values()}
 _HANDLING = frozenset(("memory", "saved_by", "endurance", "clears_on_read", "opposite_of"))
 
 
-def _claimed(node: Node) -> Plain:
+def _claimed(node: Node) -> PlainValue:
     """What a claim says under a key; a list of names as one text."""
     if isinstance(node, Sequence):
         return ", ".join(item.text for item in node.items if isinstance(item, Scalar))
@@ -286,3 +283,57 @@ def citations(text: str, section: str) -> tuple[Citation, ...]:
             lines.append((bounds[0], bounds[-1]))
         found.append(Citation(head.strip() or section, tuple(lines)))
     return tuple(found)
+
+
+Item = TypeVar("Item")
+
+Reused: TypeAlias = dict[object, dict[int, tuple[object, object]]]
+"""What is built, by all that it depends on beside its own node, and by the identity of that node in memory.
+
+The node is kept too: as long as it is there, no other one has its identity.
+"""
+
+
+def rows(
+    entry: Entry,
+    path: str,
+    defaults: Mapping | None,
+    kept: Reused,
+    build: Callable[[Entry], Item],
+    *more: object,
+    key: str = "rows",
+) -> tuple[Item, ...]:
+    """What is built of the rows of an entry, each under a path with its name; `more` is what else it depends on."""
+    same = kept.setdefault((id(defaults), path, entry.section, entry.sources, *more), {})
+    if defaults is not None:
+        same[id(defaults)] = defaults, None
+    return reused_items(entry, key, path, "name", defaults, same, build)
+
+
+def reused_items(
+    entry: Entry,
+    key: str,
+    path: str,
+    name: str,
+    defaults: Mapping | None,
+    same: dict[int, tuple[object, object]],
+    build: Callable[[Entry], Item],
+) -> tuple[Item, ...]:
+    """What is built of the list under a key of an entry; `same` has what is built of its items already."""
+    held = entry.node.values.get(key)
+    made: list[Item] = []
+    for number, item in enumerate(held.items if isinstance(held, Sequence) else ()):
+        if not isinstance(item, Mapping):
+            continue
+        before = same.get(id(item))
+        if before is not None:
+            made.append(cast("Item", before[1]))
+            continue
+        named = item.values.get(name)
+        step = named.text if isinstance(named, Scalar) else str(number)
+        quiet = len(entry.found)
+        noun = build(Entry(item, f"{path}/{step}", entry.found, entry.section, entry.sources, defaults))
+        made.append(noun)
+        if isinstance(named, Scalar) and len(entry.found) == quiet:  # a finding is for every version
+            same[id(item)] = item, noun
+    return tuple(made)

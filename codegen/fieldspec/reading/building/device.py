@@ -7,17 +7,16 @@ from typing import TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
-from fieldspec.model.register import RegisterGroup
-from fieldspec.reading.building import links, records, registers, signals, tasks, texts, words
-from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.keeping import Kept, listed
+from fieldspec.model.registers import RegisterGroup
+from fieldspec.reading.building import enums, links, records, registers, tasks, texts, values
+from fieldspec.reading.building.context import Entry, Reused, reused_items
 from fieldspec.reading.nodes import Mapping, Scalar, mappings
 from fieldspec.source import Span
 
-Noun = TypeVar("Noun")
+Item = TypeVar("Item")
 
 
-def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device, list[Diagnostic]]:
+def built(tree: Mapping, version: str, kept: Reused | None = None) -> tuple[Device, list[Diagnostic]]:
     """The model of a device's tree at one version, and what keeps it from being complete.
 
     `kept` has what was built of other versions of the device, and gets what is built here.
@@ -28,7 +27,7 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
     head = root.entry("device")
     if head is None:
         raise ValueError("a device's tree has the section `device`")
-    placed = _by_name(root, "signals", signals.signal, kept)
+    placed = _by_name(root, "signals", values.signal, kept)
     types = {name: one.value.type.name for name, one in placed.items()}
     return (
         Device(
@@ -44,13 +43,14 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
             links=_by_name(root, "links", links.link, kept),
             messages=_by_name(root, "messages", lambda entry: records.message(entry, kept), kept),
             records=_by_name(root, "records", lambda entry: records.record(entry, kept), kept),
-            enums=_by_name(root, "enums", words.enum, kept),
-            flags=_by_name(root, "flags", words.flags, kept),
+            enums=_by_name(root, "enums", enums.enum, kept),
+            flags=_by_name(root, "flags", enums.flags, kept),
+            spaces=_by_name(root, "spaces", registers.address_space, kept),
             groups=_groups(root, kept),
             tables=_by_name(root, "tables", registers.table, kept),
             parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, kept), kept),
             signals=placed,
-            conversions=_by_name(root, "conversions", lambda entry: signals.conversion(entry, types), {}),
+            conversions=_by_name(root, "conversions", lambda entry: values.conversion(entry, types), {}),
             lookups=tuple(_by_name(root, "lookups", texts.lookup, kept).values()),
             limits=tuple(_by_name(root, "limits", texts.limit, kept).values()),
             tasks=tuple(_by_name(root, "tasks", tasks.task, kept).values()),
@@ -64,14 +64,14 @@ def built(tree: Mapping, version: str, kept: Kept | None = None) -> tuple[Device
 
 
 def _by_name(
-    root: Entry, section: str, build: Callable[[Entry], Noun], kept: Kept, name: str = "name"
-) -> dict[str, Noun]:
+    root: Entry, section: str, build: Callable[[Entry], Item], kept: Reused, name: str = "name"
+) -> dict[str, Item]:
     """The nouns of a section by name; a name that is taken is a finding. What is the same node is the same noun."""
     held = root.own.get(section)
     sections, same = kept.setdefault((section, "whole"), {}), kept.setdefault(section, {})
     if id(held) in sections:
-        return cast("dict[str, Noun]", sections[id(held)][1])
-    nouns: dict[str, Noun] = {}
+        return cast("dict[str, Item]", sections[id(held)][1])
+    nouns: dict[str, Item] = {}
     first: dict[str, Mapping] = {}
     before = len(root.found)
     for item in mappings(held):
@@ -83,7 +83,7 @@ def _by_name(
             help = "give one of them another name"
             root.found.append(Diagnostic("duplicate_name", text, _span(item, name), (label,), help))
         elif known is not None:
-            first[key], nouns[key] = item, cast("Noun", known[1])
+            first[key], nouns[key] = item, cast("Item", known[1])
         else:
             quiet = len(root.found)
             first[key], nouns[key] = item, build(Entry(item, f"{section}/{key}", root.found))
@@ -103,9 +103,9 @@ def _span(item: Mapping, name: str) -> Span:
     return Entry(item, "", []).span(name)
 
 
-def _groups(root: Entry, kept: Kept) -> tuple[RegisterGroup, ...]:
+def _groups(root: Entry, kept: Reused) -> tuple[RegisterGroup, ...]:
     same = kept.setdefault("registers", {})
-    return listed(root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, kept))
+    return reused_items(root, "registers", "registers", "group", None, same, lambda entry: registers.group(entry, kept))
 
 
 def _manual(head: Entry) -> Manual:

@@ -2,11 +2,31 @@
 
 from __future__ import annotations
 
-from fieldspec.model.link import ErrorReply, Link, Part, Serial, Stations
+from fieldspec.model.link import ErrorReply, Link, Part, PartSpan, Serial, Stations
 from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.values import value
+from fieldspec.reading.building.values import VALUE_KEYS, value
 
 _VALUED = ("station", "code", "length", "plain")
+_NUMBER_KEYS = frozenset({"type", "byte_order"})
+_KEYS = {
+    "station": _NUMBER_KEYS | {"range"},
+    "code": _NUMBER_KEYS,
+    "length": _NUMBER_KEYS | {"range", "counts"},
+    "body": frozenset[str](),
+    "check": frozenset({"algorithm", "byte_order", "covers"}),
+    "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"} | {"reserved"},
+}
+"""What can be said of a part beside what can be said of any fact, by its role."""
+_SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "counts", "reserved"}
+_UNIT_SIZES = {"bytes": 1, "words": 2}
+_HELP = {
+    "const": "remove `const`, or make the part a plain one by removing its `role`",
+    "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
+    "counts": "give it to the part with `role: length`",
+    "covers": "give it to the part with `role: check`",
+    "algorithm": "give or remove `algorithm`",
+    "reserved": "give it to a part without a `role`",
+}
 
 
 def link(entry: Entry) -> Link:
@@ -41,14 +61,24 @@ def _part(entry: Entry) -> Part:
     role = entry.text("role") or "plain"
     algorithm = entry.text("algorithm")
     if (role == "check") != bool(algorithm):
-        entry.refuse("wrong_form", "role", "a check, and nothing else, has an algorithm", "give or remove `algorithm`")
+        entry.refuse("wrong_form", "role", "a check, and nothing else, has an algorithm", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
+    for key in entry.own:
+        if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
+            text = f"`{key}` has no effect in a part with the role {role}"
+            entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
+    counts, covers = entry.entry("counts"), entry.entry("covers")
+    span = counts if role == "length" else covers if role == "check" else None
     return Part(
         **entry.fact(),
         role=role,
         value=value(entry) if role in _VALUED else None,
         algorithm=algorithm,
         byte_order=entry.text("byte_order"),
+        span=PartSpan(span.text("from"), span.text("to")) if span is not None else PartSpan("", ""),
+        unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
+        plus=(span.integer("plus") or 0) if span is not None else 0,
+        reserved=entry.flag("reserved"),
     )
 
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from fieldspec.model.message import Message, RegisterAccess
-from fieldspec.model.record import Case, Choice, Field, Measure, Record
-from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.keeping import Kept, rows
+from fieldspec.model.record import Case, Choice, Field, Measure, Message, Record, RegisterAccess
+from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
 
-def record(entry: Entry, kept: Kept) -> Record:
+def record(entry: Entry, kept: Reused) -> Record:
     """A record."""
     return Record(
         **entry.fact(),
@@ -78,7 +76,7 @@ def _span(text: str) -> tuple[int, int] | None:
     return int(first), int(last or first)
 
 
-def message(entry: Entry, kept: Kept) -> Message:
+def message(entry: Entry, kept: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
     access = entry.entry("accesses")
@@ -98,13 +96,13 @@ def message(entry: Entry, kept: Kept) -> Message:
         response_words=words.integer("response") if words else None,
         broadcast=entry.flag("broadcast"),
         handling=entry.handling(),
-        accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values")))
+        accesses=RegisterAccess(*(access.text(key) for key in ("operation", "start", "count", "values", "space")))
         if access
         else None,
     )
 
 
-def _data(entry: Entry, direction: str, kept: Kept) -> Record:
+def _data(entry: Entry, direction: str, kept: Reused) -> Record:
     arguments = entry.fact() | {
         "name": f"{entry.text('name')}_{direction}",
         "doc": "",

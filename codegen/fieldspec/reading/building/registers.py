@@ -1,30 +1,50 @@
-"""Registers in groups, tables of records, and numbered parameters."""
+"""Address spaces, registers in groups, tables of records, and numbered parameters."""
 
 from __future__ import annotations
 
+from fieldspec.model.address_space import WHOLE, WORD, AddressSpace
 from fieldspec.model.fact import Citation
-from fieldspec.model.parameter import Parameter, ParameterSet, Subindex
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.register import Gap, Register, RegisterGroup
-from fieldspec.model.table import PrintedElement, Table
-from fieldspec.reading.building.context import Entry
-from fieldspec.reading.building.keeping import Kept, rows
+from fieldspec.model.registers import (
+    Gap,
+    Parameter,
+    ParameterSet,
+    PrintedElement,
+    Register,
+    RegisterGroup,
+    Subindex,
+    Table,
+)
+from fieldspec.model.value import Ranges
+from fieldspec.reading.building.context import Entry, Reused, rows
 from fieldspec.reading.building.values import value
 from fieldspec.reading.nodes import Mapping
 
 
-def group(entry: Entry, kept: Kept) -> RegisterGroup:
+def address_space(entry: Entry) -> AddressSpace:
+    """An address space."""
+    return AddressSpace(
+        **entry.fact(),
+        title=entry.text("title"),
+        unit=entry.text("unit") or WORD,
+        bounds=entry.whole_ranges("bounds") or WHOLE,
+        first_number=entry.integer("first_number") or 0,
+    )
+
+
+def group(entry: Entry, kept: Reused) -> RegisterGroup:
     """A group of registers."""
     held = entry.node.values.get("defaults")
     defaults = held if isinstance(held, Mapping) else None
     arguments = entry.fact() | {"name": entry.text("group")}
+    space = entry.text("space")
     return RegisterGroup(
         **arguments,
         title=entry.text("title"),
+        space=space,
         section=entry.section,
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
-        registers=rows(entry, "registers", defaults, kept, _register),
+        registers=rows(entry, "registers", defaults, kept, lambda inner: _register(inner, space), space),
     )
 
 
@@ -32,7 +52,7 @@ def _gap(entry: Entry) -> Gap:
     return Gap(entry.place(), entry.whole_ranges("at") or Ranges(()), entry.text("reason"), entry.sources)
 
 
-def _register(entry: Entry) -> Register:
+def _register(entry: Entry, space: str) -> Register:
     if not entry.node.values.get("source"):
         entry.sources = ()  # a group's source is where its table stands
     words = entry.integer("words")
@@ -47,6 +67,7 @@ def _register(entry: Entry) -> Register:
         entry.refuse("missing_key", "at", "a register needs an address", "give it under `at`")
     return Register(
         **entry.fact(),
+        space=space,
         address=address or 0,
         decimal=entry.integer("decimal"),
         number=entry.integer("number"),
@@ -89,6 +110,7 @@ def table(entry: Entry) -> Table:
     return Table(
         **entry.fact(),
         title=entry.text("title"),
+        space=entry.text("space"),
         base=entry.integer("base") or 0,
         decimal=entry.integer("decimal"),
         stride=entry.integer("stride") or 1,
@@ -123,7 +145,7 @@ def _subindex(entry: Entry, type_name: str) -> Subindex:
     )
 
 
-def parameter_set(entry: Entry, kept: Kept) -> ParameterSet:
+def parameter_set(entry: Entry, kept: Reused) -> ParameterSet:
     """A set of numbered parameters."""
     held = entry.node.values.get("defaults")
     defaults = held if isinstance(held, Mapping) else None

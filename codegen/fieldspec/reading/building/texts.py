@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.model.acceptance import Acceptance
-from fieldspec.model.erratum import Erratum
-from fieldspec.model.example import Example
-from fieldspec.model.limit import Limit
-from fieldspec.model.lookup import Column, Lookup, Row
-from fieldspec.model.note import Note, Statement
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, LookupColumn, LookupRow, Note, Statement
 from fieldspec.reading.building.context import Entry, free
 from fieldspec.reading.nodes import Scalar, Sequence
 
@@ -15,7 +10,7 @@ from fieldspec.reading.nodes import Scalar, Sequence
 def lookup(entry: Entry) -> Lookup:
     """A table that is not on the wire."""
     columns = tuple(
-        Column(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
+        LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
         for inner in entry.entries("columns")
     )
     return Lookup(
@@ -27,7 +22,7 @@ def lookup(entry: Entry) -> Lookup:
     )
 
 
-def _row(entry: Entry, width: int) -> Row:
+def _row(entry: Entry, width: int) -> LookupRow:
     held = entry.node.values.get("cells")
     items = held.items if isinstance(held, Sequence) else ()
     cells = tuple(item.value for item in items if isinstance(item, Scalar))
@@ -35,7 +30,7 @@ def _row(entry: Entry, width: int) -> Row:
         text = f"the row has {len(cells)} cells, the table {width} columns"
         entry.refuse("wrong_size", "cells", text, "write `~` for an empty cell")
         cells = (cells + (None,) * width)[:width]
-    return Row(entry.place(), cells, entry.text("notes"), entry.sources, entry.texts("only"))
+    return LookupRow(entry.place(), cells, entry.text("notes"), entry.sources, entry.texts("only"))
 
 
 def limit(entry: Entry) -> Limit:

@@ -1,13 +1,22 @@
-"""Values: types, scales, ranges."""
+"""Builds values, signals and conversions."""
 
 from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.model.fact import Plain
-from fieldspec.model.primitive import PRIMITIVES, Kind, Primitive
-from fieldspec.model.ranges import Ranges
-from fieldspec.model.value import ParameterPart, Sentinel, Value, exact_scale
+from fieldspec.model.fact import PlainValue
+from fieldspec.model.value import (
+    PRIMITIVES,
+    Conversion,
+    Kind,
+    ParameterPart,
+    Primitive,
+    Ranges,
+    Sentinel,
+    Signal,
+    Value,
+    exact_scale,
+)
 from fieldspec.reading.building.context import Entry
 from fieldspec.schema import schema
 
@@ -47,11 +56,18 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         enum=entry.text("enum"),
         flags=entry.text("flags"),
         parameter=ParameterPart(part.text("set"), part.text("part"), part.text("number")) if part else None,
-        sentinels=tuple(
-            Sentinel(inner.integer("value") or 0, inner.text("name"), inner.text("doc"), inner.sources)
-            for inner in entry.entries("sentinels")
-        ),
+        sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
+        write_ranges=entry.whole_ranges("write_range"),
     )
+
+
+def _sentinel(entry: Entry) -> Sentinel:
+    bits, number = entry.integer("bits"), entry.integer("value")
+    if (bits is None) == (number is None):
+        key = "value" if number is not None else "name"
+        entry.refuse("missing_key", key, "a sentinel has either a `value` or `bits`", "give one of them")
+    value = (bits if number is None else number) or 0
+    return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, bits is not None and number is None)
 
 
 def _scale(entry: Entry) -> Decimal | None:
@@ -66,7 +82,7 @@ def _scale(entry: Entry) -> Decimal | None:
     return scale
 
 
-def scale_text(given: Plain) -> str:
+def scale_text(given: PlainValue) -> str:
     """A scale as the spec writes it; empty where it gives none."""
     if isinstance(given, Decimal):
         return f"{given:f}"
@@ -111,3 +127,26 @@ def _default(entry: Entry, scale: Decimal, offset: Decimal) -> int | str | None:
     if raw.denominator != 1:
         entry.refuse("wrong_form", "unit_default", "it is no whole number of counts", "compare it with `scale`")
     return int(raw)
+
+
+def signal(entry: Entry) -> Signal:
+    """A value that is placed by name."""
+    return Signal(**entry.fact(), value=value(entry), direction=entry.text("direction"))
+
+
+def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
+    """A conversion; `types` are those of the signals by name."""
+    signals = entry.texts("signals")
+    name = entry.text("type") or next((types[one] for one in signals if one in types), "")
+    if name not in PRIMITIVES:
+        entry.refuse("type_given", "type", "nothing says how the count lies on the wire", "give it a `type`")
+    return Conversion(
+        **entry.fact(),
+        title=entry.text("title"),
+        signals=signals,
+        type=PRIMITIVES.get(name, PRIMITIVES["i32"]),
+        full_scale=entry.integer("full_scale") or 1,
+        complement=entry.flag("complement"),
+        references=entry.texts("references"),
+        printed=entry.text("printed"),
+    )

@@ -53,9 +53,10 @@ from .._registers import spans as _spans
 from .._registers import writable as _writable
 from .._values import Boolean as _Boolean
 from .._values import Closed as _Closed
-from .._values import Constant as _Constant
 from .._values import Number as _Number
 from .._values import Open as _Open
+from .._values import Setting as _Setting
+from .._values import Trigger as _Trigger
 from .._values import Word as _Word
 from .._typing import TYPE_CHECKING
 from .._typing import M as _M
@@ -4279,14 +4280,8 @@ class ReportServerIdResponse(_Record):
             expected = _STATIONS_REPORT_SERVER_ID_RTU_RESPONSE[station]
         except _UNREAD:
             return None
-        if check != expected:
+        if check != expected or raw_byte_count != 2 or raw_server_id != 104 or raw_run_status != 255:
             return None
-        if raw_byte_count != 2:
-            raise _wrong_const("byte_count", raw_byte_count, 2, 2)
-        if raw_server_id != 104:
-            raise _wrong_const("server_id", raw_server_id, 104, 3)
-        if raw_run_status != 255:
-            raise _wrong_const("run_status", raw_run_status, 255, 4)
         frame = _new(_Response)
         frame.station = station
         frame.message = message
@@ -4858,7 +4853,7 @@ limits of 3.4 are.
 
 Source: 2.4 L310.
 """
-START_MOVE: _Final = _Register("start_move", 0x07D8, 1, _Closed(">H", "move_kind", _MOVE_KIND_MEMBERS), "rw", trigger=True)
+START_MOVE: _Final = _Register("start_move", 0x07D8, 1, _Trigger(">H", "move_kind", _MOVE_KIND_MEMBERS), "rw", trigger=True)
 """Start move (MoveTypeTrg, 運動類型).
 
 Writing starts a move. Reading gives the kind of the last one.
@@ -4915,7 +4910,7 @@ Note: 0 is counterclockwise here; in the parameters 13ACh and 13BAh, 0 is clockw
 
 Source: 2.4 L315.
 """
-START_JOG: _Final = _Register("start_jog", 0x07DF, 1, _Constant(">H", 1), "rw", trigger=True)
+START_JOG: _Final = _Register("start_jog", 0x07DF, 1, _Setting(">H", 1), "rw", trigger=True)
 """Start jog (JogTrg).
 
 Writing 1 starts to jog. Reading gives 0.
@@ -5032,7 +5027,7 @@ limits of 3.4 are.
 
 Source: 2.4 L329.
 """
-START_PUSH_MOTION: _Final = _Register("start_push_motion", 0x07EE, 1, _Constant(">H", 1), "rw", trigger=True)
+START_PUSH_MOTION: _Final = _Register("start_push_motion", 0x07EE, 1, _Setting(">H", 1), "rw", trigger=True)
 """Start push motion (DoPushMotion, 開始推力運動).
 
 Writing 1 starts the push motion. Reading gives 0.
@@ -5041,7 +5036,7 @@ Writing 1 starts the push motion. Reading gives 0.
 
 Source: 2.4 L330.
 """
-START_HOMING: _Final = _Register("start_homing", 0x07EF, 1, _Constant(">H", 1), "rw", trigger=True)
+START_HOMING: _Final = _Register("start_homing", 0x07EF, 1, _Setting(">H", 1), "rw", trigger=True)
 """Start homing (MoveOrigin, 開始回原點).
 
 Writing 1 starts homing in the way that the parameters 13A4h to 13B0h define. Reading gives 0.
@@ -5050,7 +5045,7 @@ Writing 1 starts homing in the way that the parameters 13A4h to 13B0h define. Re
 
 Source: 2.4 L331.
 """
-STOP: _Final = _Register("stop", 0x07F0, 1, _Closed(">H", "stop_kind", _STOP_KIND_MEMBERS), "rw", trigger=True)
+STOP: _Final = _Register("stop", 0x07F0, 1, _Trigger(">H", "stop_kind", _STOP_KIND_MEMBERS), "rw", trigger=True)
 """Stop (MoveStop, 停止當前運動).
 
 Writing stops the move. Reading gives 0.
@@ -5070,7 +5065,7 @@ Whether the motor is driven.
 
 Source: 2.4 L333.
 """
-CLEAR_POSITION: _Final = _Register("clear_position", 0x07F2, 1, _Constant(">H", 1), "rw", trigger=True)
+CLEAR_POSITION: _Final = _Register("clear_position", 0x07F2, 1, _Setting(">H", 1), "rw", trigger=True)
 """Clear position (ClrPos, 命令位置及實際位置歸零).
 
 Writing 1 sets the commanded and the actual position to 0. Reading gives 0.
@@ -5079,7 +5074,7 @@ Writing 1 sets the commanded and the actual position to 0. Reading gives 0.
 
 Source: 2.4 L334.
 """
-RESET_ALARM: _Final = _Register("reset_alarm", 0x07F3, 1, _Constant(">H", 1), "rw", trigger=True)
+RESET_ALARM: _Final = _Register("reset_alarm", 0x07F3, 1, _Setting(">H", 1), "rw", trigger=True)
 """Reset alarm (RstAlarm, 警報狀態).
 
 Writing 1 clears the alarm, and ends an emergency stop. Reading gives 0.
@@ -5088,7 +5083,7 @@ Writing 1 clears the alarm, and ends an emergency stop. Reading gives 0.
 
 Source: 2.4 L335.
 """
-SAVE_POINT_TABLE: _Final = _Register("save_point_table", 0x07F5, 1, _Constant(">H", 1), "rw", trigger=True)
+SAVE_POINT_TABLE: _Final = _Register("save_point_table", 0x07F5, 1, _Setting(">H", 1), "rw", trigger=True)
 """Save point table (SavePT).
 
 Writing 1 stores the point table of the memory, 2710h to 370Fh, in flash, 4E20h to 5E1Fh. Reading
@@ -5115,7 +5110,7 @@ Inferred (type): The manual does not print whether it is signed; nothing of it c
 
 Source: 2.4 L337.
 """
-RUN_POINT_TABLE: _Final = _Register("run_point_table", 0x07F7, 1, _Closed(">H", "point_table_command", _POINT_TABLE_COMMAND_MEMBERS), "rw", trigger=True)
+RUN_POINT_TABLE: _Final = _Register("run_point_table", 0x07F7, 1, _Trigger(">H", "point_table_command", _POINT_TABLE_COMMAND_MEMBERS), "rw", trigger=True)
 """Run point table (DoPT).
 
 Writing starts the point table, one point of it, or the next step.
@@ -5128,7 +5123,7 @@ Inferred (trigger): Writing starts a move.
 
 Source: 2.4 L338.
 """
-SAVE_ALL_PARAMETERS: _Final = _Register("save_all_parameters", 0x07F4, 1, _Constant(">H", 1), "rw", trigger=True)
+SAVE_ALL_PARAMETERS: _Final = _Register("save_all_parameters", 0x07F4, 1, _Setting(">H", 1), "rw", trigger=True)
 """Save all parameters (SaveAllParam).
 
 Writing 1 stores all parameters of the memory, 1388h to 1431h, in flash, 1450h to 14F9h. Reading gives
@@ -5192,7 +5187,7 @@ Whether it really is.
 
 Source: 2.5 L349.
 """
-MODEL_ID: _Final = _Register("model_id", 0x0834, 2, _Constant(">I", 104), "ro", atomic=True)
+MODEL_ID: _Final = _Register("model_id", 0x0834, 2, _Setting(">I", 104), "ro", atomic=True)
 """Model id (MODEL_ID, 控制器型號 ID).
 
 The model of the controller: CK10 answers 104, as its identity does in function 11h.
@@ -5201,7 +5196,7 @@ The model of the controller: CK10 answers 104, as its identity does in function 
 
 Source: 2.8 L623.
 """
-HARDWARE_TYPE: _Final = _Register("hardware_type", 0x0836, 1, _Constant(">H", 31), "ro")
+HARDWARE_TYPE: _Final = _Register("hardware_type", 0x0836, 1, _Setting(">H", 31), "ro")
 """Hardware type (HW_TYPE, 控制器硬體 ID).
 
 The hardware of the controller: CK10 answers 31.
@@ -7470,7 +7465,7 @@ Inferred (enum): Printed for output 0 only, the first of nine rows that go toget
 
 Source: 2.2 L289.
 """
-CLEAR_ALARM_HISTORY: _Final = _Register("clear_alarm_history", 0x0423, 1, _Constant(">H", 65535), "wo", trigger=True)
+CLEAR_ALARM_HISTORY: _Final = _Register("clear_alarm_history", 0x0423, 1, _Setting(">H", 65535), "wo", trigger=True)
 """Clear alarm history (ALM_CLR, 清除警報記錄).
 
 Writing FFFFh clears the history.

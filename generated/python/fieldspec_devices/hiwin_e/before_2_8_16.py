@@ -50,10 +50,11 @@ from .._refusals import refused_number as _refused_number
 from .._refusals import unfit as _unfit
 from .._values import Boolean as _Boolean
 from .._values import Closed as _Closed
-from .._values import Constant as _Constant
 from .._values import Float as _Float
 from .._values import Number as _Number
 from .._values import Open as _Open
+from .._values import Setting as _Setting
+from .._values import Trigger as _Trigger
 from .._values import Word as _Word
 from .._typing import TYPE_CHECKING
 from .._typing import M as _M
@@ -9403,7 +9404,7 @@ class DriveParametersSet(_ParameterSet):
 
         Source: 4.2 L1023-1024.
         """
-        POSITION_TRIGGER_ARRAY_CONTROL: _Parameter[PositionTriggerArrayControl | int]
+        POSITION_TRIGGER_ARRAY_CONTROL: _Parameter[PositionTriggerArrayControl | int | int]
         """Position trigger array control (306Bh, Position trigger array control object).
 
         Writing a command starts the writing of an array of the position trigger; the result is read
@@ -9484,7 +9485,7 @@ class DriveParametersSet(_ParameterSet):
 
         Source: 4.2 L1070-1074, 1077-1086.
         """
-        GANTRY_PARAMETER_COMMAND: _Parameter[GantryParameterCommand]
+        GANTRY_PARAMETER_COMMAND: _Parameter[GantryParameterCommand | int]
         """Gantry parameter command (3083h, Gantry control: command).
 
         Reads or writes the parameter that 3080h names.
@@ -9710,7 +9711,7 @@ class DriveParametersSet(_ParameterSet):
 
         Source: 4.2 L1204-1205.
         """
-        DRIVE_RESET: _Parameter[DriveReset]
+        DRIVE_RESET: _Parameter[DriveReset | int]
         """Drive reset (3215h, Reset drive).
 
         Writing 1 or 2 resets the drive, or both drives of a gantry; it becomes 0 when that is done,
@@ -9723,7 +9724,7 @@ class DriveParametersSet(_ParameterSet):
 
         Source: 4.2 L1206-1213.
         """
-        PARAMETER_SAVE: _Parameter[ParameterSave]
+        PARAMETER_SAVE: _Parameter[ParameterSave | int]
         """Parameter save (3216h, Send parameter to flash).
 
         Writing 1 stores the drive's parameters for good; it becomes 0 when that is done.
@@ -9832,8 +9833,8 @@ def _drive_parameters_rows() -> dict[str, _Any]:
         ),
         "POSITION_TRIGGER_ARRAY_CONTROL": _Parameter(
             "position_trigger_array_control", 0x306B,
-            _Open(">H", "position_trigger_array_control", _POSITION_TRIGGER_ARRAY_CONTROL_MEMBERS), "rw",
-            type="u16", printed_name="306Bh", source="4.2 L1025-1033", set="drive_parameters",
+            _Trigger(">H", "position_trigger_array_control", _POSITION_TRIGGER_ARRAY_CONTROL_MEMBERS),
+            "rw", type="u16", printed_name="306Bh", source="4.2 L1025-1033", set="drive_parameters",
         ),
         "POSITION_TRIGGER_ERROR": _Parameter(
             "position_trigger_error", 0x306C, _Word(">H", PositionTriggerError), "ro", type="u16",
@@ -9871,7 +9872,7 @@ def _drive_parameters_rows() -> dict[str, _Any]:
         ),
         "GANTRY_PARAMETER_COMMAND": _Parameter(
             "gantry_parameter_command", 0x3083,
-            _Closed(">H", "gantry_parameter_command", _GANTRY_PARAMETER_COMMAND_MEMBERS, ranges=((0, 3),)),
+            _Trigger(">H", "gantry_parameter_command", _GANTRY_PARAMETER_COMMAND_MEMBERS, ranges=((0, 3),)),
             "rw", type="u16", printed_name="3083h", source="4.2 L1087-1094", set="drive_parameters",
         ),
         "GANTRY_PARAMETER_STATUS": _Parameter(
@@ -9972,12 +9973,12 @@ def _drive_parameters_rows() -> dict[str, _Any]:
             source="4.2 L1204-1205", set="drive_parameters",
         ),
         "DRIVE_RESET": _Parameter(
-            "drive_reset", 0x3215, _Closed(">h", "drive_reset", _DRIVE_RESET_MEMBERS, ranges=((-1, 2),)),
+            "drive_reset", 0x3215, _Trigger(">h", "drive_reset", _DRIVE_RESET_MEMBERS, ranges=((-1, 2),)),
             "rw", type="i16", printed_name="3215h", source="4.2 L1206-1213", set="drive_parameters",
         ),
         "PARAMETER_SAVE": _Parameter(
             "parameter_save", 0x3216,
-            _Closed(">h", "parameter_save", _PARAMETER_SAVE_MEMBERS, ranges=((0, 1),)), "rw", type="i16",
+            _Trigger(">h", "parameter_save", _PARAMETER_SAVE_MEMBERS, ranges=((0, 1),)), "rw", type="i16",
             printed_name="3216h", source="4.2 L1216-1217", set="drive_parameters",
         ),
         "MASTERSHIP": _Parameter(
@@ -10229,7 +10230,7 @@ def _profidrive_parameters_rows() -> dict[str, _Any]:
         ),
         "DRIVE_IDENTIFICATION": _Parameter(
             "drive_identification", 964, _Number(">H"), "ro", type="u16", elements=7,
-            subindices=(_Subindex("manufacturer", ((0, 0),), _Constant(">H", 2730), type="u16", source="4.1 L935"), _Subindex("drive_unit_type", ((1, 1),), _Constant(">H", 5), type="u16", source="4.1 L936"), _Subindex("firmware_version", ((2, 2),), _Number(">H"), type="u16", source="4.1 L937"), _Subindex("firmware_year", ((3, 3),), _Number(">H"), type="u16", source="4.1 L938"), _Subindex("firmware_day_and_month", ((4, 4),), _Number(">H"), type="u16", source="4.1 L939"), _Subindex("drive_object_count", ((5, 5),), _Constant(">H", 1), type="u16", source="4.1 L940"), _Subindex("minor_firmware_version", ((6, 6),), _Number(">H"), type="u16", source="4.1 L941")),
+            subindices=(_Subindex("manufacturer", ((0, 0),), _Setting(">H", 2730), type="u16", source="4.1 L935"), _Subindex("drive_unit_type", ((1, 1),), _Setting(">H", 5), type="u16", source="4.1 L936"), _Subindex("firmware_version", ((2, 2),), _Number(">H"), type="u16", source="4.1 L937"), _Subindex("firmware_year", ((3, 3),), _Number(">H"), type="u16", source="4.1 L938"), _Subindex("firmware_day_and_month", ((4, 4),), _Number(">H"), type="u16", source="4.1 L939"), _Subindex("drive_object_count", ((5, 5),), _Setting(">H", 1), type="u16", source="4.1 L940"), _Subindex("minor_firmware_version", ((6, 6),), _Number(">H"), type="u16", source="4.1 L941")),
             source="4.1 L930-933", set="profidrive_parameters",
         ),
         "ENCODER_FORMAT": _Parameter(

@@ -52,10 +52,11 @@ from .._registers import spans as _spans
 from .._registers import writable as _writable
 from .._values import Boolean as _Boolean
 from .._values import Closed as _Closed
-from .._values import Constant as _Constant
 from .._values import Number as _Number
 from .._values import Open as _Open
+from .._values import Setting as _Setting
 from .._values import Text as _Text
+from .._values import Trigger as _Trigger
 from .._values import Word as _Word
 from .._typing import TYPE_CHECKING
 from .._typing import M as _M
@@ -2973,7 +2974,7 @@ class AsciiLink:
 ascii: _Final = AsciiLink()
 
 
-JOG_POSITIVE_INPUT: _Final = _Register("jog_positive_input", 0x0601, 1, _Number(">H"), "rw")
+JOG_POSITIVE_INPUT: _Final = _Register("jog_positive_input", 0x0601, 1, _Number(">H", others=(0,)), "rw")
 """Jog positive input (JOG+, + JOG 移動).
 
 Jogs in the positive direction while MANUAL is on.
@@ -2992,7 +2993,7 @@ the table.
 
 Source: 5.4 L1193.
 """
-JOG_NEGATIVE_INPUT: _Final = _Register("jog_negative_input", 0x0602, 1, _Number(">H"), "rw")
+JOG_NEGATIVE_INPUT: _Final = _Register("jog_negative_input", 0x0602, 1, _Number(">H", others=(0,)), "rw")
 """Jog negative input (JOG-, - JOG 移動).
 
 Jogs in the negative direction while MANUAL is on.
@@ -3011,7 +3012,7 @@ the table.
 
 Source: 5.4 L1194.
 """
-MANUAL_MODE_INPUT: _Final = _Register("manual_mode_input", 0x0603, 1, _Number(">H"), "rw")
+MANUAL_MODE_INPUT: _Final = _Register("manual_mode_input", 0x0603, 1, _Number(">H", others=(0,)), "rw")
 """Manual mode input (MANUAL, 手動模式).
 
 0x0603, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3028,7 +3029,7 @@ the table.
 
 Source: 5.4 L1195.
 """
-TEACH_INPUT: _Final = _Register("teach_input", 0x0604, 1, _Number(">H"), "rw")
+TEACH_INPUT: _Final = _Register("teach_input", 0x0604, 1, _Number(">H", others=(0,)), "rw")
 """Teach input (TEACH, 點位置存入).
 
 Stores the present position in the selected point while MANUAL is on.
@@ -3047,7 +3048,7 @@ the table.
 
 Source: 5.4 L1196.
 """
-LOCK_INPUT: _Final = _Register("lock_input", 0x0607, 1, _Number(">H"), "rw")
+LOCK_INPUT: _Final = _Register("lock_input", 0x0607, 1, _Number(">H", others=(0,)), "rw")
 """Lock input (LOCK, 暫停 / 聯鎖).
 
 Pause, interlock.
@@ -3066,7 +3067,7 @@ the table.
 
 Source: 5.4 L1197.
 """
-POINT_SELECT_BIT_4_INPUT: _Final = _Register("point_select_bit_4_input", 0x060E, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_4_INPUT: _Final = _Register("point_select_bit_4_input", 0x060E, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 4 input (PRGSEL4, 程式選擇 No.0~127 Bit4).
 
 0x060E, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3083,7 +3084,7 @@ the table.
 
 Source: 5.4 L1198.
 """
-POINT_SELECT_BIT_5_INPUT: _Final = _Register("point_select_bit_5_input", 0x060F, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_5_INPUT: _Final = _Register("point_select_bit_5_input", 0x060F, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 5 input (PRGSEL5, 程式選擇 No.0~127 Bit5).
 
 0x060F, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3100,7 +3101,7 @@ the table.
 
 Source: 5.4 L1199.
 """
-POINT_SELECT_BIT_6_INPUT: _Final = _Register("point_select_bit_6_input", 0x0610, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_6_INPUT: _Final = _Register("point_select_bit_6_input", 0x0610, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 6 input (PRGSEL6, 程式選擇 No.0~127 Bit6).
 
 0x0610, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3117,7 +3118,7 @@ the table.
 
 Source: 5.4 L1200.
 """
-HOMING_SENSOR_INPUT: _Final = _Register("homing_sensor_input", 0x0611, 1, _Number(">H"), "rw")
+HOMING_SENSOR_INPUT: _Final = _Register("homing_sensor_input", 0x0611, 1, _Number(">H", others=(0,)), "rw")
 """Homing sensor input (ORG_SIG, 原點復歸用檢出信號).
 
 0x0611, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3134,7 +3135,7 @@ the table.
 
 Source: 5.4 L1201.
 """
-BRAKE_INPUT: _Final = _Register("brake_input", 0x0612, 1, _Number(">H"), "rw")
+BRAKE_INPUT: _Final = _Register("brake_input", 0x0612, 1, _Number(">H", others=(0,)), "rw")
 """Brake input (BK_OFF, 制動 ON/OFF 信號).
 
 Switches the brake while the servo is off.
@@ -3153,7 +3154,7 @@ the table.
 
 Source: 5.4 L1202.
 """
-FULL_COUNT_INPUT: _Final = _Register("full_count_input", 0x0613, 1, _Number(">H"), "rw")
+FULL_COUNT_INPUT: _Final = _Register("full_count_input", 0x0613, 1, _Number(">H", others=(0,)), "rw")
 """Full count input (FULL_COUNT, 切換 FULL-COUNT 判斷).
 
 Switches the detection of full count, which is active initially.
@@ -3172,7 +3173,7 @@ the table.
 
 Source: 5.4 L1203.
 """
-IN_POSITION_OUTPUT: _Final = _Register("in_position_output", 0x0700, 1, _Number(">H"), "rw")
+IN_POSITION_OUTPUT: _Final = _Register("in_position_output", 0x0700, 1, _Number(">H", others=(0,)), "rw")
 """In position output (INPOSITION, Inposition 到位信號).
 
 0x0700, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3189,7 +3190,7 @@ the table.
 
 Source: 5.5 L1209.
 """
-ALARM_OUTPUT: _Final = _Register("alarm_output", 0x0701, 1, _Number(">H"), "rw")
+ALARM_OUTPUT: _Final = _Register("alarm_output", 0x0701, 1, _Number(">H", others=(0,)), "rw")
 """Alarm output (ALARM, 錯誤信號).
 
 0x0701, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3206,7 +3207,7 @@ the table.
 
 Source: 5.5 L1210.
 """
-READY_OUTPUT: _Final = _Register("ready_output", 0x0702, 1, _Number(">H"), "rw")
+READY_OUTPUT: _Final = _Register("ready_output", 0x0702, 1, _Number(">H", others=(0,)), "rw")
 """Ready output (READY, 準備完成，可執行下一點位).
 
 Ready for the next point.
@@ -3225,7 +3226,7 @@ the table.
 
 Source: 5.5 L1211.
 """
-MOVING_OUTPUT: _Final = _Register("moving_output", 0x0703, 1, _Number(">H"), "rw")
+MOVING_OUTPUT: _Final = _Register("moving_output", 0x0703, 1, _Number(">H", others=(0,)), "rw")
 """Moving output (MOVE, 移動中).
 
 0x0703, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3242,7 +3243,7 @@ the table.
 
 Source: 5.5 L1212.
 """
-SERVO_ON_OUTPUT: _Final = _Register("servo_on_output", 0x0705, 1, _Number(">H"), "rw")
+SERVO_ON_OUTPUT: _Final = _Register("servo_on_output", 0x0705, 1, _Number(">H", others=(0,)), "rw")
 """Servo on output (SERVO-S, SERVO ON 狀態).
 
 0x0705, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3259,7 +3260,7 @@ the table.
 
 Source: 5.5 L1213.
 """
-POINT_SELECT_BIT_0_OUTPUT: _Final = _Register("point_select_bit_0_output", 0x0706, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_0_OUTPUT: _Final = _Register("point_select_bit_0_output", 0x0706, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 0 output (PRGSEL0-S, 程式選擇 No.0~127 Bit0).
 
 0x0706, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3276,7 +3277,7 @@ the table.
 
 Source: 5.5 L1214.
 """
-POINT_SELECT_BIT_1_OUTPUT: _Final = _Register("point_select_bit_1_output", 0x0707, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_1_OUTPUT: _Final = _Register("point_select_bit_1_output", 0x0707, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 1 output (PRGSEL1-S, 程式選擇 No.0~127 Bit1).
 
 0x0707, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3293,7 +3294,7 @@ the table.
 
 Source: 5.5 L1215.
 """
-POINT_SELECT_BIT_2_OUTPUT: _Final = _Register("point_select_bit_2_output", 0x0708, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_2_OUTPUT: _Final = _Register("point_select_bit_2_output", 0x0708, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 2 output (PRGSEL2-S, 程式選擇 No.0~127 Bit2).
 
 0x0708, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3310,7 +3311,7 @@ the table.
 
 Source: 5.5 L1216.
 """
-POINT_SELECT_BIT_3_OUTPUT: _Final = _Register("point_select_bit_3_output", 0x0709, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_3_OUTPUT: _Final = _Register("point_select_bit_3_output", 0x0709, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 3 output (PRGSEL3-S, 程式選擇 No.0~127 Bit3).
 
 0x0709, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3327,7 +3328,7 @@ the table.
 
 Source: 5.5 L1217.
 """
-POINT_SELECT_BIT_4_OUTPUT: _Final = _Register("point_select_bit_4_output", 0x070A, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_4_OUTPUT: _Final = _Register("point_select_bit_4_output", 0x070A, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 4 output (PRGSEL4-S, 程式選擇 No.0~127 Bit4).
 
 0x070A, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3344,7 +3345,7 @@ the table.
 
 Source: 5.5 L1218.
 """
-POINT_SELECT_BIT_5_OUTPUT: _Final = _Register("point_select_bit_5_output", 0x070B, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_5_OUTPUT: _Final = _Register("point_select_bit_5_output", 0x070B, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 5 output (PRGSEL5-S, 程式選擇 No.0~127 Bit5).
 
 0x070B, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3361,7 +3362,7 @@ the table.
 
 Source: 5.5 L1219.
 """
-POINT_SELECT_BIT_6_OUTPUT: _Final = _Register("point_select_bit_6_output", 0x070C, 1, _Number(">H"), "rw")
+POINT_SELECT_BIT_6_OUTPUT: _Final = _Register("point_select_bit_6_output", 0x070C, 1, _Number(">H", others=(0,)), "rw")
 """Point select bit 6 output (PRGSEL6-S, 程式選擇 No.0~127 Bit6).
 
 0x070C, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3378,7 +3379,7 @@ the table.
 
 Source: 5.5 L1220.
 """
-TORQUE_LIMIT_OUTPUT: _Final = _Register("torque_limit_output", 0x070D, 1, _Number(">H"), "rw")
+TORQUE_LIMIT_OUTPUT: _Final = _Register("torque_limit_output", 0x070D, 1, _Number(">H", others=(0,)), "rw")
 """Torque limit output (TRQ_LMT, 扭力極限).
 
 Called TRQLIM in 6.2 and 7.5.
@@ -3397,7 +3398,7 @@ the table.
 
 Source: 5.5 L1221.
 """
-ERROR_BIT_0_OUTPUT: _Final = _Register("error_bit_0_output", 0x070E, 1, _Number(">H"), "rw")
+ERROR_BIT_0_OUTPUT: _Final = _Register("error_bit_0_output", 0x070E, 1, _Number(">H", others=(0,)), "rw")
 """Error bit 0 output (ERR0, 錯誤編碼 Bit0).
 
 0x070E, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3417,7 +3418,7 @@ the table.
 
 Source: 5.5 L1222.
 """
-ERROR_BIT_1_OUTPUT: _Final = _Register("error_bit_1_output", 0x070F, 1, _Number(">H"), "rw")
+ERROR_BIT_1_OUTPUT: _Final = _Register("error_bit_1_output", 0x070F, 1, _Number(">H", others=(0,)), "rw")
 """Error bit 1 output (ERR1, 錯誤編碼 Bit1).
 
 0x070F, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3434,7 +3435,7 @@ the table.
 
 Source: 5.5 L1223.
 """
-ERROR_BIT_2_OUTPUT: _Final = _Register("error_bit_2_output", 0x0710, 1, _Number(">H"), "rw")
+ERROR_BIT_2_OUTPUT: _Final = _Register("error_bit_2_output", 0x0710, 1, _Number(">H", others=(0,)), "rw")
 """Error bit 2 output (ERR2, 錯誤編碼 Bit2).
 
 0x0710, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3451,7 +3452,7 @@ the table.
 
 Source: 5.5 L1224.
 """
-ERROR_BIT_3_OUTPUT: _Final = _Register("error_bit_3_output", 0x0711, 1, _Number(">H"), "rw")
+ERROR_BIT_3_OUTPUT: _Final = _Register("error_bit_3_output", 0x0711, 1, _Number(">H", others=(0,)), "rw")
 """Error bit 3 output (ERR3, 錯誤編碼 Bit3).
 
 0x0711, 1 word, read and write, u16, 0 = not used, takes effect after a restart.
@@ -3468,7 +3469,7 @@ the table.
 
 Source: 5.5 L1225.
 """
-ZONE_OUTPUT: _Final = _Register("zone_output", 0x0712, 1, _Number(">H"), "rw")
+ZONE_OUTPUT: _Final = _Register("zone_output", 0x0712, 1, _Number(">H", others=(0,)), "rw")
 """Zone output (INRANGE, 區間設定範圍內輸出).
 
 On while the position is inside the zone of the point.
@@ -3487,7 +3488,7 @@ the table.
 
 Source: 5.5 L1226.
 """
-NEAR_OUTPUT: _Final = _Register("near_output", 0x0713, 1, _Number(">H"), "rw")
+NEAR_OUTPUT: _Final = _Register("near_output", 0x0713, 1, _Number(">H", others=(0,)), "rw")
 """Near output (NEAR, 當移動至目標位置的範圍內時輸出).
 
 On near the target, see 011DH; the target is that of a point in mode ABS or INC.
@@ -3506,7 +3507,7 @@ the table.
 
 Source: 5.5 L1227.
 """
-SOFT_LIMIT_OUTPUT: _Final = _Register("soft_limit_output", 0x0714, 1, _Number(">H"), "rw")
+SOFT_LIMIT_OUTPUT: _Final = _Register("soft_limit_output", 0x0714, 1, _Number(">H", others=(0,)), "rw")
 """Soft limit output (SOFTLMT, 軟體極限輸出燈號).
 
 On when the position has reached a soft limit.
@@ -3617,7 +3618,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1623.
 """
-MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Closed(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
+MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Trigger(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
 """Motion command (MovType, 移動類型).
 
 Writing a value starts the action that it names.
@@ -3660,7 +3661,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1626-1632, 1636-1642.
 """
-PARAMETER_STORAGE: _Final = _Register("parameter_storage", 0x9999, 1, _Closed(">H", "parameter_storage", _PARAMETER_STORAGE_MEMBERS, ranges=((0, 1),)), "", trigger=True)
+PARAMETER_STORAGE: _Final = _Register("parameter_storage", 0x9999, 1, _Trigger(">H", "parameter_storage", _PARAMETER_STORAGE_MEMBERS, ranges=((0, 1),)), "", trigger=True)
 """Parameter storage (參數儲存).
 
 Stores the parameters.
@@ -3678,7 +3679,7 @@ Inferred (type): The manual prints the number of words alone.
 
 Source: 8.2 L1667.
 """
-WRITE_ENABLE_KEY: _Final = _Register("write_enable_key", 0x999B, 4, _Constant(">Q", 5509644182563149415), "wo", trigger=True)
+WRITE_ENABLE_KEY: _Final = _Register("write_enable_key", 0x999B, 4, _Setting(">Q", 5509644182563149415), "wo", trigger=True)
 """Write enable key (開放寫入指令).
 
 Writing the four words 4C76 3031 5479 5667 opens writing. As characters they read Lv01TyVg.
@@ -4130,7 +4131,7 @@ nothing printed can be negative.
 
 Source: 5.6 L1245.
 """
-SOFT_LIMIT_POSITIVE: _Final = _Register("soft_limit_positive", 0x0813, 2, _Number(">i"), "rw")
+SOFT_LIMIT_POSITIVE: _Final = _Register("soft_limit_positive", 0x0813, 2, _Number(">i", others=(0,)), "rw")
 """Soft limit positive (PlusSoftLimit, + 方向的軟體極限).
 
 The soft limit in the positive direction.
@@ -4146,7 +4147,7 @@ Inferred (type): A position; the positions of points are signed.
 
 Source: 5.6 L1246.
 """
-SOFT_LIMIT_NEGATIVE: _Final = _Register("soft_limit_negative", 0x0815, 2, _Number(">i"), "rw")
+SOFT_LIMIT_NEGATIVE: _Final = _Register("soft_limit_negative", 0x0815, 2, _Number(">i", others=(0,)), "rw")
 """Soft limit negative (MinusSoftLimit, - 方向的軟體極限).
 
 The soft limit in the negative direction.

@@ -12,7 +12,8 @@ class CodecError(ValueError):
     """Bytes or values that a codec refuses.
 
     `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
-    unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, read_only.
+    unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, read_only,
+    no_message.
     `offset` is the byte at which it shows, None for values.
     """
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from struct import Struct
 from struct import error as StructError
 
-from ._conversions import counts
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import Unknown, Value
@@ -113,7 +112,7 @@ class Parameter(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that it may hold, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
         return self.value.ranges
 
     @property
@@ -126,14 +125,16 @@ class Parameter(Generic[T]):
         """What one count is worth in the unit."""
         return self.value.ratio[0] / self.value.ratio[2]
 
-    def in_unit(self, count: int) -> float:
-        """A count in the unit."""
-        a, b, c = self.value.ratio
-        return (count * a + b) / c
+    def in_unit(self, count: float) -> float | None:
+        """A count in the unit; None for one that stands for an absent value."""
+        return self.value.in_unit(count)
 
     def from_unit(self, value: float) -> int:
-        """The count that is nearest to a value in the unit, of two the even one. Raises CodecError out of range."""
-        return counts(self.title, value, self.value.ratio, self.ranges or ((self.value.low, self.value.high),))
+        """The count that is nearest to a value in the unit, of two the even one.
+
+        Raises CodecError out of range, and where that count stands for an absent value.
+        """
+        return self.value.from_unit(self.title, value)
 
     def subindex(self, index: int) -> Subindex | None:
         """What the manual tells of the element with an index; None where it makes no difference."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from struct import Struct
 
-from ._conversions import text, turned
+from ._conversions import counts, text, turned
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
-from ._refusals import refused_bytes, refused_flags, refused_float, refused_number, refused_text
+from ._refusals import is_one_of, refused_bytes, refused_flags, refused_float, refused_number, refused_text
 from ._typing import TYPE_CHECKING, Generic, T
 
 if TYPE_CHECKING:
@@ -37,10 +37,11 @@ class Value(Generic[T]):
     """A value of type T in `size` bytes: a Struct of `letters`, with the words turned before it is read.
 
     `limits` is the letter of a narrower type that lies in a word of its own. `ranges` are in counts. The scale, if
-    there is one, is (a, b, c) of unit = (count * a + b) / c.
+    there is one, is (a, b, c) of unit = (count * a + b) / c. `others` are the counts that stand for an absent value:
+    they may lie outside of the ranges, and are no quantity.
     """
 
-    __slots__ = ("high", "low", "ranges", "ratio", "size", "struct", "swapped", "unit")
+    __slots__ = ("high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")
 
     def __init__(
         self,
@@ -50,12 +51,13 @@ class Value(Generic[T]):
         ranges: tuple[tuple[int, int], ...] = (),
         unit: str = "",
         ratio: tuple[int, int, int] = (1, 0, 1),
+        others: tuple[float, ...] = (),
         limits: str = "",
     ) -> None:
         self.struct, self.swapped = Struct(letters), swapped
         self.low, self.high = _LIMITS.get(limits or letters[-1], (0, 0))
         self.size = self.struct.size
-        self.ranges, self.unit, self.ratio = ranges, unit, ratio
+        self.ranges, self.unit, self.ratio, self.others = ranges, unit, ratio, others
 
     def decode(self, name: str, data: Data) -> T:
         """The value in exactly `size` bytes. Raises CodecError."""
@@ -90,32 +92,29 @@ class Value(Generic[T]):
         """What its Struct takes, of a value that it does not refuse."""
         return value
 
+    def in_unit(self, count: float) -> float | None:
+        """A count in the unit; None for one that stands for an absent value."""
+        if count in self.others:
+            return None
+        a, b, c = self.ratio
+        return (count * a + b) / c
+
+    def from_unit(self, name: str, value: float) -> int:
+        """The count that is nearest to a value in the unit, of two the even one.
+
+        Raises CodecError out of range, and where that count stands for an absent value.
+        """
+        count = counts(name, value, self.ratio, self.ranges or ((self.low, self.high),))
+        if count in self.others:
+            raise CodecError("out_of_range", f"{name} is {value}, whose count {count} stands for an absent value")
+        return count
+
     def refused(self, name: str, value: Any) -> CodecError | None:
         """Why a value cannot be encoded; None for one that can."""
         raise NotImplementedError
 
 
-class _Whole(Value[T]):
-    """A whole number; `others` are values outside of the ranges that have a meaning of their own."""
-
-    __slots__ = ("others",)
-
-    def __init__(
-        self,
-        letters: str,
-        *,
-        swapped: bool = False,
-        ranges: tuple[tuple[int, int], ...] = (),
-        unit: str = "",
-        ratio: tuple[int, int, int] = (1, 0, 1),
-        others: tuple[int, ...] = (),
-        limits: str = "",
-    ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges, unit=unit, ratio=ratio, limits=limits)
-        self.others = others
-
-
-class Number(_Whole[int]):
+class Number(Value[int]):
     """A count."""
 
     __slots__ = ()
@@ -149,7 +148,22 @@ class Constant(Number):
         return None
 
 
-class Closed(_Whole[E]):
+class Setting(Number):
+    """A count of which one may be written; what the device answers may be any."""
+
+    __slots__ = ("const",)
+
+    def __init__(self, letters: str, const: int, *, swapped: bool = False, limits: str = "") -> None:
+        super().__init__(letters, swapped=swapped, limits=limits)
+        self.const = const
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        if value != self.const:
+            return CodecError("wrong_const", f"{name} is {value}, not {self.const}")
+        return None
+
+
+class Closed(Value[E]):
     """A member of a closed enum."""
 
     __slots__ = ("enum", "members")
@@ -176,7 +190,7 @@ class Closed(_Whole[E]):
         return refused_number(name, value, self.low, self.high, self.ranges, (), self.members, self.enum)
 
 
-class Open(_Whole["E | int"], Generic[E]):
+class Open(Value["E | int"], Generic[E]):
     """A member of an enum, or a count: any one, or, where the enum is closed, one of `others`."""
 
     __slots__ = ("closed", "enum", "members")
@@ -206,6 +220,27 @@ class Open(_Whole["E | int"], Generic[E]):
     def refused(self, name: str, value: Any) -> CodecError | None:
         members = self.members if self.closed else None
         return refused_number(name, value, self.low, self.high, self.ranges, self.others, members, self.enum)
+
+
+class Trigger(Open[E]):
+    """A member of a closed enum that starts something when it is written; what the device answers may be any count."""
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        letters: str,
+        enum: str,
+        members: dict[int, E],
+        *,
+        swapped: bool = False,
+        ranges: tuple[tuple[int, int], ...] = (),
+        others: tuple[int, ...] = (),
+    ) -> None:
+        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, others=others, closed=True)
+
+    def of_raw(self, name: str, raw: int) -> E | int:
+        return self.members.get(raw, raw)
 
 
 class Word(Value[F]):
@@ -263,7 +298,11 @@ class Float(Value[float]):
         return raw
 
     def refused(self, name: str, value: Any) -> CodecError | None:
-        return refused_float(name, value)
+        return refused_float(name, value, self.ranges, self.others)
+
+    def in_unit(self, count: float) -> float | None:
+        """The number itself, which counts in the unit; None for one that stands for an absent value."""
+        return None if is_one_of(count, self.others) else float(count)
 
 
 class Text(Value[str]):

@@ -1,0 +1,112 @@
+"""What the spec states about each line of the manual: the facts that cite it, with their values and errata."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from operator import itemgetter
+
+from fieldspec.classes import dataclass, field
+from fieldspec.facts import COLUMNS, FactRow
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.model.fact import Citation
+from fieldspec.model.texts import Erratum
+from fieldspec.reading.building.context import citations
+from fieldspec.reading.nodes import Node, Scalar, children
+from fieldspec.reading.project import DeviceSpec
+
+_OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")
+_NO_CITATIONS = frozenset(
+    ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
+)
+"""Keys of a spec under which an L with a number is no line of the manual."""
+_BESIDE = ("errata", "printed", "provenance", "inferred", "standard", "evidence", "roles")
+_cells = itemgetter(*(column for column in COLUMNS if column not in _BESIDE))
+_IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
+
+
+@dataclass(slots=True)
+class OnLine:
+    """What cites a line: rows of facts, and errata."""
+
+    facts: list[FactRow] = field(default_factory=list)
+    errata: list[Erratum] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Cited:
+    """What cites each line, and all lines that are cited, be it in a remark.
+
+    `elided` are the paths of examples of which some bytes are not printed.
+    """
+
+    by_line: Mapping[int, OnLine]
+    lines: frozenset[int]
+    elided: frozenset[str]
+
+    def at(self, line: int) -> OnLine:
+        """What cites a line."""
+        return self.by_line.get(line) or OnLine()
+
+
+def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]) -> Cited:
+    """What cites each line of the manual, in any version; `facts` are the rows of each layout."""
+    by_line: dict[int, OnLine] = defaultdict(OnLine)
+    known: set[object] = set()
+    shared: set[int] = set()
+    for layout, held in zip(layouts, facts, strict=True):
+        printed = [row for row in held if row["kind"] not in _OUR_WORDS]
+        for own, row in zip(printed, _completed(printed), strict=True):
+            if row is own:
+                if id(row) in shared:
+                    continue
+                shared.add(id(row))
+            key = _cells(row), row["printed"] is None
+            if key not in known:
+                known.add(key)
+                for line in lines_of(citations(str(row["sources"] or ""), "")):
+                    by_line[line].facts.append(row)
+        for erratum in layout.device.errata:
+            if f"erratum {erratum.id}" not in known:
+                known.add(f"erratum {erratum.id}")
+                for line in lines_of(erratum.sources):
+                    by_line[line].errata.append(erratum)
+    told: set[int] = set()
+    seen: dict[int, Node] = {}
+    for tree in (spec.tree, *spec.trees.values()):
+        _tell(tree, told, seen)
+    elided = frozenset(
+        example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
+    )
+    return Cited(dict(by_line), frozenset(told | by_line.keys()), elided)
+
+
+def _completed(found: Sequence[FactRow]) -> Iterator[FactRow]:
+    """The rows; where another place states a fact again, any value of the fact may be what is printed there."""
+    by_path = {str(row["path"]): row for row in found}
+    for row in found:
+        path, again, _ = str(row["path"]).rpartition("/restated/")
+        fact = by_path.get(path) if again else None
+        yield row if fact is None else {key: fact[key] if cell is None else cell for key, cell in row.items()}
+
+
+def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
+    """All lines of some citations."""
+    for citation in sources:
+        for first, last in citation.lines:
+            yield from range(first, last + 1)
+
+
+def _tell(node: Node, told: set[int], seen: dict[int, Node]) -> None:
+    """Adds the lines that any text of the spec cites. Versions share most nodes; `seen` has those of others."""
+    if id(node) in seen:
+        return
+    seen[id(node)] = node
+    if isinstance(node, Scalar):
+        for found in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
+            told.update(lines_of(citations(found[0], "")))
+        return
+    for key, inner in children(node):
+        if key not in _NO_CITATIONS:
+            _tell(inner, told, seen)

@@ -1,0 +1,256 @@
+"""The lines of a manual: what an index stores of each, the index file, and how lines of two editions pair up."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator, Sequence
+from difflib import SequenceMatcher
+from hashlib import sha256
+
+from fieldspec.classes import dataclass, field
+from fieldspec.source import SourceFile, Span
+
+# What is left is no sentence: words without a capital letter, a digit or an underscore, and all that is not written in
+# Latin letters, become the mark `…`. So lines can be kept beside a spec although the manual cannot.
+
+LEFT = "…"
+CELL = " | "
+LONGEST = 4000
+"""Characters of a line that are looked at."""
+
+_RAISED = {ord(raised): plain for raised, plain in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True)}
+_POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
+_SIGNS = str.maketrans(
+    {
+        "、": ", ",
+        "。": ".",
+        "·": ".",
+        "\N{EN DASH}": "-",
+        "\N{EM DASH}": "-",
+        "\N{MINUS SIGN}": "-",
+        "\N{HYPHEN}": "-",
+        "→": "->",
+        "\N{MULTIPLICATION SIGN}": "x",
+        "□": "_",
+        "“": '"',
+        "”": '"',
+        "\N{LEFT SINGLE QUOTATION MARK}": "'",
+        "\N{RIGHT SINGLE QUOTATION MARK}": "'",
+        "《": '"',
+        "》": '"',
+        "「": '"',
+        "」": '"',
+    }
+)
+_CIRCLED = {ord("①") + at: f"({at + 1}) " for at in range(20)}
+_NUMBER_WORD = _SIGNS | _CIRCLED
+_CELL_TAG = re.compile(r"</?(?:td|th)\b[^<>]{0,100}>", re.IGNORECASE)
+_TAG = re.compile(r"</?[a-zA-Z]+\b[^<>]{0,100}>")
+_FOOTNOTE = re.compile(r"(?<![A-Za-z0-9])\^?\{? ?\*[0-9]{1,2}(?![0-9.,%])\}?")
+_COMMAND = re.compile(r"\\[a-zA-Z]+")
+_RULE = re.compile(r"[\s|:+=-]*")
+_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_HEX = re.compile(r"[0-9][0-9A-Fa-f]{0,15} ?$|[A-Fa-f][0-9A-Fa-f]{0,14}[0-9][A-Fa-f]{0,4} ?$")
+_FOREIGN = re.compile(r"[^\x20-\x7e]+")
+_MARKS = re.compile(rf"{LEFT}(?:[\s,.;\"]*{LEFT})*")
+_BLANKS = re.compile(r" {2,}")
+
+
+def digest(line: str) -> str:
+    """Eight hexadecimal digits that stand for a line, whatever blanks are in it; none for an empty one."""
+    text = "".join(unicodedata.normalize("NFKC", line).split())
+    return sha256(text.encode()).hexdigest()[:8] if text else ""
+
+
+def index_line(line: str) -> str:
+    """The line as an index keeps it: cells with ` | ` between them, `…` for what is left out."""
+    text = _CELL_TAG.sub("|", line[:LONGEST])
+    text = _TAG.sub(" ", text)
+    text = _FOOTNOTE.sub("", text)
+    if not text.isascii():
+        text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
+        text = unicodedata.normalize("NFKC", text.translate(_NUMBER_WORD)).translate(_SIGNS)
+    text = _COMMAND.sub(" ", text).replace("$", "").replace("\t", "|")
+    if _RULE.fullmatch(text):
+        return ""
+    if line.lstrip().startswith("|"):
+        text = text.strip().removeprefix("|").removesuffix("|")
+    cells = text.split("|")
+    return CELL.join(map(_cell, cells)).rstrip(" |") if len(cells) > 1 else _cell(text)
+
+
+def _cell(cell: str) -> str:
+    text = _FOREIGN.sub(LEFT, cell)
+    if not _WORD.fullmatch(text.strip()):
+        text = _WORD.sub(lambda found: _word(found, text), text)
+    return _BLANKS.sub(" ", _MARKS.sub(LEFT, text)).strip()
+
+
+def _word(found: re.Match[str], cell: str) -> str:
+    """A word that can be an identifier, or that hangs on a number as a unit or a suffix; else the mark."""
+    word = found[0]
+    if not word.islower() or any(char.isdigit() or char == "_" for char in word):
+        return word
+    before = cell[: found.start()]
+    hangs = before[-1:].isdigit() or (word == "h" and _HEX.search(before) is not None)
+    return word if hangs else LEFT
+
+
+# An index stands beside the spec in the repository, where the manual itself cannot be. As text it has a head, an empty
+# line, and then one line for each of the manual: the hash of the line, and the reduced line.
+
+NAME = "manual.index"
+_HEAD = (
+    "# What of the manual can be a fact, line by line. Written by `fieldspec audit {device} --manual FILE --record`."
+)
+_FORM = re.compile(r"# [^\n]*\nsha256 ([0-9a-f]{64})\nlines ([0-9]{1,7})\n\n")
+_LINE = re.compile(r"[0-9a-f]{8}(?: .+)?|")
+
+
+class ManualError(Exception):
+    """A text that cannot be a manual, or an index that cannot be read: what is wrong with it, and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class ManualIndex:
+    """The lines of a manual. `file` is where findings point: the index, or the manual's own text.
+
+    `offset` is the number of lines in `file` before the first one of the manual.
+    """
+
+    sha256: str
+    digests: Sequence[str]
+    lines: Sequence[str]
+    file: SourceFile = field(compare=False)
+    offset: int = field(default=0, compare=False)
+
+    def span(self, number: int) -> Span:
+        """Where findings show a line of the manual, counted from 1."""
+        starts = self.file.line_starts()
+        at = min(number + self.offset, len(starts)) - 1
+        text = self.file.line(at + 1)
+        return Span(self.file, starts[at], starts[at] + max(len(text), 1))
+
+
+def index_of(path: str, content: bytes) -> ManualIndex:
+    """The index of a manual's text. Raises ManualError where the bytes are no UTF-8 text."""
+    text = _decoded(content)
+    lines = text.split("\n")
+    if not lines[-1].strip():
+        lines.pop()
+    return ManualIndex(
+        sha256(content).hexdigest(),
+        [digest(line) for line in lines],
+        list(_without_programs(lines)),
+        SourceFile(path, text),
+    )
+
+
+def _without_programs(lines: Sequence[str]) -> Iterator[str]:
+    """Each line reduced; of a program, between lines of three backticks, nothing is left, as all of it is text."""
+    inside = False
+    for line in lines:
+        fence = line.strip().startswith("```")
+        inside ^= fence
+        yield "" if inside or fence else index_line(line)
+
+
+def _decoded(content: bytes) -> str:
+    """The text of a file, with line feeds alone; a byte order mark is no part of it."""
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise ManualError("is UTF-16; save it as UTF-8")
+    if b"\0" in content:
+        raise ManualError("is not a text; extract the text of the manual first, and save it as UTF-8")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise ManualError(
+            f"is not UTF-8: line {line} has a byte {content[error.start]:02X}h; save it as UTF-8"
+        ) from None
+    if not text.strip():
+        raise ManualError("is empty; give the text of the manual")
+    return text.replace("\r\n", "\n")
+
+
+def index_text(index: ManualIndex, device: str) -> str:
+    """The index as text."""
+    rows = (f"{digest} {line}".rstrip() for digest, line in zip(index.digests, index.lines, strict=True))
+    head = f"{_HEAD.format(device=device)}\nsha256 {index.sha256}\nlines {len(index.lines)}\n\n"
+    return head + "".join(f"{row}\n" for row in rows)
+
+
+def parsed(path: str, text: str) -> ManualIndex:
+    """The index that a text holds. Raises ManualError where it holds none."""
+    head = _FORM.match(text)
+    rows = text[head.end() :].split("\n")[:-1] if head else []
+    if head is None or len(rows) != int(head[2]) or not all(map(_LINE.fullmatch, rows)):
+        raise ManualError("is not an index of a manual; record it again with --manual FILE --record")
+    parts = [row.partition(" ") for row in rows]
+    offset = head[0].count("\n")
+    return ManualIndex(
+        head[1], [part[0] for part in parts], [part[2] for part in parts], SourceFile(path, text), offset
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Aligned:
+    """A manual whose lines are known by their numbers in the edition that the spec cites.
+
+    `known` gives for each line of the text at hand the cited number, `here` the line at hand for a cited number. A line
+    that only the text at hand has is known by the cited line before it, and is in `new`. Cited lines that are gone are
+    in `gone`; those that say something else at the same place, in `changed`. `same` is how many of the `whole` lines
+    with text are there unchanged.
+    """
+
+    index: ManualIndex
+    known: Sequence[int]
+    here: dict[int, int]
+    new: frozenset[int]
+    gone: frozenset[int]
+    changed: frozenset[int]
+    same: int
+    whole: int
+
+    def line(self, cited: int) -> str:
+        """What stands on a line that the spec cites; nothing where it is gone."""
+        at = self.here.get(cited)
+        return self.index.lines[at - 1] if at else ""
+
+
+def unmoved(index: ManualIndex) -> Aligned:
+    """A manual in the edition that the spec cites."""
+    numbers = range(1, len(index.lines) + 1)
+    whole = sum(map(bool, index.digests))
+    return Aligned(index, numbers, {one: one for one in numbers}, frozenset(), frozenset(), frozenset(), whole, whole)
+
+
+def aligned(cited: ManualIndex, index: ManualIndex) -> Aligned:
+    """The lines of `index`, a text at hand, by those of `cited`, the edition that the spec cites."""
+    if list(cited.digests) == list(index.digests):
+        return unmoved(index)
+    old = [number for number, digest in enumerate(cited.digests, 1) if digest]
+    new = [number for number, digest in enumerate(index.digests, 1) if digest]
+    here: dict[int, int] = {}
+    changed: set[int] = set()
+    added: set[int] = set()
+    same = 0
+    matcher = SequenceMatcher(
+        None, [cited.digests[at - 1] for at in old], [index.digests[at - 1] for at in new], autojunk=False
+    )
+    for tag, first, last, begin, end in matcher.get_opcodes():
+        here.update(zip(old[first:last], new[begin:end], strict=False))
+        if tag == "equal":
+            same += last - first
+        else:
+            changed.update(old[first : first + min(last - first, end - begin)])
+            added.update(new[begin + min(last - first, end - begin) : end])
+    by_line = {line: number for number, line in here.items()}
+    known = []
+    before = 1
+    for number in range(1, len(index.lines) + 1):
+        before = by_line.get(number, before)
+        known.append(before)
+    gone = frozenset(old) - here.keys()
+    return Aligned(index, known, here, frozenset(added), gone, frozenset(changed), same, len(old))

@@ -1,0 +1,323 @@
+"""A register dump of a real device, decoded and compared with the spec."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fieldspec.audit.section import Cell, Figure, Section, SectionTable
+from fieldspec.audit.units import Address, Unit, units
+from fieldspec.checks.finding import range_key
+from fieldspec.classes import dataclass
+from fieldspec.diagnostics import Diagnostic, Label, Severity
+from fieldspec.explain.values import DecodedValue, decode_value
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.lists.cells import HEXADECIMAL
+from fieldspec.lists.columns import folded
+from fieldspec.lists.dump import Dump, Entry
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.registers import Parameter
+from fieldspec.model.value import Kind, Value
+from fieldspec.source import SourceFile, Span
+
+WORD = 16
+_ALL = (1 << WORD) - 1
+
+_RANGE = "dump_value_within_range"
+_KNOWN = "dump_value_known"
+_CLEAR = "dump_reserved_clear"
+_WHOLE = "dump_value_whole"
+_ADDRESS = "dump_address_known"
+_REASONS = {"out_of_range": _RANGE, "unknown_value": _KNOWN, "wrong_const": _KNOWN}
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A value that was read: the rows of the dump that hold it, what it says, and the bits in it that are reserved."""
+
+    name: str
+    where: str
+    fact: Fact
+    value: Value
+    rows: tuple[int, ...]
+    decoded: DecodedValue
+    spare: tuple[int, ...]
+    reserved: bool
+    unread: bool = False
+
+    @property
+    def number(self) -> object:
+        """The raw value."""
+        return self.decoded.number
+
+    @property
+    def text(self) -> str:
+        """What it means, in a few words."""
+        names = [meaning.name or f"bit {meaning.bits}" for meaning in self.decoded.meanings]
+        if self.value.flags:
+            return "[" + ", ".join(names) + "]"
+        return ", ".join(text for text in (*names, self.decoded.text) if text)
+
+    @property
+    def differs(self) -> bool:
+        """Whether it is not what the manual prints as the initial value."""
+        default = self.value.default
+        judged = not self.decoded.reason and not self.reserved and not self.unread
+        return default is not None and judged and self.number != default
+
+
+@dataclass(frozen=True, slots=True)
+class Hole:
+    """A value of which the dump has some words and lacks others."""
+
+    name: str
+    fact: Fact
+    rows: tuple[int, ...]
+    missing: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DumpReport:
+    """A dump beside a device. `base` is how its addresses were read, `twice` has rows that contradict earlier ones."""
+
+    base: str
+    read: tuple[Read, ...]
+    holes: tuple[Hole, ...]
+    unknown: tuple[Entry, ...]
+    too_great: tuple[tuple[Entry, Unit], ...]
+    twice: tuple[tuple[Entry, int], ...]
+
+
+def compared(layout: DeviceLayout, dump: Dump, offset: int = 0) -> DumpReport:
+    """A dump beside a device. Addresses are read in the way by which most are known, and then the fewest are wrong."""
+    made = [_report(layout, base, dump.entries(base), offset) for base in dump.bases]
+    return max(made, key=lambda told: (-len(told.unknown), -_doubtful(told)))
+
+
+def _doubtful(told: DumpReport) -> int:
+    """How much speaks against the way in which addresses were read."""
+    wrong = sum(1 for read in told.read if read.decoded.reason or read.spare)
+    return wrong + len(told.holes) + len(told.too_great) + len(told.twice)
+
+
+def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> DumpReport:
+    held = list(units(layout))
+    starts: dict[Address, Unit] = {}
+    known: dict[Address, Unit] = {}
+    for unit in held:
+        starts.setdefault((unit.space, unit.address), unit)
+        for address in unit.addresses:
+            known.setdefault(address, unit)
+    words: dict[Address, tuple[int, int]] = {}
+    unknown: list[Entry] = []
+    too_great: list[tuple[Entry, Unit]] = []
+    twice: list[tuple[Entry, int]] = []
+    parameters: list[Read] = []
+    for entry in entries:
+        first = entry.address - offset
+        read = list(_parameters(layout.device, entry, first)) if not held or _names_a_space(layout, entry) else []
+        if read:
+            parameters += read
+            continue
+        space = _space(layout.device, entry)
+        there = starts.get((space, first))
+        split = _split(layout.device, entry, there)
+        if split is None and (space, first) in known:
+            too_great.append((entry, there or known[space, first]))
+            continue
+        if split is None or not any((space, first + at) in known for at in range(len(split))):
+            unknown.append(entry)
+            continue
+        for at, word in enumerate(split):
+            before = words.setdefault((space, first + at), (word, entry.row))
+            if before[0] != word:
+                twice.append((entry, before[1]))
+    values, holes = [], []
+    for unit in held:
+        have = [address for address in unit.addresses if address in words]
+        if len(have) == unit.words:
+            values.append(_read(layout.device, unit, words))
+        elif have:
+            lacking = tuple(address[1] for address in unit.addresses if address not in words)
+            holes.append(Hole(unit.name, unit.fact, tuple(words[address][1] for address in have), lacking))
+    return DumpReport(base, (*values, *parameters), tuple(holes), tuple(unknown), tuple(too_great), tuple(twice))
+
+
+def _space(device: Device, entry: Entry) -> str:
+    """The address space that a row names; the first one where it names none."""
+    named = {folded(name): name for name in device.spaces}
+    return named.get(folded(entry.space), device.space_name("")) if entry.space else device.space_name("")
+
+
+def _names_a_space(layout: DeviceLayout, entry: Entry) -> bool:
+    """Whether a row says that its number is one of parameters."""
+    spaces = {folded(held.space) for held in layout.device.parameters.values()}
+    return bool(entry.space) and folded(entry.space) in spaces
+
+
+def _split(device: Device, entry: Entry, unit: Unit | None) -> list[int] | None:
+    """The words of a row; a number of several words is divided as the value there is. None where it cannot be."""
+    if len(entry.values) == 1:
+        number = entry.values[0]
+        wide = unit.words if unit is not None and unit.words > 1 else 1
+        if wide > 1 and (entry.words == wide or not -(1 << (WORD - 1)) <= number <= _ALL):
+            bits = WORD * wide
+            if not -(1 << (bits - 1)) <= number < 1 << bits:
+                return None
+            number &= (1 << bits) - 1
+            parts = [number >> WORD * at & _ALL for at in reversed(range(wide))]
+            return parts if device.word_order == "big" else parts[::-1]
+    if any(not -(1 << (WORD - 1)) <= number <= _ALL for number in entry.values):
+        return None
+    return [number & _ALL for number in entry.values]
+
+
+def _read(device: Device, unit: Unit, words: Mapping[Address, tuple[int, int]]) -> Read:
+    addresses = unit.addresses
+    order = "big" if device.byte_order == "big" else "little"
+    data = b"".join(words[address][0].to_bytes(2, order) for address in addresses)  # type: ignore[arg-type]
+    data = data[unit.skip : unit.skip + unit.value.size]
+    said = decode_value(device, unit.value, data, unit.order, unit.swapped, unit.reserved or unit.unread)
+    rows = tuple(dict.fromkeys(words[address][1] for address in addresses))
+    spare = _spare(device, unit.value, said, unit.reserved or unit.unread)
+    return Read(unit.name, f"{unit.address:04X}h", unit.fact, unit.value, rows, said, spare, unit.reserved, unit.unread)
+
+
+def _spare(device: Device, value: Value, said: DecodedValue, reserved: bool) -> tuple[int, ...]:
+    """The bits that are set and have no meaning."""
+    word = device.flags.get(value.flags)
+    if word is None or reserved or not isinstance(said.number, int):
+        return ()
+    used = sum(bit.mask for bit in word.bits if not bit.reserved)
+    left = said.number & ((1 << 8 * value.size) - 1) & ~used
+    return tuple(at for at in range(left.bit_length()) if left >> at & 1)
+
+
+def _parameters(device: Device, entry: Entry, number: int) -> Iterator[Read]:
+    """The values of a parameter by its number on the wire."""
+    spaces = dict.fromkeys(held.space for held in device.parameters.values())
+    named = [space for space in spaces if folded(space) == folded(entry.space)] or list(spaces)
+    for space in named:
+        found = device.parameter_at(space, number)
+        parameter = found[0].numbered(found[1]) if found is not None else None
+        if found is None or parameter is None:
+            continue
+        for at, held in enumerate(entry.values):
+            yield _parameter(device, found[0].number_text(found[1]), parameter, at, held, entry)
+        return
+
+
+def _parameter(device: Device, where: str, parameter: Parameter, at: int, number: int, entry: Entry) -> Read:
+    element = next((one for one in parameter.subindices if at in one.indices), None)
+    value = element.value if element is not None else parameter.value
+    reserved = parameter.reserved or (element is not None and element.reserved)
+    name = parameter.name + (f"[{at}]" if parameter.elements or len(entry.values) > 1 else "")
+    bits = 8 * value.size
+    if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and -(1 << (bits - 1)) <= number < 1 << bits:
+        data = (number & ((1 << bits) - 1)).to_bytes(value.size, "big")
+        said = decode_value(device, value, data, "big", False, reserved)
+    else:
+        said = DecodedValue(number).judged(False, f"{value.size} bytes of {value.type.name}", "out_of_range")
+    spare = _spare(device, value, said, reserved)
+    return Read(name, where, element or parameter, value, (entry.row,), said, spare, reserved)
+
+
+def judged(told: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
+    """What is wrong with a dump; `rows` has the offset at which each row begins in the file."""
+
+    def at(row: int) -> Span:
+        start = rows.get(row, 0)
+        end = file.text.find("\n", start)
+        return Span(file, start, len(file.text) if end < 0 else end)
+
+    found = [one for read in told.read for one in _wrong(read, at(read.rows[0]))]
+    for hole in told.holes:
+        lacking = ", ".join(f"{address:04X}h" for address in hole.missing)
+        text = f"{hole.name} has more words than the dump: {lacking} is missing"
+        found.append(finding(_WHOLE, text, at(hole.rows[0]), hole.fact, "read all of its words, in one request"))
+    for entry, unit in told.too_great:
+        text = f"{unit.name} has {unit.words} words; {max(entry.values, key=abs)} is too great for what was read"
+        found.append(finding(_RANGE, text, at(entry.row), unit.fact, "read it again, or put the address right"))
+    for entry, before in told.twice:
+        label = Label(at(before), "another value")
+        text = "an address has two values"
+        found.append(Diagnostic(_WHOLE, text, at(entry.row), (label,), "take a dump in which each address stands once"))
+    for entry in told.unknown:
+        text = f"nothing is known of the address {entry.address:04X}h"
+        help = "transcribe it, or give --base or --offset if the addresses are counted otherwise"
+        found.append(Diagnostic(_ADDRESS, text, at(entry.row), help=help, severity=Severity.WARNING))
+    return found
+
+
+def _wrong(read: Read, span: Span) -> Iterator[Diagnostic]:
+    """What is wrong with one value."""
+    if read.decoded.reason:
+        held = read.number.hex(" ") if isinstance(read.number, bytes) else read.number
+        text = f"{read.name} is {held}; it {read.decoded.verdict.removeprefix('wrong: ')}"
+        yield finding(
+            _REASONS.get(read.decoded.reason, _KNOWN), text, span, read.fact, "the device, or the spec, is wrong"
+        )
+    for note in read.decoded.notes if not read.decoded.reason and read.value.enum and not read.decoded.meanings else ():
+        yield finding(_KNOWN, f"{read.name}: {note}", span, read.fact, "transcribe it if the manual has it", False)
+    if read.spare:
+        bits = ", ".join(map(str, read.spare))
+        text = f"{read.name} has bits set that have no meaning: {bits}"
+        yield finding(_CLEAR, text, span, read.fact, "transcribe them if the manual has them")
+    resting = read.value.const if read.value.const is not None else read.value.default or 0
+    if read.reserved and isinstance(read.number, int) and read.number != resting:
+        text = f"{read.name} is reserved and holds {read.number}"
+        yield finding(_CLEAR, text, span, read.fact, "transcribe it if the manual gives it a meaning", False)
+
+
+def finding(code: str, text: str, span: Span, fact: Fact, help: str, grave: bool = True) -> Diagnostic:
+    """A finding about a value, with the place of the spec that says otherwise; a warning where it is not grave."""
+    label = Label(fact.place[range_key(fact.place) if code == _RANGE else "name"], "what the spec says")
+    return Diagnostic(code, text, span, (label,), help, Severity.ERROR if grave else Severity.WARNING)
+
+
+def section(told: DumpReport, found: Sequence[Diagnostic], skipped: int) -> Section:
+    """The report of a dump."""
+    wrong = [read for read in told.read if read.decoded.reason or read.spare]
+    differing = [read for read in told.read if read.differs]
+    base = "hexadecimal" if told.base == HEXADECIMAL else told.base
+    says = [f"Addresses were read as {base}."]
+    if skipped:
+        says.append(f"{skipped} rows have no address or no value.")
+    figures = (
+        Figure("values decoded", len(told.read)),
+        Figure("values that cannot be, or have reserved bits set", len(wrong), len(told.read), not wrong),
+        Figure("values of which words are missing", len(told.holes), None, not told.holes),
+        Figure("addresses that the spec does not know", len(told.unknown), None, not told.unknown),
+        Figure("values that differ from the initial ones", len(differing), len(told.read)),
+    )
+    tables = (
+        _values("wrong", "Values that cannot be", wrong, "bad"),
+        _defaults(differing),
+        _unknown(told.unknown),
+        _values("values", "All values", told.read, ""),
+    )
+    return Section("dump", "What the device held", tuple(says), figures, tables, tuple(found))
+
+
+def _values(name: str, title: str, reads: Sequence[Read], kind: str) -> SectionTable:
+    rows: list[tuple[Cell, ...]] = []
+    for read in reads:
+        number = read.number
+        raw: Cell = number.hex(" ") if isinstance(number, bytes) else str(number)
+        verdict = read.decoded.verdict.removeprefix("wrong: ") if read.decoded.reason else ""
+        if read.spare:
+            verdict = f"without a meaning: bits {', '.join(map(str, read.spare))}"
+        rows.append((read.where, read.name, raw, read.text, verdict, read.rows[0]))
+    columns = ("address", "name", "raw", "meaning", "verdict", "row")
+    return SectionTable(name, title, columns, tuple(rows), (kind,) * len(rows), detail=name == "values")
+
+
+def _defaults(reads: Sequence[Read]) -> SectionTable:
+    rows = tuple((one.where, one.name, str(one.number), str(one.value.default), one.text, one.rows[0]) for one in reads)
+    columns = ("address", "name", "raw", "initial", "meaning", "row")
+    return SectionTable("defaults", "Values that are not the initial ones", columns, rows)
+
+
+def _unknown(entries: Sequence[Entry]) -> SectionTable:
+    rows = tuple((f"{one.address:04X}h", ", ".join(map(str, one.values)), one.row) for one in entries)
+    return SectionTable("unknown", "Addresses that the spec does not know", ("address", "raw", "row"), rows)

@@ -1,0 +1,170 @@
+"""Lookup tables, limits and notes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.docs.context import Context, cited, names, sources
+from fieldspec.backends.docs.document import (
+    Block,
+    Cell,
+    Facts,
+    Line,
+    Paragraph,
+    Section,
+    TableColumn,
+    TableRow,
+    cell,
+    code,
+    joined,
+    styled,
+    table,
+    text_piece,
+)
+from fieldspec.backends.docs.sources import Inferences
+from fieldspec.explain.values import decimal_text
+from fieldspec.model.fact import PlainValue
+from fieldspec.model.texts import Limit, Lookup, LookupColumn, LookupRow, Note
+
+KINDS = {
+    "timing": "Timings",
+    "limit": "Limits",
+    "electrical": "Electrical data",
+    "link": "The line",
+    "capacity": "Capacities",
+}
+LIMITS = (
+    TableColumn("Name", unbroken=True),
+    TableColumn("Value", "number", unbroken=True),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+
+STATEMENTS = (
+    TableColumn("Subject", unbroken=True),
+    TableColumn("Is so", unbroken=True),
+    TableColumn("What that place says", "wide"),
+    TableColumn("Source", "source"),
+)
+
+
+def lookups(context: Context) -> Section:
+    """All tables of pins, lamps, priorities and their like."""
+    inner = tuple(_lookup(context, lookup) for lookup in context.device.lookups)
+    return Section("lookups", (text_piece("Pins, lamps and other tables"),), (), inner)
+
+
+def _lookup(context: Context, lookup: Lookup) -> Section:
+    blocks = context.opening(lookup)
+    columns = [
+        *(TableColumn(_title(column), unbroken=True) for column in lookup.columns),
+        TableColumn("Notes", "wide"),
+        TableColumn("Source", "source"),
+    ]
+    rows = [_lookup_row(context, lookup.columns, row) for row in lookup.rows]
+    title = lookup.title or lookup.name
+    blocks.append(table(title, columns, rows))
+    if lookup.sources:
+        blocks.append(Facts((("Source", (cited(lookup.sources),)),)))
+    return Section(lookup.place.path, context.section_title(title, lookup), tuple(blocks))
+
+
+def _title(column: LookupColumn) -> str:
+    title = column.title or " ".join(column.name.split("_")).capitalize()
+    return f"{title} {column.label}".strip()
+
+
+def _lookup_row(context: Context, columns: tuple[LookupColumn, ...], row: LookupRow) -> TableRow:
+    notes: list[Line] = [(styled(f"only {', '.join(row.only)}", "badge"),)] if row.only else []
+    notes += [(text_piece(row.notes),)] if row.notes else []
+    cells = [_lookup_cell(context, column, held) for column, held in zip(columns, row.cells, strict=True)]
+    where = cell(cited(row.sources))
+    return TableRow((*cells, cell(*notes, *context.beside(row.place)), where), row.place.path)
+
+
+def _lookup_cell(context: Context, column: LookupColumn, held: PlainValue) -> Cell:
+    if held is None:
+        return Cell()
+    text = {True: "yes", False: "no"}[held] if isinstance(held, bool) else str(held)
+    if column.enum:
+        return cell(code(text, f"#enums/{column.enum}/{text}"))
+    return cell(text)
+
+
+def limits(context: Context) -> Section:
+    """All single numbers, by what they are about."""
+    inner = []
+    for kind, title in KINDS.items():
+        held = [limit for limit in context.device.limits if limit.kind == kind]
+        if held:
+            path = f"limits-{kind}"
+            marks = Inferences(path)
+            rows = [_limit(context, limit, marks) for limit in held]
+            blocks = (table(title, LIMITS, rows, marks.footnotes()),)
+            inner.append(Section(path, (text_piece(title),), blocks))
+    return Section("limits", (text_piece("Timings and limits"),), (), tuple(inner))
+
+
+def _limit(context: Context, limit: Limit, marks: Inferences) -> TableRow:
+    return TableRow(
+        (
+            names(limit, limit.name, mark=marks.all_marks(limit.inferred)),
+            cell(*_limit_lines(limit)),
+            cell(*context.about(limit)),
+            sources(limit),
+        ),
+        limit.place.path,
+    )
+
+
+def _limit_lines(limit: Limit) -> Iterator[str]:
+    unit = f" {limit.unit}" if limit.unit else ""
+    if limit.value is not None:
+        yield f"{decimal_text(limit.value)}{unit}"
+    if limit.low is not None and limit.high is not None:
+        yield f"{decimal_text(limit.low)} to {decimal_text(limit.high)}{unit}"
+    elif limit.low is not None:
+        yield f"at least {decimal_text(limit.low)}{unit}"
+    elif limit.high is not None:
+        yield f"at most {decimal_text(limit.high)}{unit}"
+    if limit.text:
+        yield limit.text
+    if limit.sum_of:
+        yield f"the sum of {', '.join(_short(path) for path in limit.sum_of)}"
+    if limit.transmits:
+        yield f"before the longest {limit.transmits}"
+    if limit.within:
+        yield f"within {_short(limit.within)}"
+
+
+def _short(path: str) -> str:
+    """The name at the end of a path."""
+    return path.rpartition("/")[2]
+
+
+def notes(context: Context) -> Section:
+    """What a user must know and that belongs to no single fact."""
+    inner = tuple(_note(context, note) for note in context.device.notes)
+    return Section("notes", (text_piece("Notes"),), (), inner)
+
+
+def _note(context: Context, note: Note) -> Section:
+    facts: list[tuple[str, tuple[Line, ...]]] = []
+    if note.about:
+        facts.append(("About", (joined((context.link_to(path),) for path in note.about),)))
+    if note.sources:
+        facts.append(("Source", (cited(note.sources),)))
+    blocks: list[Block] = [Paragraph((text_piece(note.text),))]
+    if note.statements:
+        rows = [
+            TableRow(
+                (cell(code(one.subject)), cell(one.says), cell(one.text), cell(cited(one.sources))), one.place.path
+            )
+            for one in note.statements
+        ]
+        blocks.append(table("What places of the manual state", STATEMENTS, rows))
+    blocks += [Paragraph(line) for line in context.holding.badges(note.place.path)]
+    if facts:
+        blocks.append(Facts(tuple(facts)))
+    title: Line = (text_piece(note.title),) if note.title else (code(note.name),)
+    return Section(note.place.path, title, tuple(blocks))

@@ -1,0 +1,231 @@
+"""Enums and bit fields as Python classes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
+from fieldspec.backends.python.text import described, docstring, filled, literal, one_item_per_line, sentence
+from fieldspec.classes import dataclass, field, replace
+from fieldspec.model.enums import Bit, Enum, Flags, Member, State
+from fieldspec.names import Name
+
+LEAST = 3
+"""Single bits of one byte from which on the table is faster than a test of each."""
+
+
+def from_tables(named: Sequence[tuple[Bit, str]]) -> tuple[list[str], frozenset[str]]:
+    """Lines that bind bits of `raw` to locals of their names, and which bits those are."""
+    lines: list[str] = []
+    bound: set[str] = set()
+    single = {bit.first: name for bit, name in named if bit.width == 1}
+    for start in range(0, max(single, default=0) + 1, 8):
+        names = [single.get(place) for place in range(start, start + 8)]
+        taken = [name for name in names if name]
+        if len(taken) >= LEAST:
+            lines.append(f"{_targets(names)} = _BITS_OF[{f'raw >> {start}' if start else 'raw'} & 255]")
+            bound.update(taken)
+    return lines, frozenset(bound)
+
+
+def _targets(names: Iterable[str | None]) -> str:
+    return ", ".join(name or "_" for name in names)
+
+
+CODES = ("alarm", "error", "exception", "fault", "warning")
+"""The kinds of enums whose members people look up."""
+
+
+@dataclass(frozen=True, slots=True)
+class MemberView:
+    """A member: its name, its value, and its docstring."""
+
+    name: str
+    value: str
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class EnumView:
+    """An IntEnum. The names of its tables have a `prefix`; `table` is the one from its values to its members, if any.
+
+    `printed_names` and `numbers` are the lines of the dicts that give these by the values of members; they are empty
+    where nobody would look for them.
+    """
+
+    name: str
+    prefix: str
+    table: str
+    title: str
+    open: bool
+    doc: list[str]
+    members: list[MemberView]
+    printed_names: list[str] = field(default_factory=list)
+    numbers: list[str] = field(default_factory=list)
+
+    @property
+    def type(self) -> str:
+        """The type of a decoded value."""
+        return f"{self.name} | int" if self.open else self.name
+
+    @property
+    def values(self) -> list[int]:
+        """The values of its members."""
+        return [int(member.value) for member in self.members]
+
+
+@dataclass(frozen=True, slots=True)
+class BitView:
+    """A bit or a field of bits: the type of its property, of its argument, and the expressions that read it."""
+
+    name: str
+    type: str
+    argument: str
+    read: str
+    snapshot: str
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class FlagsView:
+    """A word of flags: the table of its bits, the constructor as type checkers see it, and the states that they show.
+
+    Of each state `fitting` has the bits that decide it, their value in it, and the member. `taken` are the lines of a
+    snapshot that take the bits of a byte at once.
+    """
+
+    name: str
+    bits: list[BitView]
+    table: list[str]
+    init: list[str]
+    states: EnumView | None
+    fitting: list[str]
+    taken: list[str]
+    doc: list[str]
+
+
+def enum_view(enum: Enum, scope: Scope) -> EnumView:
+    """The view of an enum."""
+    taken = Name.of(enum.name)
+    name = scope.take(taken.pascal(), taken.pascal() + "Code")
+    members = Scope(frozenset({"mro"}))
+    kind = "" if enum.kind == "enum" else f"{enum.kind.capitalize()} codes. "
+    others = "Other values are passed on as numbers." if enum.open else "Other values are refused."
+    available = [member for member in enum.members if not member.unavailable]
+    printed = [
+        f"{m.value}: {literal(m.printed_name)}" for m in available if m.printed_name and _has_displayed_names(enum)
+    ]
+    numbers = [f"{m.value}: {m.number}" for m in available if m.number is not None]
+    upper = taken.upper()
+    left_out = [f"{m.value} ({m.name})" for m in enum.members if m.unavailable]
+    missing = f"Not available: {', '.join(left_out)}." if left_out else ""
+    return EnumView(
+        name=name,
+        prefix=f"_{upper}",
+        table=f"_{upper}_MEMBERS",
+        title=enum.name,
+        open=enum.open,
+        doc=docstring(described(enum.title or taken.title(), enum, f"{kind}{others} {missing}".strip()), 4),
+        members=[
+            MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4)) for m in available
+        ],
+        printed_names=one_item_per_line(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0)
+        if printed
+        else [],
+        numbers=filled(f"_{upper}_NUMBERS: dict[int, int] = {{", numbers, "}", 0) if numbers else [],
+    )
+
+
+def _has_displayed_names(enum: Enum) -> bool:
+    """Whether the printed names of members are what a display, or a list of codes, shows."""
+    return bool(enum.printed_as) or enum.kind in CODES
+
+
+def _member(member: Member) -> list[str]:
+    causes = [f" Cause: {sentence(cause.cause)} {' '.join(map(sentence, cause.remedies))}" for cause in member.causes]
+    remedies = [f" Remedy: {sentence(remedy)}" for remedy in member.remedies]
+    head = described(Name.of(member.name).title(), member, sentence(member.problem))
+    return [*head[:3], *causes, *remedies, *head[3:]]
+
+
+def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> FlagsView:
+    """The view of a word of flags."""
+    taken = Name.of(flags.name)
+    name = scope.take(taken.pascal(), taken.pascal() + "Flags")
+    states = _states(flags, name, scope) if flags.states else None
+    names = Scope(FLAGS, TYPES, STATES if states else frozenset())
+    named = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
+    lines, bound = from_tables(named)
+    bits = [_bit(bit, taken_name, enums) for bit, taken_name in named]
+    bits = [replace(bit, snapshot=bit.name) if bit.name in bound else bit for bit in bits]
+    more = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
+    table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in named]
+    return FlagsView(
+        name=name,
+        bits=bits,
+        table=one_item_per_line("_BITS = {", table, "}", 4),
+        init=one_item_per_line(
+            "def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8
+        ),
+        states=states,
+        fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
+        taken=lines,
+        doc=docstring(described(taken.title(), flags, more), 4),
+    )
+
+
+def _argument(bit: BitView) -> str:
+    return f"{bit.name}: {bit.argument} = {'False' if bit.argument == 'bool' else '0'}"
+
+
+def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
+    """The states that some bits show together, numbered from 1 so that none of them is false."""
+    members = Scope(frozenset({"mro"}))
+    return EnumView(
+        name=scope.take(f"{name}State", f"{name}StateCode"),
+        prefix="",
+        table="",
+        title=f"{flags.name}_state",
+        open=False,
+        doc=docstring([f"What the bits of {name} show together."], 4),
+        members=[
+            MemberView(members.take(Name.of(state.name).upper()), str(number), docstring(_state(state), 4))
+            for number, state in enumerate(flags.states, 1)
+        ],
+    )
+
+
+def _state(state: State) -> list[str]:
+    bits = [f"{', '.join(names)} {value}" for names, value in ((state.set, 1), (state.clear, 0)) if names]
+    return described(Name.of(state.name).title(), state, sentence(f"Bits: {'; '.join(bits)}"))
+
+
+def _fitting(flags: Flags, state: State, number: int, states: EnumView) -> str:
+    mask, value = flags.masked(state)
+    return f"({mask:#x}, {value:#x}, {states.name}.{states.members[number].name})"
+
+
+def _bit(bit: Bit, name: str, enums: Mapping[str, EnumView]) -> BitView:
+    number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
+    meanings = [f"{value} = {text}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
+    facts = [f" {meaning}" for meaning in meanings]
+    if bit.edge:
+        facts.append(f" The {bit.edge} edge has the effect.")
+    if bit.active == "low":
+        facts.append(" It is 0 while that is so.")
+    if bit.when:
+        facts.append(f" When {sentence(bit.when)}")
+    doc = docstring(described(f"{Name.of(bit.name).title()}, {number}", bit, *facts), 8)
+    if bit.width == 1:
+        return _view(name, "bool", f"{{raw}} & {bit.mask:#x} != 0", doc)
+    most = bit.mask >> bit.first
+    read = f"{{raw}} >> {bit.first} & {most:#x}" if bit.first else f"{{raw}} & {most:#x}"
+    if not bit.enum:
+        return _view(name, "int", read, doc)
+    enum = enums[bit.enum]
+    return _view(name, f"{enum.name} | int", f"{enum.table}.get({read}, {read})", doc)
+
+
+def _view(name: str, type_: str, read: str, doc: list[str]) -> BitView:
+    argument = "bool" if type_ == "bool" else "int"
+    return BitView(name, type_, argument, read.format(raw="self.raw"), read.format(raw="raw"), doc)

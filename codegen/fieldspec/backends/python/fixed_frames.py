@@ -1,0 +1,232 @@
+"""Frames of fixed length, packed and unpacked in one call with header and checksum."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.python.frames import constant, greatest_part, is_simple, letter, number, variable
+from fieldspec.backends.python.reading import local, targets
+from fieldspec.backends.python.records import RecordShape, condition, constant_tests, construction_lines, writing_lines
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import chained, filled, literal, unpacked
+from fieldspec.backends.python.writing import greatest
+from fieldspec.classes import dataclass
+from fieldspec.layout.frame import CHECKSUMS, FrameLayout, LinkLayout, PartLayout
+
+TABLES = 8
+_WORDS = "crc16_modbus"
+_APPENDED = {
+    "": "",
+    "crc16_modbus": ' + _crc16_modbus(data).to_bytes(2, "little")',
+    "lrc": " + _BYTES[-sum(data) & 255]",
+    "sum8": " + _BYTES[sum(data) & 255]",
+}
+# The letters that take the check when a frame is read, what they are unpacked into, and when the check is wrong.
+_TAKEN = {
+    "": ("", [], []),
+    "crc16_modbus": ("2x", [], ["_crc16_modbus(data)"]),
+    "lrc": ("x", [], ["sum(data) & 255"]),
+    "sum8": ("B", ["check"], ["(sum(data) - check) & 255 != check"]),
+}
+_BIG = (
+    ' + _crc16_modbus(data).to_bytes(2, "big")',
+    ("2s", ["check"], ['_crc16_modbus(data[:-2]).to_bytes(2, "big") != check']),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class FixedFrame:
+    """The code of one message on one link in one direction.
+
+    `declared` makes what packs and unpacks. Written: `bind` locals; where `tests` hold, `steps` return the frame. Read:
+    `unpack`, which may raise `unread`; unless something is `wrong`, `lines` make the message.
+    """
+
+    declared: list[str]
+    bind: list[str]
+    tests: list[str]
+    steps: list[str]
+    unpack: list[str]
+    unread: str
+    wrong: str
+    lines: list[str]
+
+
+def has_fixed_length(shaped: RecordShape, frame: FrameLayout) -> bool:
+    """Whether a message's frames are packed and unpacked at once."""
+    lists = sum(field.is_list and not field.skipped for field in shaped.fields)
+    if shaped.tail is not None or shaped.selector is not None or lists > 1:
+        return False
+    if not is_simple(frame):
+        return False
+    orders = {part.order for part in frame.head if part.size > 1}
+    if any(field.letters.strip("0123456789sx") not in ("", "B", "b") for field in shaped.fields):
+        orders.add(shaped.order)
+    return len(orders) <= 1
+
+
+def fixed_frame(
+    shaped: RecordShape,
+    link: LinkLayout,
+    direction: str,
+    code: int | None,
+    name: str,
+    frames: str,
+    tests: list[str],
+    reads: bool,
+) -> FixedFrame:
+    """The code for one message, which `reads` frames or only writes them.
+
+    `name` ends the names of what packs and unpacks, `frames` is that of the link's `Frames`, `tests` are the head's
+    conditions.
+    """
+    frame = link.frame(direction)
+    order = next((part.order for part in frame.head if part.size > 1), shaped.order)
+    size = frame.head_size + (shaped.record.size or 0)
+    known = {"code": code, "length": size + frame.tail_size}
+    constants = {part.name: held for part in frame.head if (held := known.get(part.role)) is not None}
+    always = {part.name: held for part in frame.head if (held := constant(part)) is not None}
+    constants |= always
+    algorithm = frame.check.algorithm if frame.check else ""
+    looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
+    writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset(), "")
+    letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.head)) + shaped.letters
+    packed = [_slot(part, constants) for part in frame.head] + writing.values
+    marked = f"{frames}.marked" if link.link.start or link.link.end or link.link.encoding == "hex_ascii" else ""
+    into = [_target(part) for part in frame.head]
+    into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
+    check: list[str] = []
+    compared: list[str] = []
+    unread = "_StructError"
+    declared: list[str] = []
+    if looked_up:
+        written, read = (list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
+        station = frame.role("station")
+        if station is not None and station.size == 1:
+            most, table = greatest_part(link, station), f"_STATIONS{name}"
+            declared = [_begun(table, written, most)]
+            written, read = ([f"{table}[station]", *_others(terms)] for terms in (written, read))
+            # Greater stations are not in the table, and lesser ones are not packed.
+            tests = [test for test in tests if test != f"station <= {most}"]
+        letters += "H"
+        packed.append("check")
+        check = chained("check = ", written, "^", "", 16)
+        compared = chained("expected = ", read, "^", "", 12)
+        unread = "_UNREAD"
+        # The tables hold the shares of what must be received, so that each of it is compared with what is received.
+        wrong = ["check != expected", *constant_tests(shaped)]
+        appended, taken, checked = "", "", ["check"]
+    else:
+        big = algorithm == _WORDS and frame.check is not None and frame.check.order == "big"
+        appended, (taken, checked, wrong) = _BIG if big else (_APPENDED[algorithm], _TAKEN[algorithm])
+    wrong = [*(f"{variable(p)} != {constants[p.name]}" for p in frame.head if p.role == "length"), *wrong]
+    wrong = [*(f"{variable(p)} != {always[p.name]}" for p in frame.head if p.name in always), *wrong]
+    conditions = condition([*tests, *writing.tests])
+    return FixedFrame(
+        declared=[*_declared(name, letters, letters + taken, reads), *declared],
+        bind=writing.bind,
+        tests=conditions,
+        steps=[*check, *_packing(f"_PACK{name}(", packed, marked, appended, 16 if conditions else 12)],
+        unpack=[*unpacked([*into, *checked], f"_UNPACK{name}(data)", 12), *compared],
+        unread=unread,
+        wrong=" or ".join(wrong),
+        lines=construction_lines(shaped, "message", frame.head_size, looked_up),
+    )
+
+
+def _declared(name: str, letters: str, read: str, reads: bool) -> list[str]:
+    """The statements that make what packs, and what unpacks where frames are read."""
+    if reads and read == letters:
+        return filled(f"_PACK{name}, _UNPACK{name} = _packing(", [literal(letters)], ")", 0)
+    lines = [f"_PACK{name} = _Struct({literal(letters)}).pack"]
+    return [*lines, f"_UNPACK{name} = _Struct({literal(read)}).unpack"] if reads else lines
+
+
+_STATION = "[station]"
+
+
+def _begun(table: str, terms: list[str], most: int) -> str:
+    """The statement that makes the table which begins a CRC: the constant, with the share of each station."""
+    shares = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
+    return f"{table} = tuple({terms[0]} ^ share for share in {shares}[:{most + 1}])"
+
+
+def _others(terms: list[str]) -> list[str]:
+    """The terms of a CRC behind those that its table has."""
+    return [term for term in terms[1:] if not term.endswith(_STATION)]
+
+
+def _packing(call: str, packed: list[str], marked: str, appended: str, indent: int) -> list[str]:
+    """Lines that return the frame: the packed values, what is appended to them, and the marks around."""
+    if not marked and not appended:
+        return filled(f"return {call}", packed, ")", indent)
+    whole = f"{marked}(data{appended})" if marked else f"data{appended}"
+    return [*filled(f"data = {call}", packed, ")", indent), f"return {whole}"]
+
+
+def _slot(part: PartLayout, constants: dict[str, int]) -> str:
+    """What fills the slot of a part of the head."""
+    if part.name not in constants:
+        return number(part)
+    return f"{constants[part.name]:#04x}" if part.role == "code" else str(constants[part.name])
+
+
+def _single(field: Slots) -> bool:
+    """Whether a field is one number in one slot, so that its bytes can be had from the number.
+
+    Whatever is received in a reserved field counts for the check, so that there must be none.
+    """
+    if field.field.record is not None or field.is_list or field.field.field.measures or field.field.field.reserved:
+        return False
+    return len(field.letters) == 1 and field.letters in "BbHhIiQq"
+
+
+def _target(part: PartLayout) -> str:
+    """What a part of the head is unpacked into. The code has been looked at before."""
+    return "_" if part.role == "code" else variable(part)
+
+
+def _crc_terms(
+    shaped: RecordShape,
+    link: LinkLayout,
+    frame: FrameLayout,
+    constants: dict[str, int],
+    order: str,
+    size: int,
+    raw: str,
+) -> Iterator[str]:
+    """The terms whose exclusive or is the CRC: one constant, and a look-up for each byte that varies.
+
+    The bytes that are 0 in all numbers that may be sent take none. The look-up of the byte below them then raises
+    IndexError for greater numbers, and such a frame is read step by step. `raw` is what makes a number of a word of
+    flags.
+    """
+    base = bytearray(size)
+    varying: list[tuple[int, int, bool, int, str]] = []
+    for part in frame.head:
+        if part.name in constants:
+            known = constants[part.name].to_bytes(part.size, "little" if part.order == "little" else "big")
+            base[part.offset : part.offset + part.size] = known
+        else:
+            flags = raw if part.value is not None and part.value.flags else ""
+            varying.append((part.offset, part.size, False, greatest_part(link, part), variable(part) + flags))
+    for field in shaped.fields:
+        at = frame.head_size + field.field.offset
+        if field.stored:
+            flags = raw if field.value.flags and not field.deferred else ""
+            signed, most = field.value.type.signed, greatest(field)
+            varying.append((at, field.field.size, signed, most, local(field) + flags))
+        elif field.constant:
+            base[at : at + field.field.size] = field.bytes_of(field.constant)
+    constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.check is not None and frame.check.order == order
+    yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
+    table = "_C" if same else "_X"
+    for at, width, signed, most, held in varying:
+        for place in range(width):
+            shift = 8 * (place if order == "little" else width - 1 - place)
+            if shift and not signed and not most >> shift:
+                continue
+            byte = f"{held} >> {shift}" if shift else held
+            if signed or most >> shift > 255:
+                byte += " & 255"
+            yield f"{table}{size - 1 - at - place}[{byte}]"

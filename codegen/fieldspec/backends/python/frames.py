@@ -1,0 +1,275 @@
+"""Frame headers, and how the frames of a link are recognized in a byte stream."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.backends.python.naming import Scope
+from fieldspec.backends.python.slots import Words
+from fieldspec.backends.python.text import docstring, literal
+from fieldspec.backends.python.writing import packed, pairs, tuple_of, within
+from fieldspec.classes import dataclass
+from fieldspec.layout.frame import FrameLayout, LinkLayout, PartLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.model.value import Ranges
+
+
+@dataclass(frozen=True, slots=True)
+class PartView:
+    """A plain part of the head: its attribute, its variable, its type, and the lines that make it from `head`."""
+
+    name: str
+    variable: str
+    type: str
+    expression: str
+    quickly: str
+
+
+def variable(part: PartLayout) -> str:
+    """The variable of a part of the head."""
+    return "station" if part.role == "station" else f"part_{part.name}"
+
+
+def number(part: PartLayout) -> str:
+    """The expression of the number that fills the slot of a part of the head."""
+    return f"{variable(part)}.raw" if part.value is not None and part.value.flags else variable(part)
+
+
+def letter(part: PartLayout) -> str:
+    """The letter of a part of the head."""
+    assert part.value is not None
+    return part.value.type.letter
+
+
+def _argument_view(part: PartLayout, place: int, words: Words) -> PartView:
+    flags = part.value.flags if part.value else ""
+    made = f"{words.flags[flags]}({{}})" if flags else "{}"
+    name = Scope(frozenset({"station", "message", "self", "frame", "request"})).take(part.name)
+    return PartView(
+        name=name,
+        variable=variable(part),
+        type=words.flags[flags] if flags else "int",
+        expression=made.format(f"head[{place}]"),
+        quickly=made.format(variable(part)),
+    )
+
+
+def code_literal(code: int | None) -> str:
+    """A code as Python writes it: `0x03`, `None`."""
+    return "None" if code is None else f"{code:#04x}"
+
+
+def head_value(part: PartLayout, code: str) -> str:
+    """What a part of the head holds before its length is known."""
+    if part.role in ("length", "check"):
+        return "0"
+    held = constant(part)
+    return code if part.role == "code" else number(part) if held is None else str(held)
+
+
+def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
+    """The intervals of a part of the head, and values beside them."""
+    assert part.value is not None
+    stations = link.link.stations if part.role == "station" else None
+    if stations is not None and stations.ranges is not None:
+        beside = () if stations.broadcast is None else (stations.broadcast,)
+        return stations.ranges.intervals, beside
+    return (part.value.ranges.intervals if part.value.ranges else ()), ()
+
+
+def constant(part: PartLayout) -> int | None:
+    """The one value that a plain part has when it is sent."""
+    return part.constant
+
+
+def is_simple(frame: FrameLayout) -> bool:
+    """Whether a head of one byte order is followed by the body and, at most, a check of all before it.
+
+    A length is then that of all parts. Any other frame takes the slower way, part by part.
+    """
+    check, length = frame.check, frame.role("length")
+    return (
+        len({part.order for part in frame.head if part.size > 1}) <= 1
+        and not any(part.reserved for part in frame.head)
+        and frame.tail == (() if check is None else (check,))
+        and (check is None or (check.start, check.stop) == (0, check.offset))
+        and (length is None or (length.unit_size, length.base) == (1, 0))
+    )
+
+
+def part_rows(parts: tuple[PartLayout, ...]) -> str:
+    """Parts as the rows of a tuple: name, size, order, sign, what is always sent, and whether it is compared."""
+    rows = [
+        f"({literal(part.name)}, {part.size}, {literal(part.order)}, {_signed(part)}, {part.constant},"
+        f" {part.constant is not None and not part.reserved})"
+        for part in parts
+    ]
+    return tuple_of(rows) if rows else "()"
+
+
+def _signed(part: PartLayout) -> bool:
+    return part.value is not None and part.value.type.signed
+
+
+def head_arguments(frame: FrameLayout) -> list[PartLayout]:
+    """The parts of the head that the caller gives."""
+    return [part for part in frame.head if part.is_argument]
+
+
+def argument_views(frame: FrameLayout, words: Words) -> list[PartView]:
+    """The parts beside the station that the caller gives."""
+    return [
+        _argument_view(part, frame.head.index(part), words) for part in head_arguments(frame) if part.role == "plain"
+    ]
+
+
+def constants(frame: FrameLayout) -> list[str]:
+    """The parts that are always the same: place, name, value and offset of each."""
+    return [
+        f"({place}, {literal(part.name)}, {held}, {part.offset})"
+        for place, part in enumerate(frame.head)
+        if (held := constant(part)) is not None
+    ]
+
+
+def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
+    """What must hold of the parts that the caller gives."""
+    tests = []
+    for part in head_arguments(frame):
+        intervals, beside = _allowed(link, part)
+        if intervals:
+            assert part.value is not None
+            tests.append(within(number(part), Ranges(intervals), beside, packed(part.value.type)))
+    return [test for test in tests if test]
+
+
+def greatest_part(link: LinkLayout, part: PartLayout) -> int:
+    """The greatest number that the conditions of a part of the head let pass, of a number without sign."""
+    assert part.value is not None
+    intervals, beside = _allowed(link, part)
+    return max((*(high for _, high in intervals), *beside), default=packed(part.value.type)[1])
+
+
+def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
+    """The expressions that say what is wrong with them."""
+    found = []
+    for part in head_arguments(frame):
+        assert part.value is not None
+        intervals, beside = _allowed(link, part)
+        limits = [str(part.value.type.low), str(part.value.type.high)]
+        if intervals:
+            limits.append(pairs(Ranges(intervals)))
+        if part.value.flags:
+            found.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
+            continue
+        if beside:
+            limits.append(tuple_of(beside))
+        found.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
+    return found
+
+
+Carried = Sequence[tuple[str, int | None, RecordLayout]]
+
+
+def framer(
+    link: LinkLayout, direction: str, carried: Carried, refusal: RecordLayout | None, frames: str
+) -> tuple[str, list[str], list[str]]:
+    """The class of a framer, its arguments and its docstring; an empty class where no frame shows its end.
+
+    `carried` are the messages: name, code and data. `refusal` is the data of an error reply.
+    """
+    frame = link.frame(direction)
+    bodies = [record for _, _, record in carried] + ([refusal] if refusal else [])
+    if not bodies:
+        return "", [], []
+    arguments = [frames, *_bounds(link, frame, bodies), *_stations(link, frame, direction)]
+    about = [f"Finds the {direction}s in a stream."]
+    if link.link.start and link.link.end and link.link.encoding == "hex_ascii":
+        about.append("A start mark within a frame begins another one.")
+        return "_MarkFramer", arguments, docstring(about, 8)
+    length, code = frame.role("length"), frame.role("code")
+    if not _ordered(frame):
+        return "", [], []
+    if length is not None:
+        about.append("The length says where a frame ends; one that fits no message is taken for garbage.")
+        kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
+        return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
+    if code is None or link.link.encoding != "binary":
+        return "", [], []
+    extents = {code: _extent(link, frame, record) for _, code, record in carried if code is not None}
+    arguments.append(f"code_size={code.size}")
+    rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
+    arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
+    if refusal is not None and link.link.error is not None:
+        arguments += [f"flag={link.link.error.flag}", f"refusal={_extent(link, frame, refusal)}"]
+    open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
+    about.append(
+        "The code, and what counts the repeated part, say where a frame ends; an unknown code is taken for garbage."
+    )
+    if open_ended:
+        about.append(f"No part of {', '.join(open_ended)} says how long it is: only `idle` ends such a frame.")
+    return "_CodeFramer", arguments, docstring(about, 8)
+
+
+def _ordered(frame: FrameLayout) -> bool:
+    """Whether all numbers by which a framer finds frames lie in the order of the head."""
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    numbers = (frame.role(role) for role in ("station", "code", "length"))
+    return all(part is None or part.size == 1 or part.order == order for part in numbers)
+
+
+def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
+    least = min(record.least for record in bodies)
+    most = max(record.most if record.most is not None else 0xFFFF for record in bodies)
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    marks = len(link.link.start) + len(link.link.end)
+    sizes = [marks + width * (frame.head_size + size + frame.tail_size) for size in (least, most)]
+    return [f"shortest={sizes[0]}", f"longest={sizes[1]}"]
+
+
+def _stations(link: LinkLayout, frame: FrameLayout, direction: str) -> list[str]:
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    ordered = ['order="little"'] if order == "little" else []
+    station, stations = frame.role("station"), link.link.stations
+    if station is None or stations is None or stations.ranges is None:
+        return ordered
+    known = [_span(interval) for interval in stations.ranges.intervals]
+    if direction == "request" and stations.broadcast is not None:
+        known.append(str(stations.broadcast))
+    return [
+        f"station_offset={station.offset}",
+        f"station_size={station.size}",
+        f"stations=frozenset(({', '.join(known)},))",
+        *ordered,
+    ]
+
+
+def _span(interval: tuple[int, int]) -> str:
+    low, high = interval
+    return str(low) if low == high else f"*range({low}, {high + 1})"
+
+
+def _extent(link: LinkLayout, frame: FrameLayout, record: RecordLayout) -> tuple[int, int, int, int]:
+    """The length without the repeated part, and where the number of bytes, or of elements, of that part stands."""
+    around = len(link.link.start) + frame.head_size + frame.tail_size + len(link.link.end)
+    if record.size is not None:
+        return around + record.size, 0, 0, 0
+    tail = record.fields[-1]
+    measures = [field for field in record.fields if _measures(field, tail, frame)]
+    # One byte is had quicker than two.
+    measure = min(measures, key=lambda field: field.size, default=None)
+    if measure is None or measure.field.measures is None or tail.cases:
+        return 0, 0, -1, 0
+    unit = 1 if measure.field.measures.of == "bytes" else tail.size
+    return around + tail.offset, frame.head_size + measure.offset, measure.size, unit
+
+
+def _measures(field: FieldLayout, tail: FieldLayout, frame: FrameLayout) -> bool:
+    measure = field.field.measures
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    return (
+        measure is not None
+        and measure.field == tail.name
+        and field.size <= 2
+        and (field.size == 1 or field.order == order)
+    )

@@ -1,0 +1,222 @@
+"""Units as names, scaled properties, and conversions between counts and quantities."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+from math import lcm
+
+from fieldspec.backends.python.naming import MESSAGE, Scope
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import described, docstring, literal, sentence
+from fieldspec.backends.python.writing import pairs, within
+from fieldspec.classes import dataclass
+from fieldspec.model.device import Device
+from fieldspec.model.value import Conversion, Kind, Ranges, Value
+from fieldspec.names import Name
+
+_WORDS = {"%": "percent", "0.1%": "tenths_of_percent", "°C": "celsius"}
+
+
+def unit_word(unit: str) -> str:
+    """What a property of a scaled value is called after: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
+    above, _, below = _WORDS.get(unit, unit.lower() or "scaled").partition("/")
+    words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
+    return re.sub(r"[^a-z0-9]+", "_", words)
+
+
+def ratio(value: Value) -> tuple[int, int, int]:
+    """The scale as (a, b, c) of value = (count * a + b) / c, exactly."""
+    scale, offset = Fraction(value.scale), Fraction(value.offset)
+    below = lcm(scale.denominator, offset.denominator)
+    return int(scale * below), int(offset * below), below
+
+
+def in_unit(count: str, held: tuple[int, int, int]) -> str:
+    """The expression that gives a count in the unit as a float, rounded once."""
+    a, b, c = held
+    above = count if a == 1 else f"{count} * {a}"
+    if b:
+        above = f"({above} {'+' if b > 0 else '-'} {abs(b)})" if c != 1 else f"{above} {'+' if b > 0 else '-'} {abs(b)}"
+    return f"{above} / {c}" if c != 1 else f"float({above})"
+
+
+def decimal_text(number: Decimal) -> str:
+    """A decimal without an exponent or needless zeros."""
+    text = f"{number:f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def quantity(value: Value) -> str:
+    """How a count relates to its unit: `in 0.01 mm`, `in %`, `in 0.5 V from -40 V`, or nothing."""
+    if not value.scaled:
+        return f"in {value.unit}" if value.unit else ""
+    unit = f" {value.unit}" if value.unit else ""
+    start = f" from {decimal_text(value.offset)}{unit}" if value.offset else ""
+    scale = value.scale_text if "/" in value.scale_text else decimal_text(value.scale)
+    return f"in {scale}{unit}{start}"
+
+
+@dataclass(frozen=True, slots=True)
+class ScaledView:
+    """A property in the unit: the expressions that read and set it, and its docstring.
+
+    `type` is that of what is read, `accepted` that of what it may be set to.
+    """
+
+    name: str
+    type: str
+    accepted: str
+    read: str
+    write: str
+    field: str
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class ConstantView:
+    """A constant of a class."""
+
+    name: str
+    value: str
+    doc: list[str]
+
+
+def sentinel_views(stored: list[Slots]) -> list[ConstantView]:
+    """The sentinels of all fields."""
+    scope = Scope(MESSAGE)
+    return [
+        ConstantView(
+            scope.take((Name.of(field.title) + Name.of(sentinel.name)).upper()),
+            'float("nan")' if sentinel.is_nan else str(sentinel.value),
+            docstring([sentence(f"`{field.title}`: {sentinel.doc or Name.of(sentinel.name).title()}")], 4),
+        )
+        for field in stored
+        if field.field.value is not None
+        for sentinel in field.value.sentinels
+    ]
+
+
+def _of_float(field: Slots, scope: Scope) -> ScaledView:
+    """The property of a floating-point number, which counts in its unit, but may be absent."""
+    name = scope.take(f"{field.title}_{unit_word(field.value.unit) if field.value.unit else 'value'}")
+    raw = "item" if field.is_list else f"self.{field.name}"
+    tests = [f"{raw} == {number}" for number in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
+    read = f"None if {' or '.join(tests)} else {raw}"
+    unit = f" in {field.value.unit}" if field.value.unit else ""
+    return ScaledView(
+        name,
+        "list[float | None]" if field.is_list else "float | None",
+        "list[float]" if field.is_list else "float",
+        f"[{read} for item in self.{field.name}]" if field.is_list else read,
+        "value",
+        field.name,
+        docstring([f"`{field.name}`{unit}. It is None where the number stands for an absent value."], 8),
+    )
+
+
+def quantities(value: Value) -> list[tuple[int, int]]:
+    """The counts that are quantities: those in range that stand for nothing else."""
+    found = list(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
+    for sentinel in value.sentinels:
+        found = [
+            part
+            for low, high in found
+            for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
+            if part[0] <= part[1]
+        ]
+    return found
+
+
+def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
+    """The properties of those fields that count in parts of a unit."""
+    found = []
+    for field in stored:
+        if field.kind is Kind.FLOAT and field.value.sentinels:
+            found.append(_of_float(field, scope))
+        if not field.whole or not field.value.scaled or field.value.enum or field.value.flags:
+            continue
+        held = ratio(field.value)
+        name = scope.take(f"{field.title}_{unit_word(field.value.unit)}")
+        limits = pairs(Ranges(tuple(quantities(field.value))))
+        write = f'_counts("{field.title}", {"item" if field.is_list else "value"}, {held}, {limits})'
+        raw = "item" if field.is_list else f"self.{field.name}"
+        read = in_unit(raw, held)
+        kind = "float"
+        if field.sentinels:
+            absent = within(raw, Ranges(tuple((count, count) for count in field.sentinels)))
+            read, kind = f"None if {absent} else {read}", "float | None"
+        unit = f" in {field.value.unit}" if field.value.unit else ""
+        ends = "It is None where the count stands for an absent value. " if field.sentinels else ""
+        ends += "Setting it takes the nearest count, of two the even one, and refuses what is out of range."
+        found.append(
+            ScaledView(
+                name,
+                f"list[{kind}]" if field.is_list else kind,
+                "list[float]" if field.is_list else "float",
+                f"[{read} for item in self.{field.name}]" if field.is_list else read,
+                f"[{write} for item in value]" if field.is_list else write,
+                field.name,
+                docstring([f"`{field.name}`{unit}. {ends}"], 8),
+            )
+        )
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class ConversionView:
+    """The names of the two functions, the constant that they use, the call that makes it, and their docstrings."""
+
+    name: str
+    inverse: str
+    constant: str
+    call: str
+    doc: list[str]
+    inverse_doc: list[str]
+
+
+def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> ConversionView:
+    """The view of a conversion."""
+    full_scale = f"{conversion.full_scale:#x}"
+    arguments = [literal(conversion.name), full_scale, pairs(_ranges(conversion, device))]
+    arguments += ["complement=True"] if conversion.complement else []
+    formula = f"reference * {f'(1 - raw / {full_scale})' if conversion.complement else f'raw / {full_scale}'}"
+    printed = f"Printed: {sentence(conversion.printed)}" if conversion.printed else ""
+    held = ", ".join(f"`{name}`" for name in conversion.signals)
+    of = f"The count is that of {held}." if held else f"The count is of type {conversion.type.name}."
+    references = " or ".join(_reference(path, device) for path in conversion.references)
+    where = f" The device holds it in {references}." if references else ""
+    about = [of, f"The quantity is in the unit of the reference.{where}", printed]
+    title = sentence(conversion.title or Name.of(conversion.name).title())
+    inverse_doc = [
+        f"The count that is nearest to a quantity; of two the even one. {title}",
+        *about[:2],
+        "Raises CodecError where the quantity is out of range, and where the reference is 0.",
+    ]
+    return ConversionView(
+        name=scope.take(conversion.name),
+        inverse=scope.take(f"{conversion.name}_to_raw"),
+        constant=f"_{Name.of(conversion.name).upper()}_CONVERSION",
+        call=f"_Conversion({', '.join(arguments)})",
+        doc=docstring(described(f"{title.rstrip('.')}: {formula}", conversion, *about), 4),
+        inverse_doc=docstring(inverse_doc, 4),
+    )
+
+
+def _ranges(conversion: Conversion, device: Device) -> Ranges:
+    """The counts that the signals may have where all may have the same ones, else those of the type."""
+    found = {device.signals[name].value.ranges for name in conversion.signals}
+    ranges = found.pop() if len(found) == 1 else None
+    return ranges or Ranges(((conversion.type.low, conversion.type.high),))
+
+
+def _reference(path: str, device: Device) -> str:
+    """What holds a reference: `Pt317 (reference_speed, in rpm)`, or the name of another fact."""
+    *_, owner, name = path.split("/")
+    held = device.parameters.get(owner)
+    row = next((one for one in held.parameters if one.name == name), None) if held is not None else None
+    if held is None or row is None:
+        return f"`{name}`"
+    unit = f", in {row.value.unit}" if row.value.unit else ""
+    return f"{row.printed_name or held.number_text(row.number)} (`{name}`{unit})"

@@ -1,0 +1,109 @@
+"""The docstring of a record class, and the columns of many records."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.backends.python.quantities import quantity, ratio
+from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.slots import Slots
+from fieldspec.backends.python.text import availability, described, literal, printed, sentence
+from fieldspec.backends.python.writing import joined, pairs, tuple_of
+from fieldspec.layout.record import RecordLayout
+from fieldspec.model.value import Kind, Ranges
+from fieldspec.names import Name
+
+
+def column_lines(shaped: RecordShape) -> list[str]:
+    """An expression a field; none for records whose length varies or whose fields are all reserved."""
+    if shaped.record.size is None or shaped.selector is not None:
+        return []
+    return [
+        f"Column({', '.join([literal(field.name) if field.stored else literal(''), *_arguments(shaped, field)])})"
+        for field in shaped.fields
+        if field.stored or field.constant is not None or field.field.field.measures
+    ]
+
+
+def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
+    """The letter of an element and its offset, then what is not usual."""
+    layout = field.field
+    if layout.record is not None:
+        yield from (literal(""), str(layout.offset), f"record={field.element_type}", f"size={layout.size}")
+    else:
+        yield from (literal(field.value.type.letter), str(layout.offset))
+        if field.value.type.letter == "s":
+            yield f"size={layout.size}"
+        if field.kind is Kind.TEXT:
+            yield "text=True"
+    if field.is_list:
+        yield f"count={field.count}"
+    if layout.order == "little" and layout.size > 1 and layout.record is None:
+        yield 'order="little"'
+    if layout.swapped:
+        yield "swapped=True"
+    tests = _tests(shaped, field)
+    if tests:
+        yield f"tests={tests}"
+    if field.stored and field.whole and field.value.scaled and not field.value.enum and not field.value.flags:
+        yield f"ratio={ratio(field.value)}"
+        if field.sentinels:
+            yield f"absent={tuple_of(field.sentinels)}"
+
+
+def _tests(shaped: RecordShape, field: Slots) -> str:
+    """The intervals outside of which one record alone would be refused when it is decoded."""
+    measure = field.field.field.measures
+    if measure is not None:
+        other = next(one for one in shaped.fields if one.title == measure.field)
+        size = max(other.count, 1) * (other.field.size if measure.of == "bytes" else 1)
+        return pairs(Ranges(((size, size),)))
+    if field.constant is not None:
+        return pairs(Ranges(((field.constant, field.constant),)))
+    if field.kind is Kind.BOOLEAN:
+        return pairs(Ranges(((0, 1),)))
+    if field.field.value is not None and field.enum is not None and not field.enum.open:
+        known = [(value, value) for value in (*field.enum.values, *field.sentinels)]
+        return tuple_of(f"({low}, {high})" for low, high in joined(known))
+    return ""
+
+
+def record_doc(record: RecordLayout, stored: list[Slots], head: str, *more: str) -> list[str]:
+    """The paragraphs of a class's docstring: what it is, how long, and each of its fields."""
+    if record.size is not None:
+        size = f"{record.size} byte{'' if record.size == 1 else 's'}."
+    else:
+        size = f"{record.least} to {record.most} bytes."
+    first, *rest = described(head, record.record, *more)
+    return [f"{first} {size}".strip(), *rest[:-1], *map(_field_doc, stored), rest[-1]]
+
+
+def _field_doc(field: Slots) -> str:
+    fact = field.field.field
+    facts = [_type_doc(field)]
+    if field.field.value is not None:
+        if quantity(field.value):
+            facts.append(quantity(field.value))
+        if field.value.ranges is not None:
+            facts.append(f"{field.value.ranges.text()}")
+        if field.value.write_ranges is not None:
+            facts.append(f"{field.value.write_ranges.text()} when it is written")
+        facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in field.value.sentinels]
+        if field.value.default is not None:
+            facts.append(f"initially {field.value.default}")
+    if fact.restart:
+        facts.append("takes effect after a restart")
+    notes = " ".join(f"Note: {sentence(note)}" for note in fact.notes)
+    manual = f" {printed(fact)}" if printed(fact) else ""
+    texts = (f"{', '.join(facts)}.", sentence(fact.doc), availability(fact), notes)
+    return f" {field.name}{manual}: {' '.join(text for text in texts if text)}"
+
+
+def _type_doc(field: Slots) -> str:
+    named = field.field.record is not None or field.decided or field.value.enum or field.value.flags
+    one = field.element_type if named else field.value.type.name
+    if field.field.field.choice is not None:
+        one += f", as `{field.field.field.choice.by}` says"
+    if field.repeated and field.field.field.repeat is not None:
+        return f"{field.field.field.repeat.text()} times {one}"
+    return f"{field.count} times {one}" if field.is_list else one

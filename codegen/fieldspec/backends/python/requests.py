@@ -1,0 +1,260 @@
+"""The messages that read and write registers and parameters, as code that builds and parses them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.backends.python.links import Exchange
+from fieldspec.backends.python.naming import Scope
+from fieldspec.backends.python.records import RecordShape
+from fieldspec.backends.python.slots import Slots, Words
+from fieldspec.backends.python.text import filled, one_item_per_line
+from fieldspec.classes import dataclass
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import CaseLayout
+from fieldspec.model.address_space import WORD
+from fieldspec.model.device import Device
+from fieldspec.model.value import PRIMITIVES, Kind, Primitive
+
+
+@dataclass(frozen=True, slots=True)
+class AccessView:
+    """A message that reads or writes `most` words: its classes, and how a request is made and a response read."""
+
+    request: str
+    response: str
+    most: int
+    make: str
+    values: str
+    single: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SpaceAccess:
+    """The messages that read and write the registers of an address space; empty name: the device has only one space."""
+
+    space: str
+    read: AccessView | None
+    single: AccessView | None
+    block: AccessView | None
+
+
+def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
+    """The messages that access each space of words, in the order of the spec."""
+    names = [name for name, space in device.spaces.items() if space.unit == WORD] if device.several_spaces else [""]
+    found = []
+    for name in names:
+        own = [
+            one
+            for one in exchanges
+            if (access := device.register_access(one.message.message)) is not None
+            and (not name or device.space_name(access.space) == name)
+        ]
+        found.append(SpaceAccess(name, read_access(own), *write_accesses(own)))
+    return found
+
+
+def _field(shaped: RecordShape, title: str) -> Slots | None:
+    return next((field for field in shaped.fields if field.title == title), None)
+
+
+def _most(*fields: Slots | None) -> int:
+    """The most words that some fields allow."""
+    bounds = []
+    for field in fields:
+        if field is not None and field.repeated and field.field.field.repeat is not None:
+            bounds.append(field.field.field.repeat.high)
+        elif field is not None and field.ranges is not None:
+            bounds.append(field.ranges.high)
+    return min(bounds, default=1)
+
+
+def read_access(exchanges: list[Exchange]) -> AccessView | None:
+    """The first message that reads registers."""
+    for one in exchanges:
+        access = one.message.message.accesses
+        if access is None or access.operation != "read":
+            continue
+        start, count = _field(one.request, access.start), _field(one.request, access.count)
+        values = _field(one.response, access.values)
+        if start is None or values is None or not _settable(one.request, {access.start, access.count}):
+            continue
+        counted = f", {count.name}=count" if count is not None and count.stored else ""
+        held = f"response.{values.name}"
+        return AccessView(
+            request=one.request_name,
+            response=one.response_name,
+            most=_most(values, count) if values.is_list else 1,
+            make=f"{one.request_name}({start.name}=start{counted})",
+            values=held if values.is_list else f"[{held}]",
+            single=not values.is_list,
+        )
+    return None
+
+
+def write_accesses(exchanges: list[Exchange]) -> tuple[AccessView | None, AccessView | None]:
+    """The first message that writes one register, and the first one that writes several."""
+    single: AccessView | None = None
+    block: AccessView | None = None
+    for one in exchanges:
+        access = one.message.message.accesses
+        if access is None or access.operation != "write":
+            continue
+        start, count = _field(one.request, access.start), _field(one.request, access.count)
+        values = _field(one.request, access.values)
+        if start is None or values is None:
+            continue
+        if not _settable(one.request, {access.start, access.count, access.values}):
+            continue
+        counted = f", {count.name}=count" if count is not None and count.stored else ""
+        if values.is_list:
+            make = f"{one.request_name}({start.name}=start{counted}, {values.name}=words[at : at + count])"
+            most = _most(values, count)
+            block = block or AccessView(one.request_name, one.response_name, most, make, "", False)
+        else:
+            make = f"{one.request_name}({start.name}=start, {values.name}=words[at])"
+            single = single or AccessView(one.request_name, one.response_name, 1, make, "", True)
+    return single, block
+
+
+def _settable(shaped: RecordShape, titles: set[str]) -> bool:
+    """Whether these fields are all that must be given."""
+    return all(field.title in titles for field in shaped.stored)
+
+
+_ARGUMENTS = frozenset({"parameter", "response", "self", "value", "values"})
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterMessageView:
+    """A message that reads or writes a parameter.
+
+    `head` begins the function that makes its request, and `made` ends it; `head_of_one` begins the one that passes on
+    one value where there may be `several`, and `passed` is what it passes on beside. `field` carries the values.
+    `table` makes the values of the selector by the types of parameters; it is empty where there is no selector.
+    """
+
+    request: str
+    response: str
+    head: list[str]
+    single_head: list[str]
+    passed: str
+    construction: list[str]
+    field: str
+    several: bool
+    table: list[str]
+
+
+def parameter_messages(
+    exchanges: Sequence[Exchange], name: str, layout: DeviceLayout, words: Words
+) -> tuple[ParameterMessageView | None, ParameterMessageView | None]:
+    """The messages that read and that write one parameter of a set, or of a space; those that need the least beside."""
+    reads, writes = [], []
+    for one in exchanges:
+        request, response = _parts(one.request, name), _parts(one.response, name)
+        if "number" not in request:
+            continue
+        extra = [field for field in one.request.stored if field not in request.values()]
+        if "value" in request:
+            writes.append((len(extra), one, request, request["value"]))
+        elif "value" in response:
+            reads.append((len(extra), one, request, response["value"]))
+    read = min(reads, key=lambda found: found[0], default=None)
+    write = min(writes, key=lambda found: found[0], default=None)
+    return (
+        _view(read[1], read[2], read[3], layout, words, name) if read else None,
+        _view(write[1], write[2], write[3], layout, words, name) if write else None,
+    )
+
+
+def _parts(shaped: RecordShape, name: str) -> dict[str, Slots]:
+    """The fields that hold number, sub-index and value of a parameter of a set or a space."""
+    found: dict[str, Slots] = {}
+    for field in shaped.stored:
+        for value in (field.field.value, *(case.value for case in field.field.cases)):
+            if value is not None and value.parameter is not None and value.parameter.set == name:
+                found.setdefault(value.parameter.part, field)
+    return found
+
+
+def _view(
+    one: Exchange, request: dict[str, Slots], value: Slots, layout: DeviceLayout, words: Words, name: str
+) -> ParameterMessageView:
+    selector = one.request.selector if "value" in request else None
+    table = f"_{name.upper()}_FORMATS" if selector is not None else ""
+    scope = Scope(_ARGUMENTS)
+    subindex = request.get("subindex")
+    start = scope.take("subindex") if subindex is not None else "0"
+    held = {request["number"].title: "parameter.wire_number"}
+    keywords = []
+    if subindex is not None:
+        held[subindex.title] = start
+        keywords.append(f"{start}: int = 0")
+    if "value" in request:
+        held[value.title] = _carried(value, start)
+    for field in one.request.stored:
+        if field.title in held:
+            continue
+        key = scope.take(field.title)
+        held[field.title] = f"_selected(parameter, {table}, {key})" if field is selector else key
+        keywords.append(f"{key}: {field.type} | None = None" if field is selector else f"{key}: {_kind(field)}")
+    keywords.sort(key=lambda text: "=" in text)
+    arguments = ["self", "parameter: _Parameter[_T]", "values: _Sequence[_T]", *(["*"] if keywords else []), *keywords]
+    writes, ends = "value" in request, f") -> {one.request_name}:"
+    of_one = [text if text != "values: _Sequence[_T]" else "value: _T" for text in arguments]
+    if not writes:
+        arguments, of_one = [text for text in arguments if "values" not in text], []
+        arguments[1] = "parameter: _Parameter[_Any]"
+    elif not value.is_list:
+        arguments, of_one = of_one, []
+    name_of = "write_values_request" if writes and value.is_list else "write_request" if writes else "read_request"
+    made = [f"{field.name}={held[field.title]}" for field in one.request.stored]
+    rows = _formats(one.request, selector, layout, words) if selector is not None else []
+    return ParameterMessageView(
+        request=one.request_name,
+        response=one.response_name,
+        head=one_item_per_line(f"def {name_of}(", arguments, ends, 4),
+        single_head=one_item_per_line("def write_request(", of_one, ends, 4) if of_one else [],
+        passed="".join(f", {key}={key}" for key in (text.partition(":")[0] for text in keywords)),
+        construction=filled(f"return {one.request_name}(", made, ")", 8),
+        field=value.name,
+        several=value.is_list,
+        table=one_item_per_line(f"{table}: dict[str, {selector.type}] = {{", rows, "}", 0)
+        if selector is not None
+        else [],
+    )
+
+
+def _kind(field: Slots) -> str:
+    """The type of an argument, with the initial value of the field where it has one."""
+    default = field.field.value.default if field.field.value is not None else None
+    return f"{field.type} = {default}" if isinstance(default, int) and field.type == "int" else field.type
+
+
+def _carried(field: Slots, start: str) -> str:
+    """What the field of values carries: of one `value`, or of several `values` from the element `start` on."""
+    if not field.is_list:
+        return f"parameter.to_raw(value, {start})"
+    raws = f"parameter.to_raws(values, {start})"
+    return f"tuple({raws})" if field.decided else raws
+
+
+def _formats(shaped: RecordShape, selector: Slots, layout: DeviceLayout, words: Words) -> list[str]:
+    """The rows of the table that gives the value of the selector by the type of a parameter."""
+    enum, view = layout.device.enums[selector.value.enum], words.enums[selector.value.enum]
+    members = {int(member.value): f"{view.name}.{member.name}" for member in view.members}
+    rows = []
+    for primitive in PRIMITIVES.values():
+        case = _case(shaped.fields[-1].field.cases, primitive)
+        known = [enum.named(name) for name in case.case.when] if case is not None else []
+        suiting = [members[member.value] for member in known if member is not None and member.value in members]
+        rows += [f'"{primitive.name}": {name}' for name in suiting[:1]]
+    return rows
+
+
+def _case(cases: Sequence[CaseLayout], primitive: Primitive) -> CaseLayout | None:
+    """The case that carries a type: one of the same type, or of whole numbers of the same size without a sign."""
+    same = next((case for case in cases if case.value.type is primitive), None)
+    if same is not None or primitive.kind is not Kind.BOOLEAN:
+        return same
+    return next((case for case in cases if case.value.type.name == f"u{8 * primitive.size}"), None)

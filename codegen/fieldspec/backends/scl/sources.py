@@ -1,0 +1,215 @@
+"""SCL source files: types, functions and data blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from fieldspec.backends.scl.project import LONGEST_STRING, Project, TelegramBlock, TextBlock
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.plc.layout.fitting import direct
+from fieldspec.plc.layout.memory import Placed
+from fieldspec.plc.routines.printer import comment, comment_text, routine_text, type_text
+from fieldspec.plc.structs import Struct
+
+
+def source(held: Project, objects: Iterable[list[str]]) -> str:
+    """A source of several objects, each one its lines."""
+    dialect = held.declared.dialect
+    lines = list(head(held))
+    for one in objects:
+        lines += ["", *one]
+    return dialect.byte_order_mark + "".join(line.rstrip() + dialect.line_end for line in lines)
+
+
+def head(held: Project) -> list[str]:
+    """What the file is, what it was made of, and how it is imported."""
+    device = held.layout.device
+    manual = f"{device.manual.title} {device.manual.edition}".strip()
+    sources = [
+        f"{held.stem}_types.udt",
+        *([f"{held.stem}_data.db"] if held.blocks else []),
+        f"{held.stem}_functions.scl",
+    ]
+    return [
+        *comment(f"{device.name} ({device.vendor}), version {device.version}"),
+        *comment(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
+        *comment(f"Identity of the layout: {held.layout.identity}"),
+        *comment("Written by fieldspec. Do not edit: change the spec and build again."),
+        "//",
+        *comment(
+            "Import: in the project tree of the PLC, External source files, Add new external file, then Generate "
+            f"blocks from source: {', '.join(sources)}, in this order. A block of the same name is overwritten."
+        ),
+        *comment(f"Constants: PLC tags, Show all tags, Import, {held.stem}_constants.xlsx."),
+    ]
+
+
+def types(held: Project) -> Iterator[list[str]]:
+    """All types, each behind those that it uses."""
+    declared = held.declared
+    for image in declared.images:
+        yield _image(held, declared.placed(image))
+    for struct in declared.structs:
+        yield _values(held, struct)
+    if held.texts:
+        yield _texts(held)
+
+
+def _image(held: Project, placed: Placed) -> list[str]:
+    struct = placed.struct
+    about = [
+        f"{struct.title}. As on the wire: {placed.size} bytes in a block with standard access.",
+        "Each member begins with its byte and bit.",
+    ]
+    members = []
+    for one in placed.members:
+        swapped = "" if direct(placed, one) else " Bytes are in another order than the PLC reads them."
+        place = f"{one.at}.{one.bit or 0}"
+        members.append((one.member.name, _type(held, one.member.type), f"{place} {one.member.remark}{swapped}"))
+    return _type_lines(held, struct.name, about, members)
+
+
+def _values(held: Project, struct: Struct) -> list[str]:
+    about = [f"{struct.title}. Values, for blocks with optimized access; functions convert them from and to the wire."]
+    return _type_lines(
+        held, struct.name, about, [(one.name, _type(held, one.type), one.remark) for one in struct.members]
+    )
+
+
+def _texts(held: Project) -> list[str]:
+    members = [
+        ("code", held.code_type.name, "number of the code"),
+        ("text", f"STRING[{held.text_length}]", "what it means"),
+    ]
+    return _type_lines(held, held.text_type, ["A code and its text."], members)
+
+
+def _type(held: Project, kind: object) -> str:
+    return type_text(kind, held.declared.dialect.spelling)  # type: ignore[arg-type]
+
+
+def _type_lines(held: Project, name: str, about: list[str], members: list[tuple[str, str, str]]) -> list[str]:
+    lines = [line for text in about for line in comment(text)]
+    lines += [f'TYPE "{name}"', "VERSION : 0.1", "   STRUCT"]
+    for member, kind, remark in members:
+        beside = f"   {held.declared.dialect.comment.format(comment_text(remark))}" if comment_text(remark) else ""
+        lines.append(f"      {member} : {kind};{beside}")
+    return [*lines, "   END_STRUCT;", "", "END_TYPE"]
+
+
+def functions(held: Project) -> Iterator[list[str]]:
+    """All functions, each behind those that it calls."""
+    for routine in held.routines:
+        yield routine_text(routine, held.declared.dialect.spelling)
+
+
+def clashes(held: Project) -> Iterator[Diagnostic]:
+    """Functions that have the name of another one."""
+    taken: set[str] = set()
+    for routine in held.routines:
+        if routine.name.lower() in taken:
+            yield Diagnostic(
+                "plc_names_distinct",
+                f"two functions of {held.layout.device.id} are {routine.name} in {held.declared.dialect.title}",
+                held.layout.device.place["id"],
+                help="give one of the two facts that they are about another name",
+            )
+        taken.add(routine.name.lower())
+
+
+_STANDARD, _OPTIMIZED = "FALSE", "TRUE"
+
+
+def blocks(held: Project) -> Iterator[list[str]]:
+    """All data blocks."""
+    for telegram in held.telegrams:
+        yield _images(telegram)
+        yield _block_values(held, telegram)
+    for texts in held.texts:
+        yield _text_block(held, texts)
+
+
+def _images(telegram: TelegramBlock) -> list[str]:
+    members = []
+    for member, image, _ in telegram.directions:
+        members.append(f'      {member} : "{image.name}";   // {image.size} bytes')
+    use = [
+        *comment(f"{telegram.title}: what lies on the wire, for DPRD_DAT and DPWR_DAT, whose RECORD must be as long."),
+        *comment("SCL, with the hardware identifier of the submodule as LADDR:"),
+        *(f"//    {line}" for line in _calls(telegram.image, telegram, "")),
+        *comment(
+            "LAD: the boxes DPRD_DAT and DPWR_DAT with the same LADDR, and as RECORD "
+            + " and ".join(f'"{telegram.image}".{member}' for member, _, _ in reversed(telegram.directions))
+            + "."
+        ),
+    ]
+    return [*use, *_block(telegram.image, _STANDARD, members)]
+
+
+def _calls(block: str, telegram: TelegramBlock, before: str) -> list[str]:
+    """The calls that exchange process data, what is read before what is written."""
+    made = []
+    for member, _, _ in reversed(telegram.directions):
+        name = f"{before}{member[:1].upper()}{member[1:]}" if before else member
+        read = member == "fromDevice"
+        instruction, arrow = ("DPRD_DAT", "=>") if read else ("DPWR_DAT", ":=")
+        made.append(f'#status := {instruction}(LADDR := #laddr, RECORD {arrow} "{block}".{name});')
+    return made
+
+
+def _block_values(held: Project, telegram: TelegramBlock) -> list[str]:
+    world = held.declared.world
+    members, use = [], []
+    for member, image, struct in telegram.directions:
+        bytes_name = f"bytes{member[:1].upper()}{member[1:]}"
+        members.append(f'      {member} : "{struct.name}";')
+        members.append(f"      {bytes_name} : ARRAY[0..{(image.size or 0) - 1}] OF BYTE;")
+        call = world.routine("pack" if member == "toDevice" else "unpack", struct.key, "bytes")
+        whole = f'"{telegram.values}"'
+        use.append(f'#result := "{call}"(stData := {whole}.{member}, aBytes := {whole}.{bytes_name});')
+    read_first = [*_calls(telegram.values, telegram, "bytes")]
+    order = [read_first[0], *reversed(use), *read_first[1:]]
+    return [
+        *comment(f"{telegram.title}: values, and the bytes that they are made of. SCL, in this order:"),
+        *(f"//    {line}" for line in order),
+        *comment("Use the values only where the result of the function is 0."),
+        *_block(telegram.values, _OPTIMIZED, members),
+    ]
+
+
+def _text_block(held: Project, texts: TextBlock) -> list[str]:
+    table = texts.table
+    count = len(table.texts)
+    members = [
+        f"      count : INT := {count};",
+        f'      entries : ARRAY[0..{count - 1}] OF "{held.text_type}";',
+    ]
+    values = []
+    for number, one in enumerate(table.texts):
+        values.append(f"   entries[{number}].code := {one.code};")
+        values.append(f"   entries[{number}].text := {string(one.text, held.text_length)};")
+    about = comment(f"{table.title}: the texts of its codes, the least code first.")
+    return [*about, *_block(texts.name, _OPTIMIZED, members, values)]
+
+
+def _block(name: str, optimized: str, members: list[str], values: list[str] | None = None) -> list[str]:
+    return [
+        f'DATA_BLOCK "{name}"',
+        f"{{ S7_Optimized_Access := '{optimized}' }}",
+        "VERSION : 0.1",
+        "NON_RETAIN",
+        "   STRUCT",
+        *members,
+        "   END_STRUCT;",
+        "",
+        "BEGIN",
+        *(values or []),
+        "",
+        "END_DATA_BLOCK",
+    ]
+
+
+def string(text: str, most: int = LONGEST_STRING) -> str:
+    """A literal of STRING, which has the printable characters of ASCII alone; others become question marks."""
+    plain = "".join(char if " " <= char <= "~" else "?" for char in text)[:most]
+    return "'" + plain.replace("$", "$$").replace("'", "$'") + "'"

@@ -1,0 +1,1 @@
+"""The rules of changes: each is a function, and its docstring is its documentation."""

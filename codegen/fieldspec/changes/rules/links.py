@@ -1,0 +1,314 @@
+"""Rules about frames, message codes and links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.changes.attributes import PYTHON, C
+from fieldspec.changes.change import Change, Effect
+from fieldspec.changes.comparing import Comparison, Pair
+from fieldspec.changes.evidence import hexadecimal
+from fieldspec.changes.finding import change, named, turned
+from fieldspec.model.device import Device, VersionLine
+from fieldspec.model.link import ErrorReply, Link, Part, Serial
+from fieldspec.model.record import Field, Measure, Message
+from fieldspec.model.value import ParameterPart
+
+_KEYS = {"encoding": "the encoding", "start": "the mark at the start", "end": "the mark at the end"}
+
+
+def framing_changed(both: Comparison) -> Iterator[Change]:
+    """Frames have other marks at their ends, or are written in another way.
+
+    Why: neither side finds the frames of the other.
+
+    Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in both.of(Link):
+        for key, what in _KEYS.items():
+            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            if old != new:
+                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
+
+
+def check_changed(both: Comparison) -> Iterator[Change]:
+    """The check of a frame is computed in another way, or over other parts, or a length counts other parts.
+
+    Why: each side refuses the frames of the other.
+
+    Example: `algorithm: sum8` that becomes `algorithm: lrc`, or `counts: {plus: 2}` that becomes `counts: {plus: 3}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in both.of(Part):
+        old, new = pair.old.algorithm, pair.new.algorithm
+        if old != new:
+            text = f"{named(pair.new)}: {turned('the algorithm', old, new)}"
+            yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
+        old, new = _counted(pair.old), _counted(pair.new)
+        if old != new:
+            check = "check" in (pair.old.role, pair.new.role)
+            what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
+            yield change(
+                "check_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {turned(what, old, new)}", old, new
+            )
+
+
+def _counted(part: Part) -> str:
+    """`words from command to body plus 2`, or `from command to body`"""
+    span = part.span
+    words = [f"from {span.first}"] if span.first else []
+    words += [f"to {span.last}"] if span.last else []
+    if part.role == "check":
+        return " ".join(words) or "all before it"
+    counted = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
+    return f"{counted} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else counted
+
+
+def code_changed(both: Comparison) -> Iterator[Change]:
+    """A message has another code, or, where it carries none, another number.
+
+    Why: old programs send, and understand, another message than they mean.
+
+    Example: `code: 0x2F` that becomes `code: 0x30`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in both.of(Message):
+        if pair.old.code != pair.new.code:
+            old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
+            text = f"{named(pair.new)}: {turned('the code', old, new)}"
+            yield change("code_changed", Effect.WIRE, pair, "code", text, old, new)
+        if pair.old.number != pair.new.number:
+            effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
+            text = f"{named(pair.new)}: {turned('the number', pair.old.number, pair.new.number)}"
+            yield change("code_changed", effect, pair, "number", text, pair.old.number, pair.new.number)
+
+
+def error_reply_changed(both: Comparison) -> Iterator[Change]:
+    """A refusal is marked by another bit of the code, or has another record.
+
+    Why: programs take a refusal for an answer, or misread its reason.
+
+    Example: `error: {flag: 0x80}` that becomes `error: {flag: 0x40}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in both.of(Link):
+        old, new = _error_text(both, pair.old.error, True), _error_text(both, pair.new.error, False)
+        if old != new:
+            text = f"{named(pair.new)}: {turned('the reply that refuses', old, new)}"
+            yield change("error_reply_changed", Effect.WIRE, pair, "error", text, old, new)
+
+
+def _error_text(both: Comparison, error: ErrorReply | None, before: bool) -> str:
+    if error is None:
+        return ""
+    record = both.renamed_to("records", error.record) if before else error.record
+    return f"bit {hexadecimal(error.flag)} and the record {record or 'without fields'}"
+
+
+def role_changed(both: Comparison) -> Iterator[Change]:
+    """A field, or a part of the frame, has another job: it measures, chooses, repeats, or carries something else.
+
+    Why: the same bytes are read as a length, a code, an address or a plain value.
+
+    Example: `role: plain` that becomes `role: station`, or `measures: {bytes: values}` that becomes `measures: {items:
+    values}`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for part in both.of(Part):
+        if part.old.role != part.new.role:
+            yield _role_text(part, "role", "the role", part.old.role, part.new.role)
+    for field in both.of(Field):
+        yield from _of_field(both, field)
+    for held in both.values:
+        old, new = _parameter(held.old.parameter, both), _parameter(held.new.parameter, None)
+        if old != new:
+            text = f"{named(held.of.new)}: {turned('the part of a parameter that it is', old, new)}"
+            yield change("role_changed", Effect.WIRE, held, "parameter", text, old, new)
+    for message in both.of(Message):
+        before, after = _access(both, message.old), _access(None, message.new)
+        if before != after:
+            yield _role_text(message, "accesses", "how it accesses registers", before, after)
+
+
+def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, what: str, old: str, new: str) -> Change:
+    return change("role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {turned(what, old, new)}", old, new)
+
+
+def _of_field(both: Comparison, pair: Pair[Field]) -> Iterator[Change]:
+    beside = pair.old.place.path.rpartition("/")[0]
+    old, new = _measure(pair.old.measures), _measure(pair.new.measures)
+    if pair.old.measures is not None:
+        old = _measure(Measure(pair.old.measures.of, both.renamed_to(beside, pair.old.measures.field)))
+    if old != new:
+        yield _role_text(pair, "measures", "what it measures", old, new)
+    by = both.renamed_to(beside, pair.old.choice.by) if pair.old.choice else ""
+    if pair.old.choice and pair.new.choice and by != pair.new.choice.by:
+        yield _role_text(pair, "choice", "what decides its type", by, pair.new.choice.by)
+    same = both.renamed_to(beside.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
+    if same != pair.new.same_as:
+        text = f"{named(pair.new)}: {turned('the field that it repeats', same, pair.new.same_as)}"
+        yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, same, pair.new.same_as)
+
+
+def _measure(measure: Measure | None) -> str:
+    return f"the {measure.of} of {measure.field}" if measure else ""
+
+
+def _parameter(part: ParameterPart | None, both: Comparison | None) -> str:
+    if part is None:
+        return ""
+    held = both.renamed_to("parameters", part.set) if both else part.set
+    return f"the {part.part} of {held}" + (f" by {part.number}" if part.number else "")
+
+
+def _access(both: Comparison | None, message: Message) -> str:
+    access = message.accesses
+    if access is None:
+        return ""
+    words = [access.start, access.count, access.values]
+    if both is not None:
+        words = [_renamed(both, message, word) for word in words]
+    said = ", ".join(
+        f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
+    )
+    return f"{access.operation} with {said}"
+
+
+def _renamed(both: Comparison, message: Message, name: str) -> str:
+    """The new name of a field of the request or of the response."""
+    asked = both.renamed_to(f"messages/{message.name}/request", name)
+    return asked if asked != name else both.renamed_to(f"messages/{message.name}/response", name)
+
+
+def sending_changed(both: Comparison) -> Iterator[Change]:
+    """A message is sent on other links, or beside other messages.
+
+    Why: on a link that it has lost, a message is not understood; beside another one it may not be allowed.
+
+    Example: `links: [rtu, ascii]` that becomes `links: [rtu]`.
+
+    Cure: Nothing to do where links or companions are added. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
+    """
+
+    for pair in both.of(Message):
+        links = tuple(both.renamed_to("links", name) for name in _links(both.old, pair.old))
+        beside = tuple(both.renamed_to("messages", name) for name in pair.old.supplements)
+        for key, what, old, new, kept in (
+            ("links", "where it is sent", links, _links(both.new, pair.new), pair.new.links),
+            ("supplements", "what it is sent beside", beside, pair.new.supplements, pair.new.supplements),
+        ):
+            stated = getattr(pair.old, key) or kept
+            if stated and sorted(old) != sorted(new):
+                lost = key == "links" and bool(set(old) - set(new))
+                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
+
+
+def _links(device: Device, message: Message) -> tuple[str, ...]:
+    return message.links or tuple(device.links)
+
+
+_NONE = Serial((), None, (), (), (), None, ())
+_SERIAL_KEYS = ("baud", "default_baud", "data_bits", "parity", "stop_bits", "start_bits")
+
+
+def serial_changed(both: Comparison) -> Iterator[Change]:
+    """A serial line has other settings, or another one of them at first.
+
+    Why: two sides with different settings do not hear each other.
+
+    Example: `default_baud: 9600` that becomes `default_baud: 19200`.
+
+    Cure: Tell users what to set their side to.
+    """
+
+    for pair in both.of(Link):
+        before, after = pair.old.serial or _NONE, pair.new.serial or _NONE
+        for key in _SERIAL_KEYS:
+            old, new = getattr(before, key), getattr(after, key)
+            if old != new:
+                text = f"{named(pair.new)}: {turned(key.replace('_', ' '), old, new)}"
+                yield change("serial_changed", Effect.BEHAVIOUR, pair, "serial", text, old, new)
+
+
+def timing_changed(both: Comparison) -> Iterator[Change]:
+    """Frames are separated by another silence.
+
+    Why: a program that waits for too short a time sends two frames that the device takes for one.
+
+    Example: `silence: {characters: 3.5}` that becomes `silence: {milliseconds: 50}`.
+
+    Cure: Tell users how long to wait.
+    """
+
+    for pair in both.of(Link):
+        for key, unit in (("silence_characters", "characters"), ("silence_milliseconds", "milliseconds")):
+            old, new = getattr(pair.old, key), getattr(pair.new, key)
+            if old != new:
+                text = f"{named(pair.new)}: {turned('the silence between frames in ' + unit, old, new)}"
+                yield change("timing_changed", Effect.BEHAVIOUR, pair, "silence", text, old, new)
+
+
+def broadcast_changed(both: Comparison) -> Iterator[Change]:
+    """Another address means all stations, or a message can be sent to all stations now, or no longer.
+
+    Why: a request that was for one device is carried out by all of them, or by none.
+
+    Example: `broadcast: 0` that becomes `broadcast: 255` at the stations of a link.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for link in both.of(Link):
+        old, new = (side.stations.broadcast if side.stations else None for side in (link.old, link.new))
+        if old != new:
+            text = f"{named(link.new)}: {turned('the address of all stations', old, new)}"
+            yield change("broadcast_changed", Effect.WIRE, link, "stations", text, old, new)
+    for message in both.of(Message):
+        if message.old.broadcast != message.new.broadcast:
+            text = "can be sent to all stations" if message.new.broadcast else "can no longer be sent to all stations"
+            yield change(
+                "broadcast_changed",
+                Effect.BEHAVIOUR,
+                message,
+                "broadcast",
+                f"{named(message.new)} {text}",
+                message.old.broadcast,
+                message.new.broadcast,
+            )
+
+
+def building_changed(both: Comparison) -> Iterator[Change]:
+    """Another line of versions gets outputs of its own.
+
+    Why: generated modules and headers are named after versions, so programs no longer find those that they use.
+
+    Example: `builds: true` that moves from the line `firmware` to the line `hardware`.
+
+    Cure: Keep the line that is built, or tell users the new names.
+    """
+
+    for pair in both.of(VersionLine):
+        old, new = pair.old.builds, pair.new.builds
+        if old != new:
+            text = f"the versions of {named(pair.new)} {'have' if new else 'no longer have'} outputs of their own"
+            yield change("building_changed", Effect.SOURCE, pair, "builds", text, old, new, (PYTHON, C))

@@ -1,0 +1,181 @@
+"""Rules about permitted values, defaults, access and handling."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.changes.change import Change, Effect
+from fieldspec.changes.comparing import Comparison
+from fieldspec.changes.finding import change, named, turned
+from fieldspec.changes.intervals import bounded, text, without
+from fieldspec.classes import attributes
+from fieldspec.model.enums import Bit
+from fieldspec.model.record import Field, Message
+from fieldspec.model.registers import Parameter, Register, Table
+from fieldspec.model.texts import Limit
+from fieldspec.model.value import Handling
+
+
+def range_narrowed(both: Comparison) -> Iterator[Change]:
+    """A value may be fewer numbers than before, a text may be shorter, or fewer records may follow each other.
+
+    Why: what was accepted is refused, by the device or by generated code.
+
+    Example: `range: 0..100` that becomes `range: 1..100`.
+
+    Cure: Tell users of the lost values.
+    """
+
+    for held in bounded(both):
+        lost = without(held.old, held.new)
+        if lost.intervals:
+            said = f"{held.name}: {held.what} is {text(held.new)}; {text(lost)} is not allowed any more"
+            yield change("range_narrowed", Effect.BEHAVIOUR, held.pair, held.key, said, text(held.old), text(held.new))
+
+
+def range_widened(both: Comparison) -> Iterator[Change]:
+    """A value may be more numbers than before, a text may be longer, or more records may follow each other.
+
+    Why: values come that an old program does not expect, and generated code of the old version refuses them.
+
+    Example: `range: 0..100` that becomes `range: 0..200`.
+
+    Cure: None is needed.
+    """
+
+    for held in bounded(both):
+        gained = without(held.new, held.old)
+        if gained.intervals:
+            said = f"{held.name}: {held.what} is {text(held.new)}; {text(gained)} is allowed now"
+            yield change("range_widened", Effect.BEHAVIOUR, held.pair, held.key, said, text(held.old), text(held.new))
+
+
+def default_changed(both: Comparison) -> Iterator[Change]:
+    """A value is another one as long as nobody sets it.
+
+    Why: a device that was set up for the old version, and a record that is filled in part, behave in another way. What
+    is written into reserved fields are other bytes.
+
+    Example: `default: 100` that becomes `default: 50`.
+
+    Cure: Tell users to set the value where it matters. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
+    """
+
+    for held in both.all_values:
+        old, new = held.old.default, held.new.default
+        if old != new:
+            filling = held.reserved and held.new.const is None and (old or 0) != (new or 0)
+            effect = Effect.WIRE if filling else Effect.BEHAVIOUR
+            text = f"{named(held.of.new)}: {turned('the default', old, new)}"
+            yield change("default_changed", effect, held, "default", text, old, new)
+
+
+_KEYS = {
+    "kind": ("kind", "the kind"),
+    "value": ("value", "the value"),
+    "low": ("min", "the least"),
+    "high": ("max", "the most"),
+    "text": ("text", "the text"),
+    "unit": ("unit", "the unit"),
+}
+
+
+def limit_changed(both: Comparison) -> Iterator[Change]:
+    """A timing, a maximum, a supply is another one.
+
+    Why: a machine that was built for the old number may be too fast, too slow or too weak.
+
+    Example: `value: 5` of a reply time in ms that becomes `value: 20`.
+
+    Cure: Tell users of the old number.
+    """
+
+    for pair in both.of(Limit):
+        for attribute, (key, what) in _KEYS.items():
+            old, new = getattr(pair.old, attribute), getattr(pair.new, attribute)
+            if old != new:
+                effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
+                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                yield change("limit_changed", effect, pair, key, text, old, new)
+
+
+def access_changed(both: Comparison) -> Iterator[Change]:
+    """Whether a register, a table, a field or a parameter can be read and written is another matter now.
+
+    Why: a program that writes what can only be read is refused by the device, or by the generated code.
+
+    Example: `access: rw` that becomes `access: ro`.
+
+    Cure: Say in the notes of the version which writes no longer work. Where the old spec was wrong, accept the change
+    with that reason; else give the new version a number of its own.
+    """
+
+    for pair in both.any_of(Register, Table, Field, Parameter):
+        old, new = pair.old.access, pair.new.access
+        if old != new:
+            text = f"{named(pair.new)}: {turned('the access', old, new)}"
+            yield change("access_changed", Effect.BEHAVIOUR, pair, "access", text, old, new)
+
+
+_HANDLING_TEXTS = {
+    ("atomic", True): "must be accessed in one request",
+    ("atomic", False): "may be accessed in several requests",
+    ("trigger", True): "starts an action when it is written",
+    ("trigger", False): "no longer starts an action when it is written",
+}
+_ASKED = {
+    "memory": "the memory that keeps it",
+    "saved_by": "what saves it",
+    "endurance": "how often it may be written",
+    "clears_on_read": "whether reading clears it",
+    "opposite_of": "what has the opposite sense",
+}
+_PATHS = ("saved_by", "opposite_of")
+
+
+def handling_changed(both: Comparison) -> Iterator[Change]:
+    """A value has to be read or written in another way: in one request or not, as a trigger or not, saved or not.
+
+    Why: a program that reads a value in two requests gets halves of two values; one that reads back a trigger gets
+    nothing; one that does not save what is lost with the power finds it gone; and one that does not know that two facts
+    have opposite senses does the contrary of what it should.
+
+    Example: `atomic: true` at a register that did not have it, or `saved_by: registers/save` at a parameter.
+
+    Cure: Tell users how to access the value.
+    """
+
+    for pair in both.any_of(Register, Field, Parameter):
+        for key in ("atomic", "trigger"):
+            old, new = getattr(pair.old, key, False), getattr(pair.new, key, False)
+            if old != new:
+                text = f"{named(pair.new)} {_HANDLING_TEXTS[key, new]}"
+                yield change("handling_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
+    for held in both.any_of(Register, Field, Parameter, Table, Message, Bit):
+        if held.old.handling == held.new.handling:
+            continue
+        for key in attributes(Handling):
+            before, after = getattr(held.old.handling, key), getattr(held.new.handling, key)
+            if key in _PATHS and before:
+                before = both.renamed_path(before)
+            if before != after:
+                text = f"{named(held.new)}: {turned(_ASKED[key], before, after)}"
+                yield change("handling_changed", Effect.BEHAVIOUR, held, key, text, before, after)
+
+
+def restart_changed(both: Comparison) -> Iterator[Change]:
+    """A change of a value takes effect after a restart, or no longer needs one.
+
+    Why: a program that sets the value and goes on works with the old one.
+
+    Example: `restart: true` at a parameter that took effect at once.
+
+    Cure: Tell users when to restart the device.
+    """
+
+    for pair in both.any_of(Register, Field, Parameter):
+        old, new = pair.old.restart, pair.new.restart
+        if old != new:
+            text = f"{named(pair.new)}: {turned('whether a restart is needed', old, new)}"
+            yield change("restart_changed", Effect.BEHAVIOUR, pair, "restart", text, old, new)

@@ -1,0 +1,164 @@
+"""Rules about the fields of records and messages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.changes.attributes import PYTHON
+from fieldspec.changes.change import Change, Effect
+from fieldspec.changes.comparing import Comparison, Pair, beside
+from fieldspec.changes.evidence import enumeration
+from fieldspec.changes.finding import change, kind, named, path, span, turned
+from fieldspec.model.link import Link
+from fieldspec.model.record import Case, Field
+from fieldspec.model.registers import Parameter, Register, Table
+
+
+def field_moved(both: Comparison) -> Iterator[Change]:
+    """Fields of a record or a message, or parts of a frame, lie elsewhere among the others.
+
+    Why: bytes that were one field are another one.
+
+    Example: a field that is put before all others, or two that change places.
+
+    Cure: Put new fields behind the others, or where reserved ones were. Where the old spec was wrong, accept the change
+    with that reason; else give the new version a number of its own.
+    """
+
+    for fields in both.fields:
+        if fields.moved:
+            first, now, before, after = fields.moved[0]
+            names = enumeration([named(new) for _, new, _, _ in fields.moved])
+            holder = fields.holder[1]
+            text = f"{named(now)} lies at offset {after}, and lay at {before}"
+            if len(fields.moved) > 1:
+                text = f"{names} lie elsewhere; {text}"
+            text = f"{named(holder)}: {text}"
+            yield Change(
+                "field_moved",
+                Effect.WIRE,
+                kind(now),
+                path(now, holder),
+                text,
+                f"offset {before}",
+                f"offset {after}",
+                span(first, "name", fields.holder[0]),
+                span(now, "name", holder),
+            )
+
+
+def length_changed(both: Comparison) -> Iterator[Change]:
+    """A record, the data of a message, or what stands around the data in a frame, has another length.
+
+    Why: who waits for the old number of bytes cuts a frame off, or waits for ever; generated code refuses frames of
+    another length.
+
+    Example: a response of 10 bytes that has 12.
+
+    Cure: Put new fields where reserved ones were. Where the old spec was wrong, accept the change with that reason;
+    else give the new version a number of its own.
+    """
+
+    for fields in both.fields:
+        before, after = fields.sizes
+        if before != after:
+            old, new = fields.holder
+            what = " ".join(word for word in ("the length of the", fields.direction or kind(new), _of(new)) if word)
+            text = f"{named(new)}: {turned(what, _length_text(before), _length_text(after))}"
+            key = fields.direction or "fields"
+            where = f"{path(new, None)}/{fields.direction}".rstrip("/")
+            places = span(old, key, None), span(new, key, None)
+            yield Change(
+                "length_changed",
+                Effect.WIRE,
+                kind(new),
+                where,
+                text,
+                _length_text(before),
+                _length_text(after),
+                *places,
+            )
+
+
+def _of(holder: object) -> str:
+    return "without its data" if isinstance(holder, Link) else ""
+
+
+def _length_text(size: tuple[int, bool]) -> str:
+    """`10 bytes`, or `2 bytes or more`"""
+    number, goes_on = size
+    return f"{number} byte{'' if number == 1 else 's'}" + (" or more" if goes_on else "")
+
+
+def case_changed(both: Comparison) -> Iterator[Change]:
+    """A case of a field holds for other values of the field that decides.
+
+    Why: data of one type are read as data of another.
+
+    Example: `when: [unsigned16]` that becomes `when: [unsigned16, word]`.
+
+    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
+    own.
+    """
+
+    for pair in both.of(Case):
+        enum = _enum(both, pair.holder[0])
+        old, new = tuple(both.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
+        if old != new:
+            effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
+            text = f"{named(pair.new)}: {turned('what it holds for', old, new)}"
+            yield change("case_changed", effect, pair, "when", text, old, new)
+
+
+def _enum(both: Comparison, field: Field) -> str:
+    """The name of the old enum whose members are named."""
+    by = field.choice.by if field.choice else ""
+    values = (one.value for one in beside(field, both.old) if one.name == by)
+    return next((value.enum for value in values if value is not None), "")
+
+
+def count_changed(both: Comparison) -> Iterator[Change]:
+    """There are more, or fewer, elements of a register, a table, a field or a parameter.
+
+    Why: fewer elements leave programs with addresses that mean nothing; a field with more or fewer moves all that
+    follows it.
+
+    Example: `count: 127` of a table that becomes `count: 255`.
+
+    Cure: Nothing to do where registers, tables and parameters grow. Where the old spec was wrong, accept the change
+    with that reason; else give the new version a number of its own.
+    """
+
+    for pair in both.any_of(Register, Table, Parameter):
+        yield from _grown(pair, "count", pair.old.count, pair.new.count)
+    for parameter in both.of(Parameter):
+        yield from _grown(parameter, "elements", parameter.old.elements or 1, parameter.new.elements or 1)
+    for field in both.of(Field):
+        yield from _in_frame(field)
+
+
+def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: int, new: int) -> Iterator[Change]:
+    if old != new:
+        effect = Effect.BEHAVIOUR if new > old else Effect.WIRE
+        text = f"{named(pair.new)}: {turned('the number of elements', old, new)}"
+        yield change("count_changed", effect, pair, key, text, old, new)
+
+
+def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
+    if (pair.old.repeat is None) != (pair.new.repeat is None):
+        goes_on = pair.new.repeat is not None
+        text = "goes on to the end of the data" if goes_on else "no longer goes on to the end of the data"
+        yield change(
+            "count_changed",
+            Effect.WIRE,
+            pair,
+            "repeat",
+            f"{named(pair.new)} {text}",
+            pair.old.repeat,
+            pair.new.repeat,
+        )
+    elif pair.old.count != pair.new.count:
+        same = (pair.old.count or 1) == (pair.new.count or 1)
+        effect, outputs = (Effect.SOURCE, (PYTHON,)) if same else (Effect.WIRE, ())
+        text = f"{named(pair.new)}: {turned('the number of elements', pair.old.count, pair.new.count)}"
+        yield change("count_changed", effect, pair, "count", text, pair.old.count, pair.new.count, outputs)

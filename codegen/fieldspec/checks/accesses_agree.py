@@ -1,0 +1,59 @@
+"""What a table and its fields say of access can both hold: a field allows nothing that none of its tables allows, a
+table nothing that none of its fields allows.
+
+Why: the narrower of the two holds in every output. A field that says `ro` in a table that says `rw` is a status among
+settings, and a table that says `ro` may hold the record of another table, whose fields say `rw`: that narrows, and is
+fine. What is narrowed everywhere has no effect, so one of the two is misprinted.
+
+Example: a table with `access: ro`, the only one of its record, and a field of that record with `access: rw`.
+
+Cure: Put one of them right, and write an erratum where the manual prints it wrongly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import enumeration, finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.access import narrowed, readable, writable
+from fieldspec.model.device import Device
+from fieldspec.model.record import Field, Record
+from fieldspec.model.registers import Table
+
+_CODE = "accesses_agree"
+_HELP = "put one of them right: the narrower one holds"
+_VERBS = (("read", readable), ("written", writable))
+
+
+def accesses_agree(device: Device) -> Iterator[Diagnostic]:
+    for record in device.records.values():
+        tables = [table for table in device.tables.values() if table.record == record.name]
+        for field in record.fields if tables else ():
+            yield from _of_field(field, tables)
+        for table in tables:
+            yield from _of_table(table, record)
+
+
+def _of_field(field: Field, tables: list[Table]) -> Iterator[Diagnostic]:
+    """What the field allows, and no table of its record."""
+    if not field.access or not all(table.access for table in tables):
+        return
+    for verb, allows in _VERBS:
+        if allows(field.access) and not any(allows(narrowed(table.access, field.access)) for table in tables):
+            names = enumeration([table.name for table in tables])
+            text = f"{field.name} can be {verb} by its access, {field.access}, but not as a part of {names}"
+            there = label(tables[0].place, "access", f"the access of {tables[0].name}")
+            yield finding(_CODE, field.place, "access", text, _HELP, there)
+
+
+def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
+    """What the table allows, and no field of its record."""
+    fields = [field for field in record.fields if not field.reserved]
+    if not table.access or not fields or not all(field.access for field in fields):
+        return
+    for verb, allows in _VERBS:
+        if allows(table.access) and not any(allows(field.access) for field in fields):
+            text = f"{table.name} can be {verb} by its access, {table.access}, but no field of {record.name} can"
+            there = label(fields[0].place, "access", f"the access of {fields[0].name}")
+            yield finding(_CODE, table.place, "access", text, _HELP, there)

@@ -1,0 +1,208 @@
+"""The addresses and parameter numbers that a device occupies, and what is at each."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+from operator import itemgetter
+
+from fieldspec.checks.sizes import Sizes
+from fieldspec.classes import dataclass
+from fieldspec.model.access import narrowed
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Field
+from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
+from fieldspec.model.value import Kind, Value
+
+SPACE = 0x10000
+"""How many addresses a space has at most: a frame carries them in 16 bits."""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Neighbouring addresses, `first` to `last`, that a fact holds in a space; `key` is where its address stands."""
+
+    space: str
+    first: int
+    last: int
+    fact: Fact
+    key: str
+    name: str
+
+
+def table_words(table: Table, sizes: Sizes) -> int:
+    """The words of one element that are known to be used; at least one."""
+    size = sizes.named(table.record)
+    return max(1, (size + 1) // 2 if size is not None else table.words or 1)
+
+
+def blocks(device: Device) -> Iterator[Block]:
+    """The addresses of every element of every register and table."""
+    sizes = Sizes(device)
+    for register in device.registers():
+        space, width = device.space_name(register.space), max(1, register.width)
+        yield from _elements(register, space, "at", register.address, width, register.stride, register.count)
+    for table in device.tables.values():
+        space, width = device.space_name(table.space), table_words(table, sizes)
+        yield from _elements(table, space, "base", table.base, width, table.stride, table.count)
+
+
+def extents(device: Device) -> Iterator[tuple[str, int, int]]:
+    """The space, and the first and last address, of every register and table; what lies between elements is theirs."""
+    sizes = Sizes(device)
+    for register in device.registers():
+        yield device.space_name(register.space), register.address, _last(register)
+    for table in device.tables.values():
+        yield (
+            device.space_name(table.space),
+            table.base,
+            table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1,
+        )
+
+
+def _last(register: Register) -> int:
+    return max(register.address, register.end - 1)
+
+
+def _elements(fact: Fact, space: str, key: str, first: int, words: int, stride: int, count: int) -> Iterator[Block]:
+    if count == 1 or stride <= words:
+        yield Block(space, first, first + (count - 1) * stride + words - 1, fact, key, fact.name)
+        return
+    for number in range(min(count, SPACE // stride + 1)):
+        at = first + number * stride
+        yield Block(space, at, at + words - 1, fact, key, fact.name)
+
+
+def merged(intervals: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The same addresses in intervals that are sorted and do not touch."""
+    joined: list[tuple[int, int]] = []
+    for low, high in sorted(intervals):
+        if joined and low <= joined[-1][1] + 1:
+            joined[-1] = joined[-1][0], max(joined[-1][1], high)
+        else:
+            joined.append((low, high))
+    return joined
+
+
+def free(first: int, last: int, taken: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The parts of `first` to `last` that no interval of `taken`, as `merged` gives them, reaches into."""
+    holes = []
+    at = first
+    for index in range(bisect_left(taken, first, key=itemgetter(1)), len(taken)):
+        low, high = taken[index]
+        if low > last:
+            break
+        if low > at:
+            holes.append((at, low - 1))
+        at = max(at, high + 1)
+    if at <= last:
+        holes.append((at, last))
+    return holes
+
+
+def on_wire(held: ParameterSet, parameter: Parameter) -> tuple[int, int]:
+    """The first and the last number on the wire of a parameter."""
+    first = held.base + parameter.number
+    return first, first + parameter.count - 1
+
+
+def wire_numbers(sets: Iterable[ParameterSet]) -> list[tuple[int, int]]:
+    """The numbers on the wire of all parameters of some sets, with a row or without, in order."""
+    return merged(pair for held in sets for pair in _of_set(held))
+
+
+def _of_set(held: ParameterSet) -> list[tuple[int, int]]:
+    families = held.numbers.intervals if held.numbers is not None else ()
+    rows = [on_wire(held, parameter) for parameter in held.parameters]
+    return [*rows, *((held.base + low, held.base + high) for low, high in families)]
+
+
+@dataclass(frozen=True, slots=True)
+class Addressed:
+    """A value that begins at an address, and the fact that it belongs to.
+
+    `access` is empty where not printed; `holder` is the fact that states it: the register, the field or its table.
+    """
+
+    fact: Fact
+    value: Value | None
+    access: str
+    holder: Fact
+
+    @property
+    def words(self) -> int:
+        """The words that it takes; one where it is no single value."""
+        return max(1, (self.value.size + 1) // 2) if self.value is not None else 1
+
+
+class Addresses:
+    """Looks up addresses of a device."""
+
+    def __init__(self, device: Device) -> None:
+        self._device = device
+        self._registers = {(device.space_name(r.space), r.address): r for r in device.registers() if r.count == 1}
+        self._arrays = [r for r in device.registers() if r.count > 1]
+        sizes = Sizes(device)
+        self._fields: dict[str, dict[int, Field]] = {}
+        for table in device.tables.values():
+            record = device.records.get(table.record)
+            placed = sizes.offsets(record) if record is not None else []
+            self._fields[table.name] = {at // 2: field for field, at in placed if at % 2 == 0}
+
+    def at(self, space: str, address: int) -> Addressed | None:
+        """What begins at an address of a space; an empty name means the first space."""
+        own = self._device.space_name(space)
+        register = self._registers.get((own, address))
+        for array in self._arrays if register is None else ():
+            if self._device.space_name(array.space) != own:
+                continue
+            number, rest = divmod(address - array.address, array.stride)
+            if 0 <= number < array.count and rest == 0:
+                register = array
+        if register is not None:
+            return Addressed(register, register.value, register.access, register)
+        for table in self._device.tables.values():
+            found = self._in_table(table, address) if self._device.space_name(table.space) == own else None
+            if found is not None:
+                return found
+        return None
+
+    def _in_table(self, table: Table, address: int) -> Addressed | None:
+        number, rest = divmod(address - table.base, table.stride)
+        field = self._fields[table.name].get(rest) if 0 <= number < table.count else None
+        if field is None:
+            return None
+        single = field.value is not None and field.count is None and field.repeat is None
+        access = narrowed(table.access, field.access)
+        return Addressed(field, field.value if single else None, access, field if access == field.access else table)
+
+    def within(self, space: str, start: int, words: int) -> Iterator[Addressed]:
+        """What begins in neighbouring words of a space."""
+        at = start
+        while at < start + words:
+            found = self.at(space, at)
+            if found is not None:
+                yield found
+            at += found.words if found is not None else 1
+
+    def counts(self, space: str, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
+        """The address, the fact and the count of every whole number in neighbouring words."""
+        index = 0
+        while index < len(words):
+            found = self.at(space, start + index)
+            taken = words[index : index + found.words] if found is not None else []
+            if found is not None and found.value is not None and len(taken) == found.words:
+                if found.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+                    yield start + index, found, self._joined(taken, found.value)
+                index += found.words
+            else:
+                index += 1
+
+    def _joined(self, words: Sequence[int], value: Value) -> int:
+        number = 0
+        for word in words if self._device.word_order == "big" else reversed(words):
+            number = number << 16 | (word & 0xFFFF)
+        bits = 8 * value.type.size
+        number &= (1 << bits) - 1
+        return number - (1 << bits) if value.type.signed and number >> (bits - 1) else number

@@ -1,0 +1,57 @@
+"""What lies in an address space can be reached: the space is one of words, some message reads it where something in it
+can be read, and some message writes it where something in it can be written.
+
+Why: registers and tables are made of words, and a bit or a byte at an address is none. A register that no message
+reaches has no request in any output; a message of another space would read another register.
+
+Example: a group of input registers in a device whose only reading message accesses holding registers.
+
+Cure: Give the message that reads or writes the space, with `space` under its `accesses`; or put the group into the
+space that the message reaches. State coils and discrete inputs as data of the messages that carry them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.address_space import WORD
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+_CODE = "spaces_reachable"
+
+
+def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
+    if not device.spaces:
+        return
+    reached = {
+        (device.space_name(message.accesses.space), message.accesses.operation)
+        for message in device.messages.values()
+        if message.accesses is not None
+    }
+    for fact, name, accesses in _holders(device):
+        space = device.space(name)
+        if space.unit != WORD:
+            text = f"{fact.name} has registers of words, and an address of {space.name} holds a {space.unit}"
+            help = (
+                f"state each {space.unit} as data of the messages that carry it, or put the group into a space of words"
+            )
+            yield finding(_CODE, fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
+            continue
+        for operation, needs in (("read", {"ro", "rw"}), ("write", {"rw", "wo"})):
+            if accesses & needs and (space.name, operation) not in reached:
+                text = f"no message {operation}s {space.name}, in which {fact.name} lies"
+                help = f"name the space under `accesses` of the message that {operation}s it"
+                yield finding(_CODE, fact.place, "space", text, help, label(space.place, "name", "the space"))
+
+
+def _holders(device: Device) -> Iterator[tuple[Fact, str, set[str]]]:
+    """The groups and tables, their spaces, and how what is in them can be accessed."""
+    for group in device.groups:
+        yield group, group.space, {register.access for register in group.registers}
+    for table in device.tables.values():
+        record = device.records.get(table.record)
+        fields = record.fields if record is not None else ()
+        yield table, table.space, {field.access or table.access for field in fields}

@@ -1,0 +1,56 @@
+"""What may be written is a part of what may be read, and sentinels are a part of what may be written.
+
+Why: a device reads back what was written to it. A value that may be written and never read is a misprint. A sentinel
+that cannot be written contradicts the range of writing: a value that is only ever read is a member of an enum.
+
+Example: a parameter with `range: 0..2, 4` and `write_range: 0..3`.
+
+Cure: Put one of the ranges right, or list the value as a member of an enum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.facts import values
+from fieldspec.checks.finding import finding, label, range_key
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.value import Kind, Ranges, Value
+
+_CODE = "write_range_within_range"
+_HELP = "put one of them right"
+
+
+def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
+    for fact, value in values(device):
+        if value.write_ranges is not None and value.type.kind is Kind.INTEGER:
+            yield from _compared(fact, value, value.write_ranges)
+
+
+def _compared(fact: Fact, value: Value, written: Ranges) -> Iterator[Diagnostic]:
+    read = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
+    sentinels = tuple((one.value, one.value) for one in value.sentinels)
+    beyond = _beyond(written, [*read, *sentinels])
+    if beyond is not None:
+        text = f"{beyond} may be written to {fact.name}, but is none of what it may be"
+        key = "type" if value.ranges is None else range_key(fact.place)
+        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "what it may be"))
+    for sentinel in value.sentinels:
+        if sentinel.value not in written:
+            text = f"the sentinel {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
+            help = "add it to `write_range`, or make it a member of an enum if it is only read"
+            yield finding(_CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the sentinel"))
+
+
+def _beyond(written: Ranges, read: list[tuple[int, int]]) -> int | None:
+    """The first number that lies in none of some intervals; None where there is none."""
+    for low, high in written.intervals:
+        at = low
+        for first, last in sorted(read):
+            if first <= at <= last:
+                at = last + 1
+        if at <= high:
+            return at
+    return None

@@ -1,0 +1,116 @@
+"""The link, direction and message that the user names in options."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Collection, Iterable
+
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.explain.readings import DIRECTIONS, FrameOptions, option_word
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.frame import MessageLayout
+
+
+def frame_options(layout: DeviceLayout, arguments: argparse.Namespace) -> FrameOptions:
+    """What the options say. Raises UsageError for what the device does not have."""
+    links = _links(layout, arguments.link)
+    what, text, links = _word(layout, arguments, links)
+    message = ""
+    if text:
+        message = _message(layout, what, text, links)
+        links = [link for link in links if message in layout.links[link].messages]
+    places = _places(layout, links, arguments.direction, [link for link in layout.links if link not in links])
+    return FrameOptions(places if arguments.link or arguments.direction or text else (), message)
+
+
+def _links(layout: DeviceLayout, name: str | None) -> list[str]:
+    if name and name not in layout.links:
+        raise unknown("link", name, layout.links)
+    return [name] if name else list(layout.links)
+
+
+def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str]) -> tuple[str, str, list[str]]:
+    """What a message is called, the one that is asked for, and the links that have such ones."""
+    words = {f"--{option_word(link.link.message_name)}": link.link.message_name for link in layout.links.values()}
+    named = [("--message", arguments.message)] if arguments.message is not None else []
+    named += [(option.replace("_", "-"), text) for option, text in arguments.words]
+    for option, text in named:
+        if option not in words and option != "--message":
+            raise unknown("option", option, ["--link", "--direction", "--message", "--format", *words])
+        if not text:
+            raise UsageError(f"{option} needs a name or a number")
+    if not named:
+        return "message", "", links
+    if len(named) > 1:
+        raise UsageError(f"{named[0][0]} and {named[1][0]} both say which message it is; give one of them")
+    ((option, text),) = named
+    word = words.get(option, "message")
+    if option == "--message":
+        return word, text, links
+    own = [link for link in links if layout.links[link].link.message_name == word]
+    if not own:
+        others = sorted({layout.links[link].link.message_name for link in links})
+        raise UsageError(f"{' and '.join(links)} has no {word}; what it sends is called {' or '.join(others)}")
+    return word, text, own
+
+
+def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str]) -> str:
+    """The message of some links that a name or a number means."""
+    sent = {name: laid for link in links for name, laid in layout.links[link].messages.items()}
+    if text in sent:
+        return text
+    number = number_of(text)
+    found = [name for name, laid in sent.items() if number is not None and laid.message.number == number]
+    found = found or [name for name, laid in sent.items() if number is not None and laid.message.code == number]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise UsageError(f"{text} may be {' or '.join(found)}; say which by its name")
+    elsewhere = [link.name for link in layout.links.values() if text in link.messages]
+    if elsewhere:
+        raise UsageError(f"{text} is not sent on {' or '.join(links)}, but on {' and '.join(elsewhere)}")
+    raise unknown(what, text, _numbers(sent.values()) if number is not None else sent)
+
+
+def _numbers(sent: Iterable[MessageLayout]) -> Iterable[str]:
+    """The numbers of messages, or else their names."""
+    held = list(sent)
+    numbers = [str(laid.message.number) for laid in held if laid.message.number is not None]
+    return numbers or [laid.name for laid in held]
+
+
+def number_of(text: str) -> int | None:
+    """`0x2011`, `2011h` or `8209` as a number."""
+    digits = text[:-1] if text[-1:] in ("h", "H") else text
+    try:
+        return int(digits, 16) if digits != text else int(text, 0)
+    except ValueError:
+        return None
+
+
+def _places(
+    layout: DeviceLayout, links: Collection[str], text: str | None, others: Collection[str]
+) -> tuple[tuple[str, str], ...]:
+    """The links that have a direction of that name, with the direction. A name of the link goes before our words."""
+    if not text:
+        return tuple((link, direction) for link in links for direction in DIRECTIONS)
+    places = []
+    for link in links:
+        own = {layout.links[link].link.direction_name(direction): direction for direction in DIRECTIONS}
+        direction = own.get(text, text)
+        if direction in DIRECTIONS:
+            places.append((link, direction))
+    if places:
+        return tuple(places)
+    names = dict.fromkeys(name for link in links for name in direction_names(layout, link))
+    elsewhere = [link for link in others if text in direction_names(layout, link)]
+    if elsewhere:
+        have = " and ".join(names)
+        raise UsageError(f"{text} is a direction of {' and '.join(elsewhere)}; {' and '.join(links)} has {have}")
+    raise unknown("direction", text, [*names, *DIRECTIONS])
+
+
+def direction_names(layout: DeviceLayout, link: str) -> tuple[str, str]:
+    """What a link calls its directions: to the device, and from it."""
+    held = layout.links[link].link
+    return held.request_name, held.response_name

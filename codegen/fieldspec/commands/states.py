@@ -1,0 +1,246 @@
+"""The states of specs that a user compares: a version, a folder of specs, or a git revision."""
+
+from __future__ import annotations
+
+import posixpath
+import subprocess
+from pathlib import Path
+
+from fieldspec.classes import dataclass
+from fieldspec.commands import specs
+from fieldspec.commands.usage import UsageError, unknown
+from fieldspec.diagnostics import has_errors
+from fieldspec.model.device import Device
+from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
+from fieldspec.reading.project import DeviceSpec, Project, read
+from fieldspec.render.text import place
+
+
+class NoRevision(UsageError):
+    """A name that is that of no revision."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """The spec files of a folder at a revision, by path below it. `path` is the folder's own in the repository, empty
+    for its root, and `device` the one that was asked for, empty for all."""
+
+    path: str
+    device: str
+    files: dict[str, bytes]
+
+
+def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
+    """The specs at a revision: in a folder of the repository, or where `specs`, the folder of the specs, lies in it.
+
+    The folder may be that of all specs, that of one device, or one that has the folder `specs`.
+    """
+    here = specs if specs is not None and path is None else Path.cwd()
+    _verified(here, revision)
+    found = path if path is not None else _git(here, "rev-parse", "--show-prefix").decode().strip("\n/")
+    listed = _contents(here, revision, found)
+    if MAIN in listed and found:
+        above, _, device = found.rpartition("/")
+        return Tree(above, device, _read(here, _contents(here, revision, above)))
+    if not _devices(listed) and _devices(_below(listed, "specs")):
+        found, listed = posixpath.join(found, "specs"), _below(listed, "specs")
+    if not _devices(listed):
+        where = f"{revision}:{found}" if found else revision
+        raise UsageError(f"{where} holds no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
+    return Tree(found, "", _read(here, listed))
+
+
+def _devices(listed: dict[str, str]) -> set[str]:
+    """The folders of devices."""
+    return {path.partition("/")[0] for path in listed if path.partition("/")[2] == MAIN}
+
+
+def _below(listed: dict[str, str], folder: str) -> dict[str, str]:
+    start = folder + "/"
+    return {path.removeprefix(start): blob for path, blob in listed.items() if path.startswith(start)}
+
+
+def _verified(here: Path, revision: str) -> None:
+    """Refuses what is no revision."""
+    try:
+        _git(here, "rev-parse", "--git-dir")
+    except _Failed:
+        text = f"{revision} is no device and no folder, and {here} is in no git repository"
+        raise NoRevision(text) from None
+    try:
+        _git(here, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{tree}}")
+    except _Failed:
+        raise NoRevision(f"there is no device, no folder and no git revision {revision}") from None
+
+
+def _contents(here: Path, revision: str, path: str) -> dict[str, str]:
+    """The YAML files below a folder at a revision: the names of their contents, by path."""
+    try:
+        folder = (
+            _git(here, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}:{path}").decode().strip()
+        )
+        lines = _git(here, "ls-tree", "-r", "-z", "--full-tree", folder).decode("utf-8", "replace")
+    except _Failed:
+        raise UsageError(f"the revision {revision} has no folder {path}") from None
+    found = {}
+    for line in filter(None, lines.split("\0")):
+        mode, kind, blob = line.partition("\t")[0].split()
+        name = line.partition("\t")[2]
+        if kind == "blob" and mode != "120000" and name.endswith(".yaml") and not _hidden(name):
+            found[name] = blob
+    return found
+
+
+def _hidden(path: str) -> bool:
+    return posixpath.basename(path).startswith(".")
+
+
+def _read(here: Path, listed: dict[str, str]) -> dict[str, bytes]:
+    """The contents of the spec files among some files."""
+    specs = {path: blob for path, blob in listed.items() if _of_specs(path.split("/"))}
+    asked = "".join(f"{blob}\n" for blob in specs.values()).encode()
+    answer = _git(here, "cat-file", "--batch", given=asked)
+    files = {}
+    at = 0
+    for path in specs:
+        end = answer.index(b"\n", at)
+        size = int(answer[at:end].split()[-1])
+        files[path] = answer[end + 1 : end + 1 + size]
+        at = end + size + 2
+    return files
+
+
+def _of_specs(steps: list[str]) -> bool:
+    """Whether a path is that of a spec file: `device/file.yaml` or `device/versions/file.yaml`."""
+    return len(steps) == 2 or (len(steps) == 3 and steps[1] == VERSIONS)
+
+
+class _Failed(Exception):
+    """Git did not do what it was asked for."""
+
+
+def _git(here: Path, *arguments: str, given: bytes = b"") -> bytes:
+    try:
+        ran = subprocess.run(["git", "-C", str(here), *arguments], input=given, capture_output=True, check=False)
+    except FileNotFoundError:
+        raise UsageError("git is not installed, so there are no revisions to compare") from None
+    if ran.returncode:
+        raise _Failed
+    return ran.stdout
+
+
+@dataclass(frozen=True, slots=True)
+class SpecState:
+    """One side of a comparison, by the name that the user gave it.
+
+    `device` and `version` are empty where all are meant. `wide` says that it is a state of specs, not a version.
+    """
+
+    name: str
+    project: Project
+    device: str
+    version: str
+    wide: bool
+
+    def spec(self, device: str) -> DeviceSpec:
+        """The spec of a device, which must be there."""
+        if device not in self.project.devices:
+            raise UsageError(f"{self.name} holds no device {device}; there are {', '.join(self.project.devices)}")
+        return self.project.devices[device]
+
+    def at(self, device: str, version: str) -> Device:
+        """A device at a version. Its spec must be one that can be read."""
+        spec = self.spec(device)
+        model, found = spec.at(specs.picked(spec, version))
+        _sound(self.name, Project({}, found))
+        return model
+
+    def label(self, device: str, version: str = "") -> str:
+        """How this side is called for a device, at a version or at several."""
+        at = f"@{version}" if version else ""
+        if not self.wide:
+            return f"{device}{at}"
+        if self.device:
+            return self.name if self.version else f"{self.name}{at}"
+        return f"{self.name} {device}{at}"
+
+
+def spec_state(text: str, given: str | None, plain: bool) -> SpecState:
+    """The side that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, tried in this order.
+
+    With `plain`, the files of a revision are shown by their paths in the repository, without the revision.
+    """
+    try:
+        here: Path | None = specs.folder(given)
+    except UsageError:
+        if given:
+            raise
+        here = None
+    name, version = specs.split(text)
+    if here is not None and (here / name / MAIN).is_file() and "/" not in name and name not in ("", ".", ".."):
+        return _named(text, specs.project(given, frozenset([name])), name, version)
+    for path, picked in ((text, ""), text.rpartition("@")[::2]):
+        if path and Path(path).is_dir():
+            return _folder(text, Path(path), picked)
+
+    try:
+        return _revision(text, here, plain)
+    except NoRevision:
+        if here is not None and name and version and "{" not in version:
+            raise unknown("device", name, (file.parent.name for file in here.glob(f"*/{MAIN}"))) from None
+        raise
+
+
+def _named(text: str, project: Project, device: str, version: str) -> SpecState:
+    _sound(text, project)
+    if device not in project.devices:
+        raise UsageError(f"the spec of {device} has findings; see them with: fieldspec check {device}")
+    return SpecState(text, project, device, specs.picked(project.devices[device], version), wide=False)
+
+
+def _folder(text: str, path: Path, version: str) -> SpecState:
+    """A folder of specs, that of one device, or one with the folder `specs` in it."""
+    device = ""
+    if (path / MAIN).is_file():
+        path = path.resolve()
+        device, path = path.name, path.parent
+    elif not any(path.glob(f"*/{MAIN}")) and any(path.glob(f"{specs.FOLDER}/*/{MAIN}")):
+        path = path / specs.FOLDER
+    if not any(path.glob(f"*/{MAIN}")):
+        raise UsageError(f"the folder {text} holds no specs; a device is a folder with a {MAIN}")
+    only = frozenset([device]) if device else frozenset[str]()
+    files = _of_devices(specs.files(path, only))
+    return _wide(text, read(files, only, specs.relative_path(path)), device, version)
+
+
+def _revision(text: str, here: Path | None, plain: bool) -> SpecState:
+
+    name, version = text, ""
+    before, joint, after = text.rpartition("@")
+    if joint and before and not after.startswith("{"):
+        name, version = before, after
+    revision, colon, path = name.partition(":")
+    if not revision:
+        raise UsageError(f"there is no device, no folder and no git revision {text}")
+    found = tree(revision, path.strip("/") if colon else None, here)
+    folder = found.path if plain else f"{revision}:{found.path}"
+    only = frozenset([found.device]) if found.device else frozenset[str]()
+    return _wide(text, read(_of_devices(found.files), only, folder), found.device, version)
+
+
+def _of_devices(files: dict[str, bytes]) -> dict[str, bytes]:
+    """Spec files without those of folders that are no device, or none yet."""
+    folders = {path.partition("/")[0] for path in files if path.partition("/")[2] == MAIN} | {PROTOCOLS}
+    return {path: held for path, held in files.items() if path.partition("/")[0] in folders}
+
+
+def _wide(text: str, project: Project, device: str, version: str) -> SpecState:
+    _sound(text, project)
+    return SpecState(text, project, device, version, wide=True)
+
+
+def _sound(name: str, project: Project) -> None:
+    """Refuses specs that cannot be read; whether they are right is not asked."""
+    if has_errors(project.findings):
+        first = project.findings[0]
+        raise UsageError(f"the specs of {name} cannot be read: {place(first.span)}: {first.message}")

@@ -1,0 +1,1 @@
+"""Explains the bytes of frames, from the layout alone."""

@@ -1,0 +1,208 @@
+"""The rows of a frame body, and the references of its conversions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from decimal import Context, Decimal
+
+from fieldspec.classes import replace
+from fieldspec.explain.parameters import with_parameter
+from fieldspec.explain.row import ExplanationRow, Spot, errata_at, fact_row, wrong_row
+from fieldspec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.layout.record import FieldLayout, RecordLayout
+from fieldspec.layout.values import Raw
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+from fieldspec.model.record import Message
+from fieldspec.model.value import Conversion, Value
+
+_EXACT = Context(prec=200)
+
+
+def with_share(device: Device, row: ExplanationRow, field: FieldLayout, number: Raw) -> ExplanationRow:
+    """A row of a field that places a signal, with the quantities of which the signal is a share."""
+    if not field.field.signal or not isinstance(number, int):
+        return row
+    shares = tuple(
+        Meaning(conversion.name, conversion.label, share_text(device, conversion, number), "")
+        for conversion in device.conversions.values()
+        if field.field.signal in conversion.signals
+    )
+    return replace(row, meanings=(*row.meanings, *shares)) if shares else row
+
+
+def share_text(device: Device, conversion: Conversion, number: int) -> str:
+    """`50 % of Pt317 (3000 rpm by default) or Pt386`"""
+    from fractions import Fraction
+
+    percent = conversion.quantity(number, Fraction(100))
+    share = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
+    return f"{decimal_text(share)} % of {references_text(device, conversion)}"
+
+
+def references_text(device: Device, conversion: Conversion) -> str:
+    """The references of a conversion by their printed names, with their defaults."""
+    return " or ".join(_reference(device, path) for path in conversion.references) or "its reference"
+
+
+def _reference(device: Device, path: str) -> str:
+    fact, value = next(((fact, value) for fact, value in _values(device) if fact.place.path == path), (None, None))
+    if fact is None or value is None:
+        return path.rpartition("/")[2]
+    default = in_unit(value, value.default) if value.default and isinstance(value.default, int) else ""
+    return f"{fact.printed_name or fact.name} ({default} by default)" if default else fact.printed_name or fact.name
+
+
+def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
+    """Everything that may hold a reference."""
+    for words in device.parameters.values():
+        yield from ((parameter, parameter.value) for parameter in words.parameters)
+    yield from ((register, register.value) for register in device.registers())
+    yield from ((signal, signal.value) for signal in device.signals.values())
+
+
+class Body:
+    """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
+
+    `rows` and `values` are filled as far as the bytes go. `asked` are the values of the request that is
+    answered. `outer` is the message, or whatever else cites the manual for fields that do not.
+    """
+
+    def __init__(
+        self,
+        layout: DeviceLayout,
+        record: RecordLayout,
+        outer: Fact,
+        data: bytes,
+        start: int,
+        end: int,
+        spot: Spot,
+        asked: Mapping[str, Raw],
+    ) -> None:
+        self.layout, self.outer, self.spot, self.asked = layout, outer, spot, asked
+        self.data, self.start, self.end = data, start, end
+        self.record = record.of_data(data[start:end]) or record
+        self.written = isinstance(outer, Message) and record.record is outer.request
+        self.values: dict[str, Raw] = {}
+        self.rows = list(self._rows())
+
+    def _rows(self) -> Iterator[ExplanationRow]:
+        at = self.start
+        for number, field in enumerate(self.record.fields):
+            if field.cases:
+                yield self._undecided(field, at)
+                return
+            count = self._count(field)
+            room = max(0, min(count, (self.end - at) // field.size)) if field.size else 0
+            yield from self._field(field, at, room)
+            at += room * field.size
+            if room < count:
+                yield self._missing(number, at)
+                return
+        if at < self.end:
+            over = self.data[at : self.end]
+            text = f"{len(over)} bytes are over"
+            yield wrong_row(self.spot, at, over, "wrong_length", text)
+
+    def _count(self, field: FieldLayout) -> int:
+        """How many elements of a field belong here: all that there is room for, where their number is free."""
+        repeat = field.field.repeat
+        if repeat is None:
+            return field.count or 0
+        room = (self.end - self.start - field.offset) // field.size
+        return min(max(room, repeat.low), repeat.high)
+
+    def _missing(self, number: int, at: int) -> ExplanationRow:
+        """The row where the body ends too early."""
+        field = self.record.fields[number]
+        missing = self.record.least - (self.end - self.start)
+        later = ", ".join(other.name for other in self.record.fields[number:])
+        text = f"{missing} bytes are missing for {later}"
+        return self._wrong(field, at, "incomplete", text)
+
+    def _undecided(self, field: FieldLayout, at: int) -> ExplanationRow:
+        """The row of what nobody can read, because the field that decides about it has a value without a case."""
+        size, by = self.end - self.start, self.record.selector
+        assert by is not None
+        if size < self.record.least:
+            return self._missing(len(self.record.fields) - 1, at)
+        long = self.record.most is not None and size > self.record.most
+        reason, text = "unknown_value", f"{by.name} {self.values[by.name]!r} does not say what lies here"
+        if long:
+            reason, text = "wrong_length", f"{text}; {field.name} are {size - (self.record.most or 0)} bytes too long"
+        return self._wrong(field, at, reason, text)
+
+    def _wrong(self, field: FieldLayout, at: int, reason: str, text: str) -> ExplanationRow:
+        """The row of the rest of the body, in which a field should lie."""
+        path = field.field.place.path
+        row = wrong_row(self.spot, at, self.data[at : self.end], reason, text, field.name, path)
+        return replace(row, errata=errata_at(self.layout.device, path))
+
+    def _field(self, field: FieldLayout, at: int, count: int) -> Iterator[ExplanationRow]:
+        """The rows of the elements of one field; adds their values."""
+        held: list[Raw] = []
+        for index in range(count):
+            path = f"{field.name}[{index}]" if field.is_list else field.name
+            rows, value = self._element(field, path, at + index * field.size, index)
+            held.append(value)
+            yield from rows
+        if field.is_list:
+            self.values[field.name] = held
+        elif held:
+            self.values[field.name] = held[0]
+
+    def _element(self, field: FieldLayout, path: str, at: int, index: int) -> tuple[list[ExplanationRow], Raw]:
+        """The rows and the value of one element of a field of the message."""
+        if field.record is not None:
+            return self._inner(field.record, path, at)
+        return self._value(field, path, at, index, top=True)
+
+    def _inner(self, record: RecordLayout, path: str, at: int) -> tuple[list[ExplanationRow], Raw]:
+        """The rows and the values of a record within the body, all of whose bytes are there."""
+        rows: list[ExplanationRow] = []
+        values: dict[str, Raw] = {}
+        for field in record.fields:
+            elements: list[Raw] = []
+            for index in range(field.count or 0):
+                inner = f"{path}.{field.name}[{index}]" if field.is_list else f"{path}.{field.name}"
+                place = at + field.offset + index * field.size
+                if field.record is not None:
+                    more, value = self._inner(field.record, inner, place)
+                else:
+                    more, value = self._value(field, inner, place, index, top=False)
+                rows += more
+                elements.append(value)
+            values[field.name] = elements if field.is_list else elements[0]
+        return rows, values
+
+    def _value(self, field: FieldLayout, path: str, at: int, index: int, top: bool) -> tuple[list[ExplanationRow], Raw]:
+        assert field.value is not None
+        raw = self.data[at : at + field.size]
+        device = self.layout.device
+        read = decode_value(device, field.value, raw, field.order, field.swapped, field.field.reserved)
+        number = read.number
+        assert number is not None
+        if top:
+            read = self._measured(field, self._repeated(field, read))
+        row = fact_row(device, "field", path, field.field, self.spot, at, raw, read, self.outer)
+        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.written)
+        return [with_share(device, row, field, number)], number
+
+    def _measured(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """Adds whether a field that measures another one is right."""
+        measure = field.field.measures
+        other = self.record.named(measure.field) if measure else None
+        if measure is None or other is None or other.cases:
+            return read
+        start = self.start + other.offset
+        items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
+        should = items * other.size if measure.of == "bytes" else items
+        return read.judged(read.number == should, should, "wrong_measure")
+
+    def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """Adds whether a field of a response repeats what the request has."""
+        should = self.asked.get(field.field.same_as)
+        if read.reason or should is None:
+            return read
+        return read.judged(read.number == should, repr(should), "")

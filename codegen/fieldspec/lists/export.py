@@ -1,0 +1,112 @@
+"""A device as a register list: one row per item, in the columns that docs/export.md describes."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from decimal import Decimal
+from typing import TypeAlias
+
+from fieldspec.lists.item import Item, exact_number
+from fieldspec.lists.packing import workbook
+from fieldspec.spreadsheet import clean, guarded
+
+Cell: TypeAlias = int | Decimal | str | None
+
+COLUMNS = (
+    "space",
+    "address",
+    "hex",
+    "name",
+    "words",
+    "type",
+    "access",
+    "unit",
+    "scale",
+    "offset",
+    "min",
+    "max",
+    "default",
+    "count",
+    "stride",
+    "first",
+    "printed_name",
+    "label",
+    "values",
+    "section",
+    "line",
+    "unverified",
+)
+
+
+def row(item: Item) -> dict[str, Cell]:
+    """An item's cells by column; what is not said is None."""
+    value, source = item.value, item.source
+    many = item.count > 1
+    default = None if value is None else value.default if value.const is None else value.const
+    ranges = None if value is None else value.written_ranges
+    return {
+        "space": item.space,
+        "address": item.address,
+        "hex": f"0x{item.address:04X}",
+        "name": item.name,
+        "words": item.words,
+        "type": item.type,
+        "access": item.access or None,
+        "unit": (value.unit or None) if value else None,
+        "scale": exact_number(value.scale) if value and value.scale != 1 else None,
+        "offset": exact_number(value.offset) if value and value.offset else None,
+        "min": ranges.low if ranges else None,
+        "max": ranges.high if ranges else None,
+        "default": default,
+        "count": item.count if many else None,
+        "stride": item.stride if many and item.stride else None,
+        "first": item.first if many and item.stride else None,
+        "printed_name": item.printed_name or None,
+        "label": item.label or None,
+        "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
+        "section": source.section or None if source else None,
+        "line": source.line() if source else None,
+        "unverified": "yes" if item.unverified else None,
+    }
+
+
+def as_csv(items: Sequence[Item]) -> str:
+    """UTF-8 text with a heading, commas and line feeds; no cell is a formula to a spreadsheet."""
+    made = io.StringIO()
+    writer = csv.writer(made, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    writer.writerows([_text(cell) for cell in row(item).values()] for item in items)
+    return made.getvalue()
+
+
+def as_json(items: Sequence[Item]) -> str:
+    """A list of objects with all columns; numbers are numbers, what is not said is null."""
+    return json.dumps([row(item) for item in items], ensure_ascii=False, indent=1, default=_number) + "\n"
+
+
+def as_xlsx(items: Sequence[Item], title: str) -> bytes:
+    """A workbook with one sheet. The same items give the same bytes."""
+    rows = [[_workbook_cell(cell) for cell in row(item).values()] for item in items]
+    return workbook(title, COLUMNS, rows)
+
+
+def _text(cell: Cell) -> str:
+    if isinstance(cell, str):
+        return guarded(clean(cell))
+    return "" if cell is None else f"{cell:f}" if isinstance(cell, Decimal) else str(cell)
+
+
+def _number(cell: object) -> float:
+    if isinstance(cell, Decimal):
+        return float(cell)
+    raise TypeError(type(cell).__name__)
+
+
+def _workbook_cell(cell: Cell) -> Cell:
+    """A spreadsheet keeps 15 digits; a longer number is a text."""
+    if isinstance(cell, int | Decimal) and len(str(cell).strip("-0.").replace(".", "")) > 15:
+        return str(cell) if isinstance(cell, int) else f"{cell:f}"
+    return cell

@@ -1,0 +1,159 @@
+"""A register list after reading: what each of its rows states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+
+from fieldspec.classes import dataclass, replace
+from fieldspec.lists import cells
+from fieldspec.lists.cells import (
+    DECIMAL,
+    HEXADECIMAL,
+    HIGHEST,
+    REFERENCE,
+    AddressRange,
+    AddressText,
+    address_range,
+    base_of_heading,
+)
+from fieldspec.lists.columns import Columns, columns
+from fieldspec.lists.sheet import ListError, Sheet, SheetRow
+
+_MOST_WORDS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class ListRow:
+    """What a row says. `address` counts as the list does, `row` is its number in the file.
+
+    Cells that say nothing, or nothing that is understood, are None or empty. `texts` are the cells by role.
+    """
+
+    row: int
+    address: int
+    words: int | None
+    names: tuple[str, ...]
+    type: cells.Typed | None
+    access: str
+    low: Decimal | None
+    high: Decimal | None
+    default: Decimal | None
+    count: int
+    stride: int
+    texts: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """A list: how its addresses are read, its rows, and the rows that have no address.
+
+    `bases` are the ways in which the addresses can be read, the likeliest first.
+    """
+
+    columns: Columns
+    addresses: tuple[tuple[SheetRow, AddressRange], ...]
+    skipped: tuple[int, ...]
+    bases: tuple[str, ...]
+
+    def rows(self, base: str) -> list[ListRow]:
+        """What the rows say, with addresses read in a way of `bases`."""
+        return [_list_row(self.columns, row, held, base) for row, held in self.addresses]
+
+    def heading(self, role: str) -> str:
+        """The heading of a role's column."""
+        return self.columns.heading(role)
+
+
+def listing(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Listing:
+    """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written."""
+    found = columns(sheet, given)
+    rows: list[tuple[SheetRow, AddressRange]] = []
+    skipped: list[int] = []
+    wrong: list[SheetRow] = []
+    for row in found.rows:
+        text = found.cell(row, "address")
+        held = address_range(text, row.number) if text else None
+        if held is not None:
+            rows.append((row, held))
+        elif text and sum(map(bool, row.cells)) > 1 and row.cells != found.headings:
+            wrong.append(row)
+        else:
+            skipped.append(row.number)
+    heading = found.heading("address")
+    if wrong:
+        shown = "; ".join(f"`{found.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS])
+        more = f"; and {len(wrong) - _MOST_WORDS} more" if len(wrong) > _MOST_WORDS else ""
+        raise ListError(f"has no address under {heading}: {shown}{more}; name the column with --address")
+    if not rows:
+        alone = len(found.headings) == 1 and len(heading.split()) > 1
+        parted = "; if blanks part its columns, put tabs, commas or bars between them" if alone else ""
+        raise ListError(f"has no address under {heading}{parted}")
+    made = Listing(found, tuple(rows), tuple(skipped), _bases([held for _, held in rows], base, heading))
+    for one in made.bases:
+        _within(made.rows(one), heading)
+    return made
+
+
+def _bases(held: Sequence[AddressRange], base: str, heading: str) -> tuple[str, ...]:
+    """How digits without a mark may be read. Where the user or the heading says it, there is one way."""
+    ends = [end for one in held for end in (one.first, one.last) if end is not None]
+    said = base or base_of_heading(heading)
+    if not said and any(end.lettered for end in ends):
+        said = HEXADECIMAL
+    if said:
+        wrong = [end.digits for end in ends if end.number(said) is None]
+        if wrong:
+            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {said}")
+        return (said,)
+    bare = [end for end in ends if not end.mark]
+    if not bare:
+        return (HEXADECIMAL,)
+    ways = [DECIMAL, HEXADECIMAL]
+    if all(_is_reference(end) for end in bare):
+        ways.append(REFERENCE)
+    return tuple(ways)
+
+
+def _is_reference(end: AddressText) -> bool:
+    return end.reference() is not None
+
+
+def _within(rows: Sequence[ListRow], heading: str) -> None:
+    for row in rows:
+        if row.address > HIGHEST:
+            raise ListError(f"has the address {row.address} under {heading} in row {row.row}, which is too great")
+
+
+def _list_row(held: Columns, row: SheetRow, address: AddressRange, base: str) -> ListRow:
+    texts = {role: text for role in held.places if (text := held.cell(row, role))}
+    first = address.first.number(base) or 0
+    last = address.last.number(base) if address.last is not None else None
+    words = cells.whole(texts.get("words", ""))
+    if words is None and last is not None and last >= first:
+        words = last - first + 1
+    low, high = cells.number(texts.get("min", "")), cells.number(texts.get("max", ""))
+    both = cells.bounds(texts.get("range", ""))
+    if low is None and high is None and both is not None:
+        low, high = both
+    count = cells.whole(texts.get("count", "")) or 1
+    return ListRow(
+        row=row.number,
+        address=first,
+        words=words if words is not None and words > 0 else None,
+        names=tuple(texts[role] for role in ("name", "printed_name", "label") if role in texts),
+        type=cells.typed(texts.get("type", "")),
+        access=cells.access(texts.get("access", "")),
+        low=low,
+        high=high,
+        default=cells.number(texts.get("default", "")),
+        count=count if 1 <= count <= HIGHEST else 1,
+        stride=max(cells.whole(texts.get("stride", "")) or 0, 0),
+        texts=texts,
+    )
+
+
+def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
+    """The rows with addresses that count as the wire does, where those of the list are higher by an offset."""
+    for row in rows:
+        yield replace(row, address=row.address - offset)

@@ -1,0 +1,180 @@
+"""Registers, record tables and numbered parameters."""
+
+from __future__ import annotations
+
+from fieldspec.classes import dataclass
+from fieldspec.model.fact import Citation, Fact, Place
+from fieldspec.model.value import Handling, Ranges, Value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Register(Fact):
+    """One register, or `count` equal ones that are `stride` words apart, numbered from `index_from`.
+
+    `space` is empty where the spec names none, which means the first one of the device.
+    `words`, `decimal` and `number` are what the manual prints; `copy_of` names the register of which this one is a
+    copy, else empty; `access` is empty, and `restart` None, where it does not
+    say. A reserved one has no meaning to the user. `element_lines` has the place of each element, where they have rows
+    of their own.
+    """
+
+    space: str
+    address: int
+    decimal: int | None
+    number: int | None
+    copy_of: str
+    words: int | None
+    value: Value
+    access: str
+    restart: bool | None
+    atomic: bool
+    trigger: bool
+    reserved: bool
+    handling: Handling
+    same_as: str
+    count: int
+    stride: int
+    index_from: int
+    element_name: str
+    element_sources: tuple[Citation, ...]
+
+    @property
+    def answer(self) -> Value:
+        """The value as the device answers it when it is read."""
+        return self.value.as_answer(self.trigger)
+
+    @property
+    def width(self) -> int:
+        """The words of one element."""
+        return (self.value.size + 1) // 2
+
+    @property
+    def end(self) -> int:
+        """The address behind the last word."""
+        return self.address + (self.count - 1) * self.stride + self.width
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Addresses that the manual leaves out, why, and between which lines."""
+
+    place: Place
+    addresses: Ranges
+    reason: str
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RegisterGroup(Fact):
+    """Registers that the manual lists together, all in one address space."""
+
+    title: str
+    space: str
+    section: str
+    ascending: bool
+    gaps: tuple[Gap, ...]
+    registers: tuple[Register, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PrintedElement:
+    """What the manual prints of one element: its addresses and its words."""
+
+    place: Place
+    index: int
+    first: int | None
+    last: int | None
+    words: int | None
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table(Fact):
+    """`count` records, the first at `base`, `stride` words apart, numbered from `index_from`.
+
+    `space` is empty where the spec names none, which means the first one of the device.
+    """
+
+    title: str
+    space: str
+    base: int
+    decimal: int | None
+    stride: int
+    count: int
+    index_from: int
+    record: str
+    words: int | None
+    access: str
+    handling: Handling
+    elements: tuple[PrintedElement, ...]
+
+    def address(self, index: int) -> int:
+        """The address of an element by its number."""
+        return self.base + (index - self.index_from) * self.stride
+
+    @property
+    def indexes(self) -> range:
+        """The numbers of the elements."""
+        return range(self.index_from, self.index_from + self.count)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Subindex(Fact):
+    """An element of a parameter, or a run of them, with a meaning of its own."""
+
+    indices: Ranges
+    value: Value
+    reserved: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parameter(Fact):
+    """One numbered parameter, or `count` equal ones that follow each other; a reserved one has no meaning to the user.
+
+    `number` is counted as the manual counts in its set; `wire_number` is the one on the wire as printed. `elements`
+    is the length of an array. `applies_to` names kinds of motor or model, `messages` those with which it has an
+    effect; both are empty where the manual makes no difference.
+    """
+
+    number: int
+    wire_number: int | None
+    count: int
+    value: Value
+    elements: int | None
+    subindices: tuple[Subindex, ...]
+    access: str
+    restart: bool | None
+    trigger: bool
+    handling: Handling
+    applies_to: tuple[str, ...]
+    messages: tuple[str, ...]
+    reserved: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterSet(Fact):
+    """The parameters of one set in the order of their numbers.
+
+    On the wire their numbers have `base` added. Sets with the same `space` share these; it is the set's name where
+    nothing is given. `numbers` are all that there are, where they are more than the rows. `printed_as` is how the
+    manual writes a number, empty where it writes digits only.
+    """
+
+    title: str
+    space: str
+    base: int
+    numbers: Ranges | None
+    printed_as: str
+    parameters: tuple[Parameter, ...]
+
+    def numbered(self, number: int) -> Parameter | None:
+        """The parameter with a number of the set."""
+        return next((one for one in self.parameters if one.number <= number < one.number + one.count), None)
+
+    def holds(self, number: int) -> bool:
+        """Whether the set has a number, with or without a row."""
+        return self.numbered(number) is not None or (self.numbers is not None and number in self.numbers)
+
+    def number_text(self, number: int) -> str:
+        """A number as the manual writes it."""
+        return self.printed_as.format(number=number) if self.printed_as else str(number)

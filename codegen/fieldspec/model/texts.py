@@ -1,0 +1,160 @@
+"""What a device has beside its bytes: lookup tables, limits, notes, examples, errata, accepted changes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from fieldspec.classes import dataclass
+from fieldspec.model.fact import Citation, Fact, Place, PlainValue
+
+
+@dataclass(frozen=True, slots=True)
+class Acceptance:
+    """That the rule `rule` may find a change at the fact with a path, why, and since when. `date` is as in 2026-01-31.
+
+    `since` has the versions that bring the change, one for each line; it is empty where the change is one of the spec.
+    """
+
+    place: Place
+    rule: str
+    path: str
+    reason: str
+    date: str
+    since: tuple[str, ...]
+
+
+JUDGEMENT = "judgement"
+"""What `proof` says where no check can decide."""
+
+
+@dataclass(frozen=True, slots=True)
+class Erratum:
+    """What is printed at a fact, and what is made of it. `proof` names a check, or is `judgement`.
+
+    `illegible` is `empty` or `garbled` where nothing can be read there, else it is empty.
+    """
+
+    id: str
+    place: Place
+    fact: str
+    printed: Mapping[str, object]
+    literal: str
+    illegible: str
+    reason: str
+    confidence: str
+    effect: str
+    proof: str
+    sources: tuple[Citation, ...]
+
+    @property
+    def verdict(self) -> str:
+        """`proven` by a check, a `judgement` of a person, or `open`: the manual does not decide it, and nobody has.
+
+        A build has run the proof of every erratum that names one, and is refused where one fails to prove.
+        """
+        if self.proof != JUDGEMENT:
+            return "proven"
+        return "open" if self.confidence == "open" else "judgement"
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A frame and what it means. `values` is the meaning as the spec writes it; `refused` names why a decoder
+    must refuse the frame, or is empty."""
+
+    id: str
+    place: Place
+    title: str
+    link: str
+    direction: str
+    message: str
+    error: bool
+    refused: str
+    reply_to: str
+    frame: bytes
+    elided: tuple[str, ...]
+    characters: str
+    values: Mapping[str, object]
+    origin: str
+    sources: tuple[Citation, ...]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limit(Fact):
+    """A timing, a maximum, a supply: a value, bounds, or a text.
+
+    `sum_of` are the paths of the limits that add up to this one, `within` is that of one that it may not exceed.
+    `transmits` is the direction of the longest frame that goes over the line after it, or empty.
+    """
+
+    kind: str
+    value: Decimal | None
+    low: Decimal | None
+    high: Decimal | None
+    text: str
+    unit: str
+    sum_of: tuple[str, ...]
+    within: str
+    transmits: str
+
+    @property
+    def most(self) -> Decimal | None:
+        """The greatest value, None where none is given."""
+        return self.high if self.high is not None else self.value
+
+
+@dataclass(frozen=True, slots=True)
+class LookupColumn:
+    """A column; `enum` names the enum whose members its cells name, or is empty."""
+
+    name: str
+    title: str
+    label: str
+    enum: str
+
+
+@dataclass(frozen=True, slots=True)
+class LookupRow:
+    """A cell for each column."""
+
+    place: Place
+    cells: tuple[PlainValue, ...]
+    notes: str
+    sources: tuple[Citation, ...]
+    only: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lookup(Fact):
+    """A table of pins, lamps, priorities, or anything else that is looked up."""
+
+    title: str
+    kind: str
+    columns: tuple[LookupColumn, ...]
+    rows: tuple[LookupRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """What one place of the manual states of a subject: that it is so `always`, `sometimes` or `never`."""
+
+    place: Place
+    subject: str
+    says: str
+    text: str
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """A caveat, the paths of the facts that it is about, and what places of the manual state of its subjects."""
+
+    name: str
+    place: Place
+    title: str
+    text: str
+    about: tuple[str, ...]
+    statements: tuple[Statement, ...]
+    sources: tuple[Citation, ...]

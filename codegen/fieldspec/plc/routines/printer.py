@@ -1,0 +1,292 @@
+"""Routines as text in any dialect."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from fieldspec.plc.dialects import Spelling
+from fieldspec.plc.routines.expressions import (
+    ArrayType,
+    Call,
+    Conversion,
+    Element,
+    Elementary,
+    EnumMemberExpression,
+    EnumType,
+    Expression,
+    Fraction,
+    Member,
+    Negation,
+    Operation,
+    Shift,
+    Truth,
+    Type,
+    Variable,
+    Whole,
+)
+from fieldspec.plc.routines.routine import Assignment, Body, Condition, Loop, Return, Routine, Selection, Statement
+
+_WIDTH = 112
+_STEP = "    "
+_ASSOCIATIVE = ("+", "AND", "OR", "XOR")
+_COMMENT_MARKS = range(-(1 << 31), 1 << 31)
+
+
+def comment(text: str, indent: str = "") -> list[str]:
+    """A text of a spec as lines of comment. It stays within them, whatever it holds."""
+    room = _WIDTH - len(indent)
+    lines = [""]
+    for word in comment_text(text).split(" "):
+        if lines[-1] and len(lines[-1]) + len(word) >= room:
+            lines.append("")
+        lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
+    return [f"{indent}// {line}".rstrip() for line in lines]
+
+
+def comment_text(text: str) -> str:
+    """A text on one line, with nothing in it that begins or ends a comment or a pragma."""
+    if not text.isprintable():
+        text = "".join(char if char.isprintable() else " " for char in text)
+    if "*" in text or "/" in text:
+        for mark in ("(*", "*)", "/*", "*/", "//"):
+            text = text.replace(mark, " ".join(mark))
+    return " ".join(text.replace("{", "(").replace("}", ")").split())
+
+
+def type_text(kind: Type, spelling: Spelling) -> str:
+    """A type where a variable is declared."""
+    if isinstance(kind, ArrayType):
+        return f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
+    if isinstance(kind, Elementary):
+        return kind.name
+    if isinstance(kind, EnumType) and not spelling.enums:
+        return kind.base.name
+    return spelling.struct.format(kind.name)
+
+
+def declaration(routine: Routine, spelling: Spelling) -> list[str]:
+    """The head of a routine: its comment, its name, its variables."""
+    lines = [line for paragraph in routine.remarks for line in comment(paragraph)]
+    if routine.example:
+        lines += ["//", "// Example:", *(f"//{_STEP}{line}".rstrip() for line in routine.example)]
+    lines.append(spelling.head.format(spelling.routine.format(routine.name), type_text(routine.returns, spelling)))
+    lines += spelling.attributes
+    for role, word in spelling.sections.items():
+        declared = routine.of_role(role)
+        if not declared:
+            continue
+        lines.append(word)
+        for one in declared:
+            beside = f" // {comment_text(one.remark)}" if one.remark else ""
+            lines.append(f"{_STEP}{one.variable.name} : {type_text(one.variable.type, spelling)};{beside}")
+        lines.append("END_VAR")
+    return lines
+
+
+def implementation(routine: Routine, spelling: Spelling) -> list[str]:
+    """The statements of a routine."""
+    return _body(routine.body, spelling, "")
+
+
+def routine_text(routine: Routine, spelling: Spelling) -> list[str]:
+    """The whole routine."""
+    begin = [spelling.begin] if spelling.begin else []
+    return [*declaration(routine, spelling), *begin, *implementation(routine, spelling), spelling.end]
+
+
+def call_lines(routine: Routine, spelling: Spelling, **others: Expression) -> list[str]:
+    """A call whose arguments are variables that are called as the parameters, or `others` by the parameters' names."""
+    names = [one.variable for one in routine.declared if one.role != "local"]
+    given: dict[str, Expression] = {one.name: others.get(one.name, one) for one in names}
+    result = Variable("eStatus", routine.returns)
+    return _body((Assignment(result, routine.called(**given)),), spelling, "")
+
+
+def _body(body: Body, spelling: Spelling, indent: str) -> list[str]:
+    lines: list[str] = []
+    for statement in body:
+        _write(statement, spelling, indent, lines)
+    return lines
+
+
+def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[str]) -> None:
+    """Adds the lines of a statement."""
+    inner = indent + _STEP
+    match statement:
+        case Assignment(target, value):
+            lines += _broken(f"{indent}{_text(target, spelling)} := ", value, ";", spelling, indent)
+        case Condition(branches, otherwise):
+            word = "IF"
+            for test, body in branches:
+                lines += _broken(f"{indent}{word} ", test, " THEN", spelling, indent)
+                lines += _body(body, spelling, inner)
+                word = "ELSIF"
+            if otherwise:
+                lines.append(f"{indent}ELSE")
+                lines += _body(otherwise, spelling, inner)
+            lines.append(f"{indent}END_IF;")
+        case Return():
+            lines.append(f"{indent}RETURN;")
+        case Loop(index, first, last, body):
+            bounds = f"{_text(first, spelling)} TO {_text(last, spelling)}"
+            lines.append(f"{indent}FOR {_text(index, spelling)} := {bounds} DO")
+            lines += _body(body, spelling, inner)
+            lines.append(f"{indent}END_FOR;")
+        case Selection(of, cases, otherwise):
+            lines.append(f"{indent}CASE {_text(of, spelling)} OF")
+            for labels, body in cases:
+                lines += _branch(list(_labels(labels, spelling, inner)), _body(body, spelling, inner + _STEP))
+            if otherwise:
+                lines.append(f"{indent}ELSE")
+                lines += _body(otherwise, spelling, inner)
+            lines.append(f"{indent}END_CASE;")
+
+
+def _branch(labels: list[str], body: list[str]) -> list[str]:
+    """A branch of CASE, on one line where it is short."""
+    line = f"{labels[-1]} {body[0].strip()}"
+    return [*labels[:-1], line] if len(body) == 1 and len(line) <= _WIDTH else [*labels, *body]
+
+
+def _labels(labels: Iterable[tuple[int, int] | EnumMemberExpression], spelling: Spelling, indent: str) -> Iterator[str]:
+    """The labels of a branch, on as many lines as they need."""
+    line = indent
+    texts = [_label(label, spelling) for label in labels]
+    for at, text in enumerate(texts):
+        mark = ":" if at + 1 == len(texts) else ","
+        if len(line) + len(text) > _WIDTH:
+            yield line.rstrip()
+            line = indent
+        line += f"{text}{mark} "
+    yield line.rstrip()
+
+
+def _label(label: tuple[int, int] | EnumMemberExpression, spelling: Spelling) -> str:
+    if isinstance(label, EnumMemberExpression):
+        return _text(label, spelling)
+    low, high = label
+    return f"{low}" if low == high else f"{low}..{high}"
+
+
+def _broken(before: str, value: Expression, after: str, spelling: Spelling, indent: str) -> list[str]:
+    """A line around an expression; where it is too long, its operands stand below each other."""
+    whole = f"{before}{_text(value, spelling)}{after}"
+    if len(whole) <= _WIDTH:
+        return [whole]
+    parts: list[str] = []
+    end = ""
+    match value:
+        case Operation(operator, operands) if operator in _ASSOCIATIVE:
+            parts = _operands(operator, operands, spelling)
+        case Call() if value.inputs:
+            given = _arguments(value, spelling)
+            parts = [*(f"{one}," for one in given[:-1]), given[-1]]
+            before, end = f"{before}{spelling.routine.format(value.routine)}(", ")"
+        case Conversion(Operation(operator, operands) as of, to) if operator in _ASSOCIATIVE:
+            parts = _operands(operator, operands, spelling)
+            before, end = f"{before}{_name_of(of.type)}_TO_{to.name}(", ")"
+    if len(parts) < 2:
+        return [whole]
+    deep = indent + 2 * _STEP
+    return [before.rstrip(), *(f"{deep}{part}" for part in parts[:-1]), f"{deep}{parts[-1]}{end}{after}"]
+
+
+def _operands(operator: str, operands: Sequence[Expression], spelling: Spelling) -> list[str]:
+    """Operands with the operator before each but the first."""
+    first, *others = (_operand(one, operator, spelling) for one in operands)
+    return [first, *(f"{operator} {one}" for one in others)]
+
+
+def _name_of(kind: Type) -> str:
+    assert isinstance(kind, Elementary)
+    return kind.name
+
+
+def _operand(of: Expression, operator: str, spelling: Spelling) -> str:
+    """An operand, in parentheses unless it is plain or of the same chain."""
+    text = _text(of, spelling)
+    if isinstance(of, Operation) and not (of.operator == operator and operator in _ASSOCIATIVE):
+        return f"({text})"
+    return text
+
+
+def _arguments(call: Call, spelling: Spelling) -> list[str]:
+    return [
+        *(f"{name} := {_text(given, spelling)}" for name, given in call.inputs),
+        *(f"{name} => {_text(given, spelling)}" for name, given in call.outputs),
+    ]
+
+
+def _text(of: Expression, spelling: Spelling) -> str:
+    return _TEXTS[of.__class__](of, spelling)
+
+
+def _member_text(of: EnumMemberExpression, spelling: Spelling) -> str:
+    return spelling.member.format(of.type.name, of.member, of.value)
+
+
+def _member(of: Member, spelling: Spelling) -> str:
+    return f"{_text(of.of, spelling)}.{of.name}"
+
+
+def _element(of: Element, spelling: Spelling) -> str:
+    return f"{_text(of.of, spelling)}[{_text(of.index, spelling)}]"
+
+
+def _operation(of: Operation, spelling: Spelling) -> str:
+    return f" {of.operator} ".join([_operand(one, of.operator, spelling) for one in of.operands])
+
+
+def _negation(of: Negation, spelling: Spelling) -> str:
+    text = _text(of.of, spelling)
+    return f"NOT ({text})" if isinstance(of.of, Operation) else f"NOT {text}"
+
+
+def _shift(of: Shift, spelling: Spelling) -> str:
+    return spelling.shift.format(of.direction, _text(of.of, spelling), of.bits)
+
+
+def _conversion(of: Conversion, spelling: Spelling) -> str:
+    return f"{_name_of(of.of.type)}_TO_{of.type.name}({_text(of.of, spelling)})"
+
+
+def _call(of: Call, spelling: Spelling) -> str:
+    return f"{spelling.routine.format(of.routine)}({', '.join(_arguments(of, spelling))})"
+
+
+def _whole(of: Whole, spelling: Spelling) -> str:
+    """A number; with its type where a compiler may take it for another one.
+
+    Not every compiler knows a sign behind the mark of the type, so it stands before it.
+    """
+    value, kind, hexadecimal = of.value, of.type, of.hexadecimal
+    if kind.family == "bits" or hexadecimal:
+        return f"{kind.name}#16#{value:0{2 * kind.size}X}"
+    if value in _COMMENT_MARKS:
+        return str(value)
+    if value == kind.low:
+        return f"(-{kind.name}#{-value - 1} - 1)"
+    return f"{'-' if value < 0 else ''}{kind.name}#{abs(value)}"
+
+
+def _fraction(of: Fraction, spelling: Spelling) -> str:
+    sign = "-" if of.digits.startswith("-") else ""
+    return f"{sign}{of.type.name}#{of.digits.removeprefix('-')}"
+
+
+_TEXTS: Mapping[type[Expression], Callable[[Any, Spelling], str]] = {
+    Whole: _whole,
+    Fraction: _fraction,
+    Truth: lambda of, spelling: "TRUE" if of.value else "FALSE",
+    Variable: lambda of, spelling: spelling.variable.format(of.name),
+    EnumMemberExpression: _member_text,
+    Member: _member,
+    Element: _element,
+    Operation: _operation,
+    Negation: _negation,
+    Shift: _shift,
+    Conversion: _conversion,
+    Call: _call,
+}
+"""The text of an expression, by its class: there are some ten thousand of them in a device."""

@@ -1,0 +1,169 @@
+"""Marks and characters: what turns the bytes of a frame into what is sent on a link, and back."""
+
+from __future__ import annotations
+
+from fieldspec.layout.frame import LinkLayout
+from fieldspec.plc.routines.expressions import (
+    BYTE,
+    INT,
+    USINT,
+    Conversion,
+    Element,
+    Expression,
+    Operation,
+    Variable,
+    Whole,
+    compared,
+    either,
+    number,
+    plus,
+    within,
+)
+from fieldspec.plc.routines.routine import Assignment, Body, Condition, Draft, Loop, Routine, Statement, when
+from fieldspec.plc.routines.world import World
+
+LENGTH = "iLength"
+
+
+def framed(link: LinkLayout) -> bool:
+    """Whether anything stands around a body."""
+    return bool(link.request.head or link.request.tail or wrapped(link))
+
+
+def wrapped(link: LinkLayout) -> bool:
+    """Whether the bytes are written as characters, or stand between marks."""
+    return link.link.encoding == "hex_ascii" or bool(link.link.start or link.link.end)
+
+
+def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
+    """The words in names of routines that tell links apart."""
+    several = sum(framed(one) for one in world.layout.links.values()) > 1
+    return (link.name,) if several else ()
+
+
+def wrap_routine(world: World, link: LinkLayout) -> Routine:
+    """What writes the bytes of a frame as they are sent."""
+    start, end = link.link.start, link.link.end
+    width = 2 if link.link.encoding == "hex_ascii" else 1
+    draft = Draft(
+        world.routine("wrap", *link_words(world, link)),
+        f"frames of {link.name}",
+        world.status,
+        f"Writes bytes as they are sent on {link.name}: {_marks(link)}.",
+    )
+    count = draft.declare("iBytes", INT, "input", "how many bytes there are")
+    source = draft.declare("aBytes", world.frame, "in_out", "is read only")
+    frame = draft.declare("aFrame", world.frame, "in_out", "receives what is sent")
+    length = draft.declare(LENGTH, INT, "output", "how much of aFrame is sent")
+    draft.add([Assignment(length, number(0))])
+    draft.refuse(
+        either(
+            [
+                compared(count, "<", number(0)),
+                compared(count, ">", number((world.frame.high + 1 - len(start) - len(end)) // width)),
+            ]
+        ),
+        "no_room",
+    )
+    for at, byte in enumerate(start):
+        draft.add([Assignment(Element(frame, number(at), BYTE), Whole(byte, BYTE))])
+    index = draft.local("iAt")
+    here = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
+    held = Element(source, index, BYTE)
+    body: Body
+    if width == 2:
+        digit = draft.local("usiDigit", USINT)
+        body = (
+            *_digit_written(
+                draft, digit, Operation("/", (Conversion(held, USINT), Whole(16, USINT)), USINT), frame, here
+            ),
+            *_digit_written(
+                draft, digit, Operation("MOD", (Conversion(held, USINT), Whole(16, USINT)), USINT), frame, plus(here, 1)
+            ),
+        )
+    else:
+        body = (Assignment(Element(frame, here, BYTE), held),)
+    draft.add([Loop(index, number(0), plus(count, -1), body)])
+    stop = plus(Operation("*", (count, number(width)), INT) if width > 1 else count, len(start))
+    for at, byte in enumerate(end):
+        draft.add([Assignment(Element(frame, plus(stop, at), BYTE), Whole(byte, BYTE))])
+    draft.add([Assignment(length, plus(stop, len(end)))])
+    return draft.finished()
+
+
+def _digit_written(
+    draft: Draft, digit: Variable, value: Expression, frame: Variable, at: Expression
+) -> tuple[Statement, ...]:
+    letter = Operation("+", (digit, Whole(ord("A") - 10, USINT)), USINT)
+    figure = Operation("+", (digit, Whole(ord("0"), USINT)), USINT)
+    return (
+        Assignment(digit, value),
+        when(compared(digit, ">", Whole(9, USINT)), [Assignment(digit, letter)], [Assignment(digit, figure)]),
+        Assignment(Element(frame, at, BYTE), Conversion(digit, BYTE)),
+    )
+
+
+def _marks(link: LinkLayout) -> str:
+    text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
+    before = f"16#{link.link.start.hex(' ').upper()} before them" if link.link.start else ""
+    behind = f"16#{link.link.end.hex(' ').upper()} behind them" if link.link.end else ""
+    return ", ".join(one for one in (text, before, behind) if one)
+
+
+def unwrap_routine(world: World, link: LinkLayout) -> Routine:
+    """What takes the bytes of a frame out of what is received."""
+    start, end = link.link.start, link.link.end
+    draft = Draft(
+        world.routine("unwrap", *link_words(world, link)),
+        f"frames of {link.name}",
+        world.status,
+        f"Takes bytes out of what is received on {link.name}: {_marks(link)}.",
+    )
+    length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
+    frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
+    target = draft.declare("aBytes", world.frame, "in_out", "receives the bytes")
+    count = draft.declare("iBytes", INT, "output", "how many bytes there are")
+    marks = len(start) + len(end)
+    draft.add([Assignment(count, number(0))])
+    draft.refuse(compared(length, "<", number(marks)), "wrong_mark")
+    draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
+    for at, byte in enumerate(start):
+        draft.refuse(compared(Element(frame, number(at), BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+    for at, byte in enumerate(end):
+        place = plus(length, at - len(end))
+        draft.refuse(compared(Element(frame, place, BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+    index = draft.local("iAt")
+    if link.link.encoding != "hex_ascii":
+        draft.add([Assignment(count, plus(length, -marks))])
+        taken = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
+        draft.add([Loop(index, number(0), plus(count, -1), (taken,))])
+        return draft.finished()
+    digit, high = draft.local("usiDigit", USINT), draft.local("usiHigh", USINT)
+    here = Element(frame, plus(index, len(start)), BYTE)
+    odd = compared(Operation("MOD", (index, number(2)), INT), "<>", number(0))
+    whole = Operation("+", (Operation("*", (high, Whole(16, USINT)), USINT), digit), USINT)
+    place = Operation("/", (index, number(2)), INT)
+    body: Body = (
+        Assignment(digit, Conversion(here, USINT)),
+        _digit_read(draft, digit),
+        when(
+            odd,
+            [Assignment(Element(target, place, BYTE), Conversion(whole, BYTE))],
+            [Assignment(high, digit)],
+        ),
+    )
+    draft.add([Loop(index, number(0), plus(length, -marks - 1), body)])
+    draft.refuse(compared(Operation("MOD", (plus(length, -marks), number(2)), INT), "<>", number(0)), "wrong_length")
+    draft.add([Assignment(count, Operation("/", (plus(length, -marks), number(2)), INT))])
+    return draft.finished()
+
+
+def _digit_read(draft: Draft, digit: Variable) -> Statement:
+    """What makes the number of a character; letters of both cases are taken."""
+    ranges = (("0", "9", 48), ("A", "F", 55), ("a", "f", 87))
+    branches = []
+    for low, high, less in ranges:
+        test = within(digit, [(ord(low), ord(high))], USINT)
+        assert test is not None
+        branches.append((test, (Assignment(digit, Operation("-", (digit, Whole(less, USINT)), USINT)),)))
+    return Condition(tuple(branches), draft.status.give(draft.result, "not_hexadecimal"))

@@ -1,0 +1,209 @@
+"""The objects of a Structured Text project: types, lists of constants, size checks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from fieldspec.classes import dataclass
+from fieldspec.plc.constants import Constant, ConstantList
+from fieldspec.plc.enums import EnumDeclaration, TextTable
+from fieldspec.plc.routines.expressions import DINT, LINT, ArrayType, Elementary, Type
+from fieldspec.plc.routines.printer import comment, comment_text
+from fieldspec.plc.structs import Struct
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """An object by its name. `kind` is type, list or function; `about` is what it belongs to, in a word or two.
+
+    `declaration` and `implementation` are its lines; a function has no line for its end, since files of projects have
+    none.
+    """
+
+    name: str
+    kind: str
+    about: str
+    declaration: tuple[str, ...]
+    implementation: tuple[str, ...] = ()
+
+    @property
+    def lines(self) -> list[str]:
+        """The whole object, as text that stands alone."""
+        end = ["END_FUNCTION"] if self.kind == "function" else []
+        return [*self.declaration, *self.implementation, *end]
+
+
+def number(constant: Constant) -> str:
+    """The value of a constant, as people know it."""
+    value = constant.value
+    if isinstance(value, Decimal) or constant.type.family == "real":
+        return real(Decimal(value))
+    if constant.hexadecimal and value >= 0:
+        return f"16#{value:0{2 * constant.type.size}X}"
+    return str(value)
+
+
+def real(value: Decimal) -> str:
+    """A decimal number with a point."""
+    text = f"{value:f}"
+    return text if "." in text else f"{text}.0"
+
+
+def narrow(text: str) -> bool:
+    """Whether a text fits STRING, which has no other characters than those of ASCII on every controller."""
+    return text.isascii()
+
+
+def string(text: str, wide: bool) -> str:
+    """A literal of STRING, or of WSTRING where `wide`; its characters are escaped where they end or control it."""
+    mark = '"' if wide else "'"
+    return mark + "".join(_escaped(char, mark, wide) for char in text) + mark
+
+
+def _escaped(char: str, mark: str, wide: bool) -> str:
+    if char in ("$", mark):
+        return f"${char}"
+    if char.isprintable():
+        return char
+    return "".join(f"${unit:04X}" if wide else f"${unit:02X}" for unit in _units(char, wide))
+
+
+def _units(char: str, wide: bool) -> list[int]:
+    if not wide:
+        return [ord(char)]
+    data = char.encode("utf-16-be", "replace")
+    return [int.from_bytes(data[at : at + 2], "big") for at in range(0, len(data), 2)]
+
+
+def length(text: str, wide: bool) -> int:
+    """How many elements of a STRING or WSTRING a text takes."""
+    return len(text.encode("utf-16-be", "replace")) // 2 if wide else len(text)
+
+
+def type_name(kind: Type) -> str:
+    """A type where something is declared."""
+    if isinstance(kind, ArrayType):
+        return f"ARRAY[{kind.low}..{kind.high}] OF {type_name(kind.of)}"
+    return kind.name
+
+
+def innermost(kind: Type) -> Type:
+    """The type of the elements of an array, or of arrays of arrays."""
+    while isinstance(kind, ArrayType):
+        kind = kind.of
+    return kind
+
+
+LIST_ATTRIBUTES = ("qualified_only",)
+_HEAD = "VAR_GLOBAL CONSTANT"
+
+
+@dataclass(frozen=True, slots=True)
+class TextForm:
+    """The struct of a code's text: its name, the type of the code, and the longest text. `wide` is for WSTRING."""
+
+    name: str
+    code: Elementary
+    longest: int
+    wide: bool
+
+    @property
+    def text_type(self) -> str:
+        """The type of the text."""
+        return f"{'WSTRING' if self.wide else 'STRING'}({self.longest})"
+
+    @property
+    def members(self) -> tuple[str, str]:
+        """The members for the code and for the text."""
+        return ("diCode" if self.code == DINT else "liCode"), ("wsText" if self.wide else "sText")
+
+
+def text_form(tables: tuple[TextTable, ...], name: str) -> TextForm | None:
+    """The struct that all tables of texts have; None where there are none."""
+    texts = [one for table in tables for one in table.texts]
+    if not texts:
+        return None
+    wide = not all(narrow(one.text) for one in texts)
+    code = DINT if all(DINT.low <= one.code <= DINT.high for one in texts) else LINT
+    return TextForm(name, code, max(length(one.text, wide) for one in texts), wide)
+
+
+def form_item(form: TextForm) -> Item:
+    """The declaration of the struct of texts."""
+    code, text = form.members
+    lines = [*comment("What a code means."), f"TYPE {form.name} :", "STRUCT"]
+    lines += [f"    {code} : {form.code.name};", f"    {text} : {form.text_type};", "END_STRUCT;", "END_TYPE"]
+    return Item(form.name, "type", "structs", tuple(lines))
+
+
+def constants_item(listed: ConstantList) -> Item:
+    """A list of numbers."""
+    lines = [*_head(listed.title), _HEAD]
+    for one in listed.constants:
+        beside = f" // {comment_text(one.remark)}" if comment_text(one.remark) else ""
+        lines.append(f"    {one.name} : {one.type.name} := {number(one)};{beside}")
+    return Item(listed.name, "list", "constants", (*lines, "END_VAR"))
+
+
+def texts_item(name: str, tables: tuple[TextTable, ...], form: TextForm) -> Item:
+    """The list of all texts of codes: one array for each enum, by number."""
+    lines = [*_head("Texts of codes"), _HEAD]
+    code, text = form.members
+    for table in tables:
+        lines += comment(table.title, "    ")
+        lines.append(f"    {table.name} : ARRAY[0..{len(table.texts) - 1}] OF {form.name} := [")
+        for at, one in enumerate(table.texts, 1):
+            mark = "," if at < len(table.texts) else ""
+            lines.append(f"        ({code} := {one.code}, {text} := {string(one.text, form.wide)}){mark}")
+        lines.append("    ];")
+    return Item(name, "list", "constants", (*lines, "END_VAR"))
+
+
+def _head(title: str) -> list[str]:
+    return [*comment(title), *(f"{{attribute '{name}'}}" for name in LIST_ATTRIBUTES)]
+
+
+ENUM_ATTRIBUTES = ("qualified_only", "strict")
+"""Members are used with the name of their enum, and nothing but members is assigned."""
+
+PACK_MODE = 1
+
+
+def enum_item(declared: EnumDeclaration) -> Item:
+    """A strict enum with its base type."""
+    lines = [*comment(declared.title), *(f"{{attribute '{name}'}}" for name in ENUM_ATTRIBUTES)]
+    lines += [f"TYPE {declared.name} :", "("]
+    for at, member in enumerate(declared.members, 1):
+        mark = "," if at < len(declared.members) else ""
+        beside = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
+        lines.append(f"    {member.name} := {member.value}{mark}{beside}")
+    return Item(declared.name, "type", "enums", (*lines, f") {declared.base.name};", "END_TYPE"))
+
+
+def struct_item(struct: Struct, size: int) -> Item:
+    """A struct of some bytes, without gaps between its members."""
+    lines = comment(f"{struct.title} {size} bytes.".strip())
+    lines += [f"{{attribute 'pack_mode' := '{PACK_MODE}'}}", f"TYPE {struct.name} :", "STRUCT"]
+    for member in struct.members:
+        beside = f" // {comment_text(member.remark)}" if comment_text(member.remark) else ""
+        lines.append(f"    {member.name} : {type_name(member.type)};{beside}")
+    if not struct.members:
+        lines.append("    byNothing : BYTE; // a struct must have a member")
+    return Item(struct.name, "type", "structs", (*lines, "END_STRUCT;", "END_TYPE"))
+
+
+def sizes_item(name: str, sizes: Mapping[str, int]) -> Item:
+    """The function: call it once at the start, and stop where it gives FALSE."""
+    head = [
+        *comment("Whether all structs are as large as their layout says. FALSE means that the compiler fills up gaps:"),
+        *comment("then do not copy them as blocks of memory. The functions for words and bytes do not depend on it."),
+        f"FUNCTION {name} : BOOL",
+        "VAR",
+        *(f"    st{number} : {struct};" for number, struct in enumerate(sizes, 1)),
+        "END_VAR",
+    ]
+    body = [f"{name} := TRUE;"]
+    for number, (struct, size) in enumerate(sizes.items(), 1):
+        body.append(f"IF SIZEOF(st{number}) <> {size} THEN {name} := FALSE; END_IF; // {struct}")
+    return Item(name, "function", "layout", tuple(head), tuple(body))

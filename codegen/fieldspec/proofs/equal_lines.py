@@ -1,0 +1,67 @@
+"""Version lines that are equal on the wire to a line with outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec.checks.layout_conditions import has_layout
+from fieldspec.diagnostics import Diagnostic, has_errors
+from fieldspec.layout.device import device_layout
+from fieldspec.model.device import Device
+from fieldspec.reading.nodes import identity, mappings
+from fieldspec.reading.project import DeviceSpec
+
+
+def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
+    """By version of a line that is like another one, the version with outputs that it shares; none where there is none.
+
+    `identities` are those of the versions with outputs.
+    """
+    found = {}
+    known = {_wire(spec.at(version)[0]): own for version, own in identities.items()}
+    for version, line in spec.lines.alike.items():
+        device, broken = spec.at(version)
+        if has_errors(broken):
+            continue
+        own = known.get(_wire(device))
+        if own is None:
+            if not has_layout(device):
+                continue
+            own = device_layout(device).identity
+        same = [other for other in _members(spec, line.text) if identities.get(other) == own]
+        found[version] = same[0] if same else ""
+    return found
+
+
+def _wire(device: Device) -> tuple[int, ...]:
+    """The identities of all objects that can decide what is on the wire: versions share those that do not differ."""
+    named = (
+        device.links,
+        device.messages,
+        device.records,
+        device.enums,
+        device.flags,
+        device.tables,
+        device.parameters,
+        device.signals,
+        device.conversions,
+    )
+    return (*(id(one) for held in named for one in held.values()), *map(id, device.groups))
+
+
+def _members(spec: DeviceSpec, line: str) -> list[str]:
+    lines = (held for held in mappings(spec.tree.values.get("versions")) if identity(held) == line)
+    return [identity(member) or "" for held in lines for member in mappings(held.values.get("members"))]
+
+
+def lines_alike(spec: DeviceSpec, shared: Mapping[str, str]) -> Iterator[Diagnostic]:
+    """A finding for every version that is on the wire like none of the line that its own line is like.
+
+    `shared` is what `twins` gives.
+    """
+    for version, other in shared.items():
+        if not other:
+            line = spec.lines.alike[version]
+            text = f"no version of the line `{line.text}` is on the wire as `{version}` is"
+            help = "build the line of this version, or put the bounds right in which both differ"
+            yield Diagnostic("lines_alike", text, line.span, help=help)

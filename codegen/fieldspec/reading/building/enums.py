@@ -1,0 +1,83 @@
+"""Builds enums and bit fields."""
+
+from __future__ import annotations
+
+from fieldspec.model.enums import Bit, Cause, Enum, Flags, Member, State
+from fieldspec.model.value import PRIMITIVES
+from fieldspec.reading.building.context import Entry
+
+
+def enum(entry: Entry) -> Enum:
+    """An enum or a table of codes."""
+    derived = entry.entry("derived")
+    if not entry.get("members"):
+        entry.refuse("missing_key", "name", "an enum needs members", "list them under `members`")
+    return Enum(
+        **entry.fact(),
+        kind=entry.text("kind") or "enum",
+        title=entry.text("title"),
+        open=entry.flag("open"),
+        gaps=entry.text("gaps"),
+        printed_as=entry.text("printed_as"),
+        derived=(derived.text("flags") or derived.text("enum")) if derived else "",
+        members=tuple(_member(inner) for inner in entry.named("members", entry.path)),
+    )
+
+
+def _member(entry: Entry) -> Member:
+    return Member(
+        **entry.fact(),
+        value=entry.integer("value") or 0,
+        number=entry.integer("number"),
+        unavailable=entry.flag("unavailable"),
+        problem=entry.text("problem"),
+        causes=tuple(
+            Cause(inner.text("cause"), inner.texts("remedies"), inner.sources) for inner in entry.entries("causes")
+        ),
+        remedies=entry.texts("remedies"),
+    )
+
+
+def flags(entry: Entry) -> Flags:
+    """A word of flags."""
+    primitive = PRIMITIVES[entry.text("type")]
+    return Flags(
+        **entry.fact(),
+        type=primitive,
+        ranges=entry.whole_ranges("range"),
+        bits=tuple(_bit(inner) for inner in entry.named("bits", entry.path)),
+        states=tuple(
+            State(**inner.fact(), set=inner.texts("set"), clear=inner.texts("clear"))
+            for inner in entry.entries("states")
+        ),
+    )
+
+
+def _bit(entry: Entry) -> Bit:
+    first = entry.integer("bit")
+    last = first
+    if span := entry.text("bits"):
+        low, _, high = span.partition("..")
+        first, last = int(low), int(high)
+    if first is None or last is None or last < first:
+        entry.refuse("wrong_form", "bits", "nothing says which bit this is", "give `bit`, or `bits` as low..high")
+        first = last = 0
+    reserved = entry.flag("reserved")
+    arguments = entry.fact()
+    if not arguments["name"]:
+        if not reserved:
+            entry.refuse("missing_key", "bit", "a bit with a meaning needs a name", "give it a `name`")
+        arguments["name"] = f"reserved_{first}"
+    return Bit(
+        **arguments,
+        first=first,
+        last=last,
+        zero=entry.text("zero"),
+        one=entry.text("one"),
+        enum=entry.text("enum"),
+        edge=entry.text("edge"),
+        active=entry.text("active") or "high",
+        reserved=reserved,
+        handling=entry.handling(),
+        when=entry.text("when"),
+    )

@@ -1,0 +1,222 @@
+"""Expands what a spec states once and places several times: block copies, signals, derived enums."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.classes import replace
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.reading.findings import near
+from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence, identity
+from fieldspec.schema import schema
+
+_FACT = frozenset(schema()["$defs"]["fact"]["properties"])
+_VALUE = frozenset(schema()["$defs"]["value"]["properties"])
+# What a field takes from its signal, and a register from the one of which it is a copy.
+_OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
+# What whoever reads or writes a value must know of the memory in which it is: a copy is in another one.
+_OF_MEMORY = frozenset({"clears_on_read", "memory", "saved_by", "endurance", "opposite_of"})
+_NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
+    *_OF_MEMORY,
+    "at",
+    "decimal",
+    "number",
+    "access",
+    "trigger",
+    "restart",
+    "same_as",
+    "element_sources",
+}
+_OF_COPY = frozenset({"prefix", "base", "rows", "access", "trigger", "memory", "inferred"})
+
+
+def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The tree with everything written out."""
+    work = _Expansion(tree)
+    for section, change in (
+        ("enums", work.enum),
+        ("messages", work.message),
+        ("records", work.record),
+    ):
+        held = tree.values.get(section)
+        if isinstance(held, Sequence):
+            tree = tree.with_value(section, _each(held, change))
+    groups = tree.values.get("registers")
+    if isinstance(groups, Sequence):
+        items = [made for group in groups.items for made in (group, *work.copies(group))]
+        tree = tree.with_value("registers", replace(groups, items=tuple(items)))
+    return tree, work.found
+
+
+class _Expansion:
+    """What is written out of one tree, and what cannot be."""
+
+    def __init__(self, tree: Mapping) -> None:
+        self.found: list[Diagnostic] = []
+        self.signals = _named(tree.values.get("signals"))
+        self.flags = _named(tree.values.get("flags"))
+        self.enums = _named(tree.values.get("enums"))
+
+    def message(self, message: Mapping) -> Mapping:
+        """A message whose fields have what their signals give them."""
+        for direction in ("request", "response"):
+            message = self._placed(message, direction)
+        return message
+
+    def record(self, record: Mapping) -> Mapping:
+        """A record whose fields have what their signals give them."""
+        return self._placed(record, "fields")
+
+    def _placed(self, holder: Mapping, key: str) -> Mapping:
+        fields = holder.values.get(key)
+        return holder.with_value(key, _each(fields, self._field)) if isinstance(fields, Sequence) else holder
+
+    def _field(self, field: Mapping) -> Mapping:
+        name = field.values.get("signal")
+        signal = self._known(name, self.signals, "signal")
+        if signal is None:
+            return field
+        for key, value in signal.values.items():
+            if key in _OF_SIGNAL and key not in field.values:
+                field = field.with_value(key, value)
+        return field
+
+    def enum(self, enum: Mapping) -> Mapping:
+        """An enum with the members that follow from a word of flags or from another enum."""
+        derived = enum.values.get("derived")
+        if not isinstance(derived, Mapping):
+            return enum
+        own = enum.values.get("members")
+        members: list[Node] = list(own.items) if isinstance(own, Sequence) else []
+        if flags := self._known(derived.values.get("flags"), self.flags, "word of flags"):
+            members += _masks(flags)
+        if other := self._known(derived.values.get("enum"), self.enums, "enum"):
+            members += _numbers(other)
+        return enum.with_value("members", Sequence(derived.file, derived.start, derived.end, tuple(members)))
+
+    def copies(self, group: Node) -> Iterator[Mapping]:
+        """The groups in which the registers of a group stand again."""
+        copies = group.values.get("copies") if isinstance(group, Mapping) else None
+        for copy in copies.items if isinstance(copies, Sequence) else ():
+            if isinstance(group, Mapping) and isinstance(copy, Mapping):
+                yield self._copy(group, copy)
+
+    def _copy(self, group: Mapping, copy: Mapping) -> Mapping:
+        held = group.values.get("rows")
+        originals = [row for row in held.items if isinstance(row, Mapping)] if isinstance(held, Sequence) else []
+        prints = self._prints(copy, _named(held))
+        prefix, base = _scalar(copy, "prefix").text, _scalar(copy, "base")
+        first = _integer(originals[0].values.get("at")) if originals else 0
+        rows = []
+        for original in originals:
+            name = identity(original) or ""
+            printed = prints.get(name, {})
+            row = Mapping(copy.file, copy.start, copy.end, {})
+            if printed:
+                some = next(iter(printed.values()))
+                row = replace(row, start=some.start, end=some.end)
+            for key, value in original.values.items():
+                if key not in _NOT_COPIED:
+                    row = row.with_value(key, value)
+            at = _integer(original.values.get("at")) - first + _integer(base)
+            row = row.with_value("name", _like(base, f"{prefix}_{name}"))
+            row = row.with_value("copy_of", _like(base, name))
+            row = row.with_value("at", _like(base, at))
+            for key in ("access", "trigger", "inferred"):
+                inherited = copy.values.get(key) or original.values.get(key)
+                if inherited is not None:
+                    row = row.with_value(key, inherited)
+            if "memory" in copy.values:
+                row = row.with_value("memory", copy.values["memory"])
+            for key, value in printed.items():
+                row = row.with_value(key, value)
+            rows.append(row)
+        made = copy
+        for key in _OF_COPY & made.values.keys():
+            made = made.without(key)
+        for key in ("defaults", "order", "allow"):
+            if key in group.values:
+                made = made.with_value(key, group.values[key])
+        made = made.with_value("defaults", _elsewhere(made.values["defaults"])) if "defaults" in made.values else made
+        return made.with_value("rows", Sequence(copy.file, copy.start, copy.end, tuple(rows)))
+
+    def _prints(self, copy: Mapping, originals: dict[str, Mapping]) -> dict[str, dict[str, Node]]:
+        """What is printed for each register of a copy, by the name of its original."""
+        prints: dict[str, dict[str, Node]] = {}
+        held = copy.values.get("rows")
+        for row in held.items if isinstance(held, Sequence) else ():
+            if isinstance(row, Mapping) and self._known(row.values.get("of"), originals, "register in this group"):
+                name = _scalar(row, "of").text
+                prints[name] = {key: value for key, value in row.values.items() if key != "of"}
+        return prints
+
+    def _known(self, name: Node | None, have: dict[str, Mapping], what: str) -> Mapping | None:
+        """The mapping that a reference names; one that names nothing is a finding."""
+        if not isinstance(name, Scalar):
+            return None
+        if name.text not in have:
+            text = f"there is no {what} `{name.text}`"
+            self.found.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, have)))
+        return have.get(name.text)
+
+
+def _elsewhere(defaults: Node) -> Node:
+    """The defaults of a group, for rows that are in another memory."""
+    for key in sorted(_OF_MEMORY & defaults.values.keys()) if isinstance(defaults, Mapping) else ():
+        assert isinstance(defaults, Mapping)
+        defaults = defaults.without(key)
+    return defaults
+
+
+def _each(items: Sequence, change: object) -> Sequence:
+    assert callable(change)
+    return replace(items, items=tuple(change(item) if isinstance(item, Mapping) else item for item in items.items))
+
+
+def _named(items: Node | None) -> dict[str, Mapping]:
+    """The mappings of a list by name."""
+    held = items.items if isinstance(items, Sequence) else ()
+    return {name: item for item in held if isinstance(item, Mapping) and (name := identity(item)) is not None}
+
+
+def _masks(flags: Mapping) -> Iterator[Mapping]:
+    """A member for each bit that has a name: its value is the mask."""
+    bits = flags.values.get("bits")
+    for bit in bits.items if isinstance(bits, Sequence) else ():
+        if not isinstance(bit, Mapping) or "name" not in bit.values or "bit" not in bit.values:
+            continue
+        if isinstance(reserved := bit.values.get("reserved"), Scalar) and reserved.value is True:
+            continue
+        number = bit.values["bit"]
+        yield _member(bit, _like(number, 1 << _integer(number)))
+
+
+def _numbers(enum: Mapping) -> Iterator[Mapping]:
+    """A member for each member that has a number: its value is that number."""
+    members = enum.values.get("members")
+    for member in members.items if isinstance(members, Sequence) else ():
+        if isinstance(member, Mapping) and "number" in member.values:
+            yield _member(member, member.values["number"])
+
+
+def _member(of: Mapping, value: Node) -> Mapping:
+    made = Mapping(of.file, of.start, of.end, {})
+    for key in ("name", "printed_name", "label", "doc", "source", "since", "until", "only"):
+        if key in of.values:
+            made = made.with_value(key, of.values[key])
+    return made.with_value("value", value)
+
+
+def _scalar(mapping: Mapping, key: str) -> Scalar:
+    held = mapping.values[key]
+    assert isinstance(held, Scalar)
+    return held
+
+
+def _integer(node: Node | None) -> int:
+    return node.value if isinstance(node, Scalar) and isinstance(node.value, int) else 0
+
+
+def _like(node: Node, value: ScalarValue) -> Scalar:
+    """A scalar at the place of another node."""
+    return Scalar(node.file, node.start, node.end, str(value), False, value)

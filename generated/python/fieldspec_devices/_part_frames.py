@@ -1,0 +1,155 @@
+"""Frames whose parts are not as in most: something follows the check, or it covers or a length counts other parts."""
+
+from __future__ import annotations
+
+from ._error import CodecError, wrong_const
+from ._framers import LengthFramer
+from ._frames import Frames
+from ._typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Literal
+
+    from ._typing import Data
+
+    Part = tuple[str, int, Literal["big", "little"], bool, int | None, bool]
+
+
+class PartFrames(Frames):
+    """The frames of one link in one direction, as rows of parts: those before the body, and those behind it.
+
+    A row is the name, the size in bytes, the order, whether it has a sign, what is always sent, and whether anything
+    else is refused. `check` is the place of the check in these rows, `covers` the bytes that it is worked out over. A
+    length of n is that of a frame whose parts have `unit` * n + `base` bytes.
+    """
+
+    __slots__ = ("base", "check", "covers", "rows", "tail", "unit")
+
+    def __init__(
+        self,
+        head: tuple[Part, ...],
+        tail: tuple[Part, ...],
+        algorithm: str,
+        *,
+        check: int = -1,
+        covers: tuple[int, int | None] = (0, None),
+        code: int = -1,
+        code_offset: int = 0,
+        length: int = -1,
+        length_offset: int = 0,
+        length_name: str = "",
+        longest: int = 0,
+        unit: int = 1,
+        base: int = 0,
+        start: bytes = b"",
+        end: bytes = b"",
+        hexadecimal: bool = False,
+    ) -> None:
+        super().__init__(
+            "",
+            algorithm,
+            code=code,
+            code_offset=code_offset,
+            length=length,
+            length_offset=length_offset,
+            length_name=length_name,
+            longest=longest,
+            start=start,
+            end=end,
+            hexadecimal=hexadecimal,
+        )
+        self.rows, self.tail, self.check, self.covers, self.unit, self.base = head, tail, check, covers, unit, base
+        self.head_size = sum(row[1] for row in head)
+        self.tail_size = sum(row[1] for row in tail)
+
+    def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
+        """Each part of a frame that is long enough: its row, its offset and its number."""
+        found = []
+        at = 0
+        for place, row in enumerate((*self.rows, *self.tail)):
+            if place == len(self.rows):
+                at = len(data) - self.tail_size
+            _, size, order, signed, _, _ = row
+            found.append((row, at, int.from_bytes(data[at : at + size], order, signed=signed)))
+            at += size
+        return found
+
+    def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
+        """What is wrong with the check, or else with the first constant that is another number."""
+        if self.algorithm is not None:
+            (_, size, _, _, _, _), at, have = numbers[self.check]
+            want = self.algorithm(data[self.covers[0] : self.covers[1]])
+            if have != want:
+                text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
+                return CodecError("wrong_check", text, at)
+        for (name, _, _, _, constant, compared), at, number in numbers:
+            if compared and constant is not None and number != constant:
+                return wrong_const(name, number, constant, at)
+        return None
+
+    def agrees(self, data: Data) -> bool:
+        """Whether the check and the constants of a frame's parts are right."""
+        return len(data) >= self.head_size + self.tail_size and self._wrong(data, self._numbers(data)) is None
+
+    def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
+        """The head and the body of a frame's parts. Raises CodecError."""
+        size = len(data)
+        if size < self.head_size + self.tail_size:
+            least = self.head_size + self.tail_size
+            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
+        numbers = self._numbers(data)
+        if self.length >= 0:
+            units = numbers[self.length][2]
+            extent = units * self.unit + self.base
+            if extent != size:
+                text = f"{self.length_name} is {units}, for a frame of {extent} bytes, but there are {size}"
+                raise CodecError("wrong_length", text, self.length_offset)
+        wrong = self._wrong(data, numbers)
+        if wrong is not None:
+            raise wrong
+        head = tuple(number for _, _, number in numbers[: len(self.rows)])
+        return head, data[self.head_size : size - self.tail_size]
+
+    def joined(self, head: list[int], body: bytes) -> bytes:
+        """The whole frame of a head, whose length and check are filled in, and a body. Raises CodecError."""
+        numbers = [*head, *(row[4] or 0 for row in self.tail)]
+        if self.length >= 0:
+            total = self.head_size + len(body) + self.tail_size
+            units, over = divmod(total - self.base, self.unit)
+            if over or not 0 <= units <= self.longest:
+                raise CodecError("wrong_length", f"{self.length_name} cannot say that the frame has {total} bytes")
+            numbers[self.length] = units
+        data = self._packed(numbers, body)
+        if self.algorithm is not None:
+            numbers[self.check] = self.algorithm(data[self.covers[0] : self.covers[1]])
+            data = self._packed(numbers, body)
+        return self.marked(data)
+
+    def _packed(self, numbers: list[int], body: bytes) -> bytes:
+        packed = [
+            number.to_bytes(size, order, signed=signed)
+            for number, (_, size, order, signed, _, _) in zip(numbers, (*self.rows, *self.tail), strict=True)
+        ]
+        packed.insert(len(self.rows), body)
+        return b"".join(packed)
+
+
+class CountFramer(LengthFramer):
+    """For frames whose length counts something else than all bytes of their parts."""
+
+    def _known(self) -> dict[int, frozenset[int]]:
+        known = super()._known()
+        known.pop(len(self.frames.start) + self.length_offset, None)
+        return known
+
+    def _extent(self, buffer: bytearray, at: int) -> int:
+        frames = self.frames
+        assert isinstance(frames, PartFrames)
+        marks = len(frames.start) + len(frames.end)
+        if not buffer.startswith(frames.start, at):
+            return 0
+        at += len(frames.start)
+        if self._foreign(buffer, at):
+            return 0
+        extent = self._number(buffer, at + self.length_offset, self.length_size) * frames.unit + frames.base + marks
+        return extent if self.shortest <= extent <= self.longest else 0

@@ -1,0 +1,203 @@
+"""Names follow docs/glossary.md: a word that it forbids is in no name of the compiler, its tests or its outputs."""
+
+from __future__ import annotations
+
+import ast
+import io
+import json
+import keyword
+import re
+import tokenize
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "codegen" / "fieldspec"
+GLOSSARY = (ROOT / "docs" / "glossary.md").read_text("utf-8")
+SCHEMA = PACKAGE / "schema" / "spec.schema.json"
+OUTSIDE = {"node_modules", ".venv", "__pycache__"}
+
+STILL_TO_DO: dict[str, int] = {
+    "audit": 289,
+    "backends": 1,
+    "backends/c": 109,
+    "backends/docs": 123,
+    "backends/hmi": 11,
+    "backends/kv": 34,
+    "backends/plcopen": 30,
+    "backends/python": 189,
+    "backends/scl": 32,
+    "backends/st": 2,
+    "backends/twincat": 1,
+    "backends/vectors": 5,
+    "benchmarks": 75,
+    "changes": 99,
+    "checks": 107,
+    "classes.py": 28,
+    "cli.py": 7,
+    "commands": 224,
+    "diagnostics.py": 2,
+    "explain": 61,
+    "facts": 28,
+    "layout": 30,
+    "lists": 70,
+    "model": 8,
+    "pipeline.py": 11,
+    "plc": 220,
+    "proofs": 37,
+    "reading": 114,
+    "reference": 19,
+    "render": 100,
+    "rules.py": 3,
+    "schema": 3,
+    "spreadsheet.py": 6,
+    "tests": 1121,
+}
+"""Folders whose old names have not been replaced yet, with how many of them are left. It is empty in the end."""
+
+
+def forbidden() -> frozenset[str]:
+    """The words of the first column of the table of forbidden words."""
+    section = GLOSSARY.partition("## Forbidden words")[2].partition("Some libraries")[0]
+    return frozenset(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE))
+
+
+def exempt() -> frozenset[str]:
+    """The names that are not ours to choose."""
+    return frozenset(re.findall(r"^\| `(\w+)` \|", GLOSSARY.partition("Some libraries")[2], re.MULTILINE))
+
+
+FORBIDDEN = forbidden()
+EXEMPT = exempt()
+
+
+def words(name: str) -> set[str]:
+    """The words of an identifier, parted at underscores and capitals."""
+    return set(re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower().split("_"))
+
+
+def names(path: Path) -> Iterator[tuple[int, str]]:
+    """The names in a Python file with their lines: those that it binds, and attributes and keywords that it uses."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            if not node.name.startswith("test_"):
+                yield node.lineno, node.name
+        elif isinstance(node, ast.ClassDef):
+            yield node.lineno, node.name
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            if node.id not in EXEMPT or not is_attribute(node):
+                yield node.lineno, node.id
+        elif isinstance(node, ast.arg):
+            yield node.lineno, node.arg
+        elif isinstance(node, ast.alias):
+            yield from ((node.lineno, name) for name in (node.asname or "",) if name)
+        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
+            yield node.lineno, node.name
+
+
+def is_attribute(node: ast.Name) -> bool:
+    """Whether a name is stored at the indentation of a class body, as an attribute of a class of data."""
+    return node.col_offset == 4 and node.id == "one"
+
+
+def is_wrong(name: str) -> bool:
+    return bool(words(name) & FORBIDDEN)
+
+
+def folder(path: Path) -> str:
+    """The folder under which a file is counted: that of the compiler, or the first one below the root."""
+    if PACKAGE in path.parents:
+        parts = path.relative_to(PACKAGE).parts
+        return "/".join(parts[:2] if parts[0] == "backends" and len(parts) > 2 else parts[:1])
+    return path.relative_to(ROOT).parts[0]
+
+
+def python_files() -> list[Path]:
+    return sorted(
+        path
+        for base in ("codegen", "tests", "benchmarks")
+        for path in (ROOT / base).rglob("*.py")
+        if not OUTSIDE & set(path.relative_to(ROOT).parts)
+    )
+
+
+def wrong_by_folder() -> dict[str, list[str]]:
+    """By folder, the places of names with a forbidden word, those of files and folders included."""
+    wrong: dict[str, list[str]] = {}
+    for path in python_files():
+        place = path.relative_to(ROOT).as_posix()
+        found = [f"{place}: the name of the file"] if is_wrong(path.stem.removeprefix("test_")) else []
+        if path.stem.startswith("test_"):
+            found = []
+        found += [f"{place}:{line}: {name}" for line, name in names(path) if is_wrong(name)]
+        if found:
+            wrong.setdefault(folder(path), []).extend(found)
+    return wrong
+
+
+WRONG = wrong_by_folder()
+
+
+def test_the_glossary_forbids_words() -> None:
+    assert len(FORBIDDEN) > 20
+    assert {"one", "frozen"} == EXEMPT
+
+
+@pytest.mark.parametrize("name", sorted({folder(path) for path in python_files()}))
+def test_names_follow_the_glossary(name: str) -> None:
+    wrong = WRONG.get(name, [])
+    if name in STILL_TO_DO:
+        assert len(wrong) <= STILL_TO_DO[name], "more names than before are forbidden:\n" + "\n".join(wrong)
+    else:
+        assert wrong == [], "\n".join(wrong)
+
+
+def test_folders_that_are_done_are_not_listed_as_still_to_do() -> None:
+    assert [name for name in STILL_TO_DO if not WRONG.get(name)] == []
+
+
+def keys(schema: object) -> Iterator[str]:
+    """All keys that a part of the schema declares."""
+    if isinstance(schema, dict):
+        yield from schema.get("properties", {}) if isinstance(schema.get("properties"), dict) else ()
+        for part in schema.values():
+            yield from keys(part)
+    elif isinstance(schema, list):
+        for part in schema:
+            yield from keys(part)
+
+
+def test_keys_of_specs_follow_the_glossary() -> None:
+    declared = set(keys(json.loads(SCHEMA.read_text("utf-8"))))
+    assert len(declared) > 100
+    assert sorted(key for key in declared - EXEMPT if is_wrong(key)) == []
+
+
+def generated_names() -> Iterator[tuple[str, str]]:
+    """The names in the runtime of the generated Python, which every user of it reads."""
+    for path in sorted((PACKAGE / "backends" / "python" / "runtime").glob("*.py")):
+        for token in tokenize.generate_tokens(io.StringIO(path.read_text("utf-8")).readline):
+            if token.type == tokenize.NAME and not keyword.iskeyword(token.string):
+                yield path.name, token.string
+
+
+def test_public_names_of_generated_code_follow_the_glossary() -> None:
+    if "backends/python" in STILL_TO_DO:
+        pytest.skip("the back end for Python is still to do")
+    assert sorted({(path, name) for path, name in generated_names() if is_wrong(name)}) == []
+
+
+TEXT = """
+def held_value(given: int) -> int:
+    for one in [given]:
+        kept = one
+    return kept
+"""
+
+
+def test_a_forbidden_word_is_seen_in_a_name(tmp_path: Path) -> None:
+    path = tmp_path / "module.py"
+    path.write_text(TEXT, "utf-8")
+    assert {name for _, name in names(path) if is_wrong(name)} == {"held_value", "given", "one", "kept"}
