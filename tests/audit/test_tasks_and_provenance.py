@@ -6,10 +6,9 @@ from typing import Any
 
 import pytest
 
-from fieldspec.audit.manual_index import index_of
-from fieldspec.audit.section import Section
+from fieldspec.audit.manual_lines import index_of
+from fieldspec.audit.section import Section, Subject
 from fieldspec.audit.sources import sources
-from fieldspec.audit.subject import Subject
 from fieldspec.audit.tasks import tasks
 from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.model.operand import Operands
