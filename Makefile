@@ -1,7 +1,11 @@
 # make         set up what is needed and build every output
 # make test    set up and test everything
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
+# make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
 # make accept  rewrite the tests' expectations; read the difference before you commit it
+# make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
+# make dist    build the wheel and the sdist into dist/
+# make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
 # make bench   measure, and write docs/benchmarks.md
 # make pins    choose new versions of the dependencies
 # make clean   remove what make has set up
@@ -19,7 +23,9 @@ TOOLS := tests/tools/node_modules/.package-lock.json
 NPM := $(shell command -v npm 2>/dev/null)
 UV := uv==0.13.8
 
-.PHONY: build test fuzz accept pins clean
+SBOM := build/sbom
+
+.PHONY: build test fuzz plants accept soak dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -32,6 +38,27 @@ test: $(INSTALLED) $(if $(NPM),$(TOOLS))
 
 fuzz: $(INSTALLED)
 	$(BIN)/python tests/c_output/fuzz.py
+
+soak: $(INSTALLED)
+	$(BIN)/python tests/kills.py 200 1
+	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_kills.py
+
+dist: $(INSTALLED)
+	rm -rf dist
+	$(BIN)/python -m hatchling build -d dist
+
+# An environment with nothing but the wheel and what it needs; the tool that looks into it has one of its own.
+sbom: dist
+	rm -rf $(SBOM)
+	$(PYTHON) -m venv $(SBOM)/tool
+	$(PYTHON) -m venv --without-pip $(SBOM)/environment
+	$(SBOM)/tool/$(notdir $(BIN))/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement requirements/sbom.txt
+	$(SBOM)/tool/$(notdir $(BIN))/python -m pip --disable-pip-version-check --python $(SBOM)/environment install --quiet dist/*.whl
+	$(SBOM)/tool/$(notdir $(BIN))/cyclonedx-py environment --output-reproducible --pyproject pyproject.toml \
+	  --output-file dist/sbom.json $(SBOM)/environment
+
+plants: $(INSTALLED)
+	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py -k whatever_happens
 
 accept: $(INSTALLED)
 	$(BIN)/pytest --accept
@@ -48,6 +75,9 @@ pins: $(INSTALLED)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.11 --generate-hashes \
 	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
 	  pyproject.toml benchmarks/requirements.in --output-file requirements/bench.txt
+	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.10 --generate-hashes \
+	  --no-emit-index-url --no-emit-find-links --custom-compile-command "make pins" \
+	  requirements/sbom.in --output-file requirements/sbom.txt
 
 clean:
 	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis

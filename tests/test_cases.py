@@ -19,6 +19,7 @@ from fieldspec.audit.register_dump import compared, judged
 from fieldspec.audit.review import sign_off
 from fieldspec.audit.section import Subject
 from fieldspec.backends import OUTPUTS
+from fieldspec.commands.sources import files as specs
 from fieldspec.diagnostics import Diagnostic, in_order
 from fieldspec.facts import rows
 from fieldspec.lists.dump import dump
@@ -56,10 +57,7 @@ def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     limits = folder / "limits.json"
     for limit, value in json.loads(limits.read_text("utf-8")).items() if limits.exists() else ():
         monkeypatch.setattr(limit, value)
-    files = {}
-    for path in sorted(folder.rglob("*.yaml")):
-        inside = path.relative_to(folder).as_posix()
-        files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
+    files = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))} or specs(folder)
     assert files, f"{name(folder)} has no spec"
     project = load(files)
     given = checked(project)

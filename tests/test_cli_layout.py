@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from rich.console import Console
 
 from command_line import MADE_UP, SPECS, CommandLine
+from fieldspec.commands import output
 from fieldspec.plc.layout.memory import MEMORIES
 from laid_out import newest
 
@@ -84,3 +86,17 @@ def test_every_record_of_the_made_up_devices_has_a_layout_in_every_memory(
             ran = run("layout", device, record.name, "--target", target)
             assert ran.code in (0, 1), (record.name, target, ran.err)
             assert ("plc_images_exact" in ran.out) == (ran.code == 1)
+
+
+def test_cells_of_members_that_say_nothing_are_empty(run: CommandLine) -> None:
+    lines = run("layout", "hiwin-e", "111", "--target", "tc3:2").lines
+    assert lines[0].startswith("telegram_111")
+    assert "None" not in "\n".join(lines)
+
+
+def test_a_drawing_is_not_broken_on_a_narrow_terminal(run: CommandLine, monkeypatch: pytest.MonkeyPatch) -> None:
+    wide = [line for line in run("layout", "hiwin-e", "111", "--target", "tc3:2").lines if line.endswith("|")]
+    monkeypatch.setattr(output, "on_terminal", lambda: True)
+    monkeypatch.setattr(output, "_console", lambda: Console(width=30, highlight=False))
+    narrow = [line for line in run("layout", "hiwin-e", "111", "--target", "tc3:2").lines if line.endswith("|")]
+    assert [line for line in narrow if line in wide] == wide

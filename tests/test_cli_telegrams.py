@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 
 from command_line import MADE_UP, CommandLine
 from fieldspec.cli import main
+from fieldspec.commands.device_help import suggest
 from fieldspec.model.texts import Example
 from laid_out import newest
 from test_cli_encode import written
@@ -331,3 +333,27 @@ def test_shells_offer_the_verbs_where_there_are_no_specs(
     monkeypatch.setenv("FIELDSPEC_SPECS", str(tmp_path / "missing"))
     assert main(["completion", "bash"]) == 0
     assert "decode" in capsys.readouterr().out
+
+
+def test_shells_offer_an_option_for_messages_to_the_verbs_that_take_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FIELDSPEC_SPECS", str(MADE_UP))
+    parser = argparse.ArgumentParser()
+    verbs = parser.add_subparsers()
+    for name in ("check", "decode", "encode"):
+        verb = verbs.add_parser(name)
+        verb.add_argument("--message")
+        verb.add_argument("--direction", choices=("request", "response"))
+    suggest(parser)
+    offered = {
+        name: {word for action in verb._actions for word in action.option_strings}
+        for name, verb in verbs.choices.items()
+    }
+    assert "--telegram" in offered["decode"] & offered["encode"]
+    assert "--telegram" not in offered["check"]
+    choices = {name: verb._option_string_actions["--direction"].choices for name, verb in verbs.choices.items()}
+    assert choices["check"] == ("request", "response")
+    assert choices["decode"] == choices["encode"]
+    first, second, *others = choices["decode"] or ()
+    assert (first, second) == ("request", "response")
+    assert "received" in others
+    assert others == sorted({*others} - {"request", "response"})

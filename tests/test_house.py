@@ -79,6 +79,10 @@ TOUCHES_THE_WORLD = {
     "mkdir",
     "unlink",
 }
+NOT_THE_WORLD = {
+    ("classes.py", "exec"),  # it writes constructors, from names of attributes alone
+    ("lists/workbook_size.py", "open"),  # it opens a part of a workbook that is in memory
+}
 UNDONE = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 ALGORITHMS = re.compile(r"crc16_modbus|CRC-16/MODBUS")
 MAKERS = ("hiwin", "toyo", "taiyo", "profidrive")
@@ -178,8 +182,7 @@ def test_only_the_command_line_touches_the_world() -> None:
         if not inside(path).startswith(("cli.py", "commands/"))
         for node in ast.walk(tree(path))
         if isinstance(node, ast.Call) and named(node) in TOUCHES_THE_WORLD
-        if (inside(path), named(node))
-        != ("classes.py", "exec")  # it writes constructors, from names of attributes alone
+        if (inside(path), named(node)) not in NOT_THE_WORLD
     }
     assert found == set()
 

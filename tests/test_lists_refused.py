@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from command_line import SPECS, CommandLine
 from fieldspec.commands.list_files import sheet
 from fieldspec.lists import sheet as limits
-from fieldspec.lists import text_sheet, workbook
+from fieldspec.lists import text_sheet, workbook_size
 from fieldspec.lists.listing import listing
 from fieldspec.lists.sheet import ListError
 
@@ -76,7 +76,7 @@ BAD: dict[str, tuple[bytes, str]] = {
     "an open quote": (b'Address,Name\n0x10,"a\n' + b"x" * 200000, "cannot be read as a table at row 2"),
     "JSON that is none": (b'[{"address": 1]', "begins like JSON and is none"),
     "JSON of numbers": (b"[1, 2]", "is JSON, and no list of objects"),
-    "JSON too deep": (b"[" * 100000, "begins like JSON and is none"),
+    "JSON too deep": (b"[" * 100000, "is JSON that is nested more than 16 levels deep"),
     "formulas": (book(cell("A3", "=A2+1")), "has formulas in A3; save the list with values in place of formulas"),
     "merged rows": (book(merged("B2:B3")), "has merged cells B2:B3; undo the merge and fill each cell"),
     "scientific": (book(cell("A2", 2e10)), "has no address under Address: `20000000000`"),
@@ -156,14 +156,14 @@ def test_a_huge_file_is_refused_before_it_is_read_whole(run: CommandLine, tmp_pa
 
 def test_too_many_rows_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(text_sheet, "MOST_ROWS", 2)
-    monkeypatch.setattr(workbook, "MOST_ROWS", 2)
+    monkeypatch.setattr(workbook_size, "MOST_ROWS", 2)
     for content in (b"Address\n1\n2\n3\n", book(lambda made: None)):
         with pytest.raises(ListError, match="has more than 2 rows"):
             sheet(content, "", "")
 
 
 def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workbook, "_MOST_UNPACKED", 1000)
+    monkeypatch.setattr(workbook_size, "_MOST_UNPACKED", 1000)
     with pytest.raises(ListError, match="unpacks to more"):
         sheet(book(lambda made: None), "", "")
 

@@ -11,7 +11,7 @@ from fieldspec import checks, rules
 
 PACKAGE = Path(fieldspec.__file__).parent
 PAGE = Path(__file__).parent.parent / "docs" / "checks.md"
-GIVE_FINDINGS = ("Diagnostic", "finding", "refuse", "_refuse")
+GIVE_FINDINGS = ("because", "Diagnostic", "finding", "refuse", "_refuse")
 
 
 def codes(path: Path) -> Iterator[str]:

@@ -17,6 +17,20 @@ if TYPE_CHECKING:
             """Where it stands."""
 
 
+class Refused(bytes):
+    """Stands for the content of a file that was not read; the bytes say why. `code` is the rule, `help` what to do."""
+
+    code: str
+    help: str
+
+    @classmethod
+    def because(cls, code: str, reason: str, help: str) -> Refused:
+        """A file that was refused for a reason."""
+        refused = cls(reason.encode("utf-8", "backslashreplace"))
+        refused.code, refused.help = code, help
+        return refused
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class SourceFile:
     """A text and the path by which users know it, with forward slashes."""

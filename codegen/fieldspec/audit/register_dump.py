@@ -18,6 +18,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.registers import Parameter
 from fieldspec.model.value import Kind, Value
+from fieldspec.reading.findings import bounded
 from fieldspec.source import SourceFile, Span
 
 WORD = 16
@@ -223,7 +224,17 @@ def _parameter(device: Device, where: str, parameter: Parameter, at: int, number
 
 
 def judged(told: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
-    """What is wrong with a dump; `rows` has the offset at which each row begins in the file."""
+    """What is wrong with a dump; `rows` has the offset at which each row begins in the file.
+
+    Of each rule, no more findings are listed than of a spec: a dump may have a hundred thousand rows.
+    """
+    by_rule: dict[str, list[Diagnostic]] = {}
+    for one in _judged(told, file, rows):
+        by_rule.setdefault(one.code, []).append(one)
+    return [one for found in by_rule.values() for one in bounded(found)]
+
+
+def _judged(told: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
 
     def at(row: int) -> Span:
         start = rows.get(row, 0)

@@ -111,6 +111,7 @@ def facts(device: Device) -> Iterator[Fact]:
     yield from device.conversions.values()
     yield from device.lookups
     yield from device.limits
+    yield from device.tasks
 
 
 def _of_layer(layer: Record) -> Iterator[Fact]:

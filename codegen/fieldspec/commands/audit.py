@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 from fieldspec.audit.register_dump import compared, judged, section
 from fieldspec.commands import list_files, manuals, signing, specs
-from fieldspec.commands.list_files import write
 from fieldspec.commands.output import print_blocks, print_findings
+from fieldspec.commands.storing import write
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import Diagnostic, has_errors, in_order
 from fieldspec.layout.device import DeviceLayout

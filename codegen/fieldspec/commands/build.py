@@ -27,10 +27,10 @@ def run(arguments: argparse.Namespace) -> int:
 def build(arguments: argparse.Namespace) -> int:
     """Builds once."""
     wanted = BuildRequest(_outputs(arguments.to), _devices(arguments.devices))
-    path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
     out = Path(arguments.out)
-    earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
-    with Beside(out) as beside:
+    with Beside(out, look=arguments.check) as beside:
+        path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
+        earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
         result = build_result(wanted, path, files, earlier, None if arguments.check else beside)
         if result.findings:
             from fieldspec.commands.output import print_findings
@@ -45,12 +45,12 @@ def build(arguments: argparse.Namespace) -> int:
         now = before.renewed(wanted, result, hashes, gone).text()
         stale = sorted([*result.stale, *([manifest.NAME] if earlier.hash_of(manifest.NAME) != digest(now) else [])])
         if arguments.check:
-            return _report([(path, before.reason(path, result, earlier)) for path in stale], gone)
+            return _report([(path, before.reason(path, result, earlier)) for path in stale], gone, beside.unfinished)
         if stale or gone:
             beside.write(manifest.NAME, now)
             beside.place(stale, gone)
-    if not wanted.picked:
-        earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
+        if not wanted.picked:
+            earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
     print(f"{len(hashes)} files, {len(result.stale)} written, {len(gone)} removed")
     return 0
 
@@ -82,12 +82,14 @@ def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
     return {path: one for held in holders for name in wanted.outputs for path, one in held.get(name, {}).items()}
 
 
-def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str]) -> int:
+def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: Sequence[str]) -> int:
+    for text in unfinished:
+        print(text)
     for path, reason in stale:
         print(f"not fresh: {path}" + (f" ({reason})" if path != manifest.NAME else ""))
     for path in gone:
         print(f"no longer produced: {path}")
-    if not stale and not gone:
+    if not (stale or gone or unfinished):
         print("everything is fresh")
         return 0
     print("build again with: fieldspec build")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
+from contextlib import suppress
 from importlib.machinery import PathFinder
 
 from fieldspec.classes import TYPE_CHECKING
@@ -52,10 +53,15 @@ def checksum(*contents: bytes) -> str:
 def cached(kind: str, name: str) -> bytes | None:
     """What is kept under a name; None where there is nothing, or nothing whole."""
     try:
-        with open(_path(kind, name), "rb") as file:
-            if not _ours(os.fstat(file.fileno())):
+        number = os.open(_path(kind, name), _READ)
+        try:
+            state = os.fstat(number)
+            if not _ours(state):
                 return None
-            held, _, content = file.read().partition(b"\n")
+            with open(number, "rb", closefd=False) as file:
+                held, _, content = file.read(state.st_size + 1).partition(b"\n")
+        finally:
+            os.close(number)
     except OSError:
         return None
     return content if held == checksum(content).encode() else None
@@ -69,30 +75,48 @@ def store(kind: str, name: str, content: bytes) -> None:
         return
 
 
-_NEW = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
+_READ = os.O_RDONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
+_LARGEST = 1 << 30
+_BESIDE = ".new"
 
 
 def _write(path: str, content: bytes) -> None:
+    """Writes a file whole, one process at a time. Raises OSError; nothing is left then."""
+    from fieldspec.commands.locking import lock, unlock
+    from fieldspec.commands.storing import put
+
     within = os.path.dirname(path)
     os.makedirs(within, mode=0o700, exist_ok=True)
-    beside = f"{path}.{os.getpid()}"
-    with open(os.open(beside, _NEW, 0o600), "wb") as file:
-        file.write(content)
-    os.replace(beside, path)
-    files = sorted(os.scandir(within), key=lambda one: one.stat().st_mtime_ns)
-    for old in files[:-MOST]:
-        os.unlink(old)
+    number = lock(within, patient=False)
+    try:
+        for entry in [*os.scandir(within)]:
+            if not entry.name.isalnum():  # a process was killed while it wrote
+                os.unlink(entry)
+        try:
+            put(path + _BESIDE, content, 0o600)
+            os.replace(path + _BESIDE, path)
+        except BaseException:
+            with suppress(OSError):
+                os.unlink(path + _BESIDE)
+            raise
+        files = sorted(os.scandir(within), key=lambda one: one.stat().st_mtime_ns)
+        for old in files[:-MOST]:
+            os.unlink(old)
+    finally:
+        unlock(number)
 
 
 def _ours(state: os.stat_result) -> bool:
-    """Whether nobody else can have written a file."""
+    """Whether a file is a regular one, of a size that is read, that nobody else can have written."""
+    if not stat.S_ISREG(state.st_mode) or state.st_size > _LARGEST:
+        return False
     if os.name != "posix":
         return True
     return state.st_uid == os.geteuid() and not state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
 
 
 def _path(kind: str, name: str) -> str:
-    return os.path.join(folder(), kind, checksum(name.encode())[:32])
+    return os.path.join(folder(), kind, checksum(name.encode("utf-8", "surrogateescape"))[:32])
 
 
 LIBRARIES = {

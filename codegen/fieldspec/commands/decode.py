@@ -80,6 +80,8 @@ LONGEST_LINE = 8192
 def run(arguments: argparse.Namespace) -> int:
     """Explains what is given, or each line of the standard input. Exit code 1 where anything is wrong."""
     layout = compiled.asked(arguments)
+    if not layout.links:
+        raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")
     said = frame_options(layout, arguments)
     if arguments.request and "response" not in said.directions:
         raise UsageError(f"--request gives what a response answers, so --direction cannot be {arguments.direction}")

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from fieldspec.commands import compiled
-from fieldspec.commands.list_files import write
+from fieldspec.commands.storing import write
 from fieldspec.commands.usage import UsageError
 
 

@@ -15,9 +15,12 @@ from typing import Any
 
 from fieldspec.classes import attributes, dataclass
 from fieldspec.commands import caching
+from fieldspec.commands.regular_file import content
 from fieldspec.reading.findings import PROTOCOLS
 
 KIND = "builds"
+LARGEST_OUTPUT = 1 << 30
+"""Bytes of an output; a file that has more was not written by a build."""
 Hashes = dict[str, str]
 
 
@@ -34,15 +37,15 @@ class Built:
     outputs: dict[str, Hashes]
 
 
-def digest(content: bytes) -> str:
+def digest(data: bytes) -> str:
     """The hash by which files are compared, as the manifest has it."""
-    return hashlib.sha256(content).hexdigest()
+    return hashlib.sha256(data).hexdigest()
 
 
 def lying(out: Path, path: str) -> str | None:
     """The hash of a file of a folder as it is now; None where it cannot be read."""
     try:
-        return digest((out / path).read_bytes())
+        return digest(content(f"{out}/{path}", LARGEST_OUTPUT))
     except OSError:
         return None
 
@@ -54,7 +57,7 @@ class Earlier:
     """
 
     def __init__(self, out: Path, files: Mapping[str, bytes], trusted: bool = True) -> None:
-        self.now = {path: digest(content) for path, content in files.items()}
+        self.now = {path: digest(held) for path, held in files.items()}
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
         self.out = out

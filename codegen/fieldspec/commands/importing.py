@@ -7,7 +7,7 @@ import hashlib
 import re
 from pathlib import Path
 
-from fieldspec.commands import list_files, specs
+from fieldspec.commands import list_files, specs, storing
 from fieldspec.commands.compare import COLUMNS
 from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import has_errors
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.to == "-":
         print(text, end="")
         return 0
-    list_files.write(path, text.encode("utf-8"))
+    storing.write(path, text.encode("utf-8"), new=True)
     skipped = f", {len(found.skipped)} rows without an address" if found.skipped else ""
     print(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
     return 0

@@ -10,6 +10,7 @@ from fieldspec.commands import sources
 from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
 from fieldspec.commands.sources import INDEX
 from fieldspec.commands.usage import UsageError
+from fieldspec.source import Refused
 
 if TYPE_CHECKING:
     from fieldspec.audit.manual_lines import ManualIndex
@@ -162,6 +163,8 @@ def _manual(device: str, files: Mapping[str, bytes]) -> ManualIndex | None:
     path = f"{device}/{INDEX}"
     if path not in files:
         return None
+    if isinstance(refused := files[path], Refused):
+        raise UsageError(f"cannot read {path}: {refused.decode()}; {refused.help}")
     try:
         return parsed(path, files[path].decode("utf-8").replace("\r\n", "\n"))
     except UnicodeDecodeError:

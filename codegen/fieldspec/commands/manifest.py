@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from fieldspec.classes import dataclass
-from fieldspec.commands.fresh import Earlier, Hashes
+from fieldspec.commands.fresh import LARGEST_OUTPUT, Earlier, Hashes
 from fieldspec.commands.making import BuildRequest, BuildResult
+from fieldspec.commands.regular_file import content
 
 NAME = "manifest.json"
 _NAMED = 3
@@ -70,8 +71,8 @@ class Manifest:
 def read(out: Path) -> Manifest:
     """What the last build has left; nothing where it cannot be read."""
     try:
-        held = json.loads((out / NAME).read_text("utf-8"))
+        held = json.loads(content(out / NAME, LARGEST_OUTPUT))
         specs = {device: dict(files) for device, files in held.get("specs", {}).items()}
         return Manifest(dict(held["identities"]), specs, dict(held["files"]))
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return Manifest({}, {}, {})

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from fieldspec.audit.manual_lines import NAME, ManualError, ManualIndex, index_of, index_text, parsed
-from fieldspec.commands import list_files, specs
+from fieldspec.commands import regular_file, specs, storing
+from fieldspec.commands.regular_file import SizeError
 from fieldspec.commands.usage import UsageError
 from fieldspec.model.device import Device
 
@@ -19,7 +18,7 @@ def recorded(given: str | None, device: str) -> ManualIndex | None:
     folder = specs.folder(given)
     path = folder / device / NAME
     try:
-        text = path.read_bytes().decode("utf-8")
+        text = regular_file.content(path, MOST_BYTES).decode("utf-8")
     except FileNotFoundError:
         return None
     except (OSError, UnicodeDecodeError) as error:
@@ -35,12 +34,11 @@ def recorded(given: str | None, device: str) -> ManualIndex | None:
 def at_hand(name: str) -> ManualIndex:
     """The index of a manual's text that the user has."""
     try:
-        with Path(name).open("rb") as file:
-            content = file.read(MOST_BYTES + 1)
+        content = regular_file.content(name, MOST_BYTES)
+    except SizeError:
+        raise UsageError(f"{name} has more than {MOST_BYTES >> 20} MiB; the text of a manual is smaller") from None
     except OSError as error:
         raise UsageError(f"cannot read {name}: {error.strerror}") from None
-    if len(content) > MOST_BYTES:
-        raise UsageError(f"{name} has more than {MOST_BYTES >> 20} MiB; the text of a manual is smaller")
     try:
         return index_of(name, content)
     except ManualError as error:
@@ -76,8 +74,8 @@ def record(given: str | None, device: Device, name: str | None) -> int:
             f"{name} is not the text that the spec cites; where the spec has been compared with it, "
             f"put its hash and its lines into the spec first: sha256: {manual.sha256}, lines: {len(manual.lines)}"
         )
-    folder = specs.folder(given)
-    list_files.write(folder / device.id / NAME, index_text(manual, device.id).encode())
+    folder = specs.writable(given)
+    storing.write(folder / device.id / NAME, index_text(manual, device.id).encode())
     shown = "/".join(filter(None, (specs.relative_path(folder), device.id, NAME)))
     print(f"wrote {shown}: {len(manual.lines)} lines")
     return 0

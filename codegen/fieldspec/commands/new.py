@@ -9,10 +9,12 @@ from importlib import resources
 from pathlib import Path
 from string import Template
 
-from fieldspec.commands import specs
+from fieldspec.commands import regular_file, specs
+from fieldspec.commands.sources import INSTALLED
+from fieldspec.commands.storing import write
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
-from fieldspec.reading.nodes import Mapping, identity, mappings
+from fieldspec.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
+from fieldspec.reading.nodes import Mapping, Scalar, identity, mappings
 from fieldspec.reading.project import DeviceSpec, read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, parsed
@@ -20,6 +22,9 @@ from fieldspec.schema import schema
 
 SHAPES = ("packet", "telegram")
 """The skeletons of devices that share no protocol."""
+
+_EDITORS = "# yaml-language-server: $$schema=$schema\n"
+"""The line that tells editors where the schema is."""
 
 # Sections of a protocol whose items a device cites, and the key that an item needs there.
 _CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
@@ -33,8 +38,9 @@ def run(arguments: argparse.Namespace) -> int:
         path, text = _device(arguments)
     if path.exists():
         raise UsageError(f"there is a file {path} already")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, "utf-8", newline="\n")
+    if arguments.protocol is not None and arguments.protocol not in SHAPES:
+        _bring_protocols(path.parent.parent, arguments.protocol)
+    write(path, text.encode("utf-8"), new=True)
     print(specs.relative_path(path))
     return 0
 
@@ -57,7 +63,7 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
     if line != _line_of(spec, base):
         members = [one.id for held in spec.at(newest)[0].lines if held.name == line for one in held.versions]
         after = f'  after: "{members[-1]}"\n'
-    path = specs.folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
+    path = specs.writable(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
     return path, _filled(
         "version",
         path,
@@ -81,22 +87,45 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     name = arguments.name
     _fits(name, "device_id", "a device")
     folder = specs.folder(arguments.specs)
-    protocols = sorted(path.stem for path in (folder / PROTOCOLS).glob("*.yaml"))
+    folder = Path(specs.FOLDER) if str(folder) == INSTALLED else folder
+    places = {path.stem: path for place in (Path(INSTALLED), folder) for path in (place / PROTOCOLS).glob("*.yaml")}
+    protocols = sorted(places)
     if arguments.protocol is None or arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol or "", [*protocols, *SHAPES])
     path = folder / name / MAIN
     text = _filled("device", path, name=name)
     if arguments.protocol in SHAPES:
         return path, text + _filled(arguments.protocol, path)
-    overlays = "\n".join(_overlays(folder / PROTOCOLS / f"{arguments.protocol}.yaml"))
+    overlays = "\n".join(_overlays(places[arguments.protocol]))
     return path, text + _filled("protocol", path, protocol=arguments.protocol, overlays=overlays + "\n")
+
+
+def _bring_protocols(folder: Path, name: str) -> None:
+    """Copies a protocol, and those that it uses, from the specs of the installation, unless they are there already."""
+    if (folder / PROTOCOLS / f"{name}.yaml").exists():
+        return
+    files = specs.files(INSTALLED, frozenset([PROTOCOLS]))
+    waiting = [name]
+    for one in waiting:
+        path = f"{PROTOCOLS}/{one}.yaml"
+        tree, _ = parsed(decoded(path, files[path])[0])
+        if isinstance(tree, Mapping):
+            used = (use.values.get("protocol") for use in mappings(tree.values.get("uses")))
+            waiting += [use.text for use in used if isinstance(use, Scalar) and use.text not in waiting]
+        if not (folder / path).exists():
+            write(folder / path, files[path], new=True)
+            print(specs.relative_path(folder / path))
 
 
 def _overlays(path: Path) -> Iterator[str]:
     """A line for each item of a protocol that a device has to cite."""
-    node, _ = parsed(decoded(path.name, path.read_bytes())[0])
+    try:
+        content = regular_file.content(path, LARGEST_FILE)
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    node, _ = parsed(decoded(path.name, content)[0])
     tree = typed(node)[0] if node is not None else None
-    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": path.read_bytes()}).findings:
+    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
         raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
     for section, needed in _CITED.items():
         items = list(mappings(tree.values.get(section)))
@@ -118,4 +147,6 @@ def _fits(text: str, form: str, what: str) -> None:
 def _filled(skeleton: str, path: Path, **words: str) -> str:
     text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
     up = "../" * (2 if path.parent.name != VERSIONS else 3)
+    if Path(INSTALLED).is_dir():  # nobody knows where the schema lies from there
+        text = text.removeprefix(_EDITORS)
     return Template(text).substitute(words, schema=f"{up}codegen/fieldspec/schema/spec.schema.json")

@@ -1,99 +1,162 @@
-"""Puts files into place, all or none."""
+"""Puts files into place, all or none, also where the process is killed in the middle of it."""
 
 from __future__ import annotations
 
 import errno
 import os
-import shutil
+import re
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
+from fieldspec.commands.journal import (
+    COMPLETE,
+    NEW,
+    UNDO,
+    Journal,
+    JournalError,
+    begin,
+    complete,
+    discard,
+    inside,
+    prepared,
+    recover,
+    undo,
+)
+from fieldspec.commands.locking import lock, unlock
+from fieldspec.commands.storing import BESIDE, missing, put
 from fieldspec.commands.usage import UsageError
+
+_FOLDER = re.compile(re.escape(BESIDE) + "[0-9a-f]{16}")
 
 
 class Beside:
     """Files that lie beside a folder of outputs until all of them are moved into place. None is left when this ends.
 
-    Whoever makes a file writes it, in whichever process, so that no more than one output is held at a time.
+    Whoever makes a file writes it, in whichever process, so that no more than one output is in memory at a time. While
+    this lasts, no other build writes into the folder; what one has left that was killed is completed or undone first.
+    With `look`, nothing is written, and `unfinished` says what was left.
     """
 
-    def __init__(self, out: Path) -> None:
+    def __init__(self, out: Path, look: bool = False) -> None:
         self.out = out
-        self._made = _missing(out)
-        self._folder = out / f".fieldspec-{os.urandom(8).hex()}"
+        self.unfinished: list[str] = []
+        self._look = look
+        self._absent: list[Path] = []
+        self._lock: int | None = None
+        self._folder = out / f"{BESIDE}{os.urandom(8).hex()}"
         self._placed = False
+        self._pending = False
 
     def __enter__(self) -> Beside:
+        try:
+            if self._look:
+                with suppress(FileNotFoundError, NotADirectoryError):
+                    self._lock = lock(self.out, shared=True)
+                    self.unfinished = [_described(folder) for folder in _left_over(self.out)]
+            else:
+                self._enter()
+        except BaseException as error:
+            self._leave()
+            if isinstance(error, OSError):
+                raise self._unwritten(error) from None
+            raise
         return self
 
+    def _enter(self) -> None:
+        self._absent = missing(self.out)
+        while self._lock is None:
+            with suppress(FileNotFoundError):  # another build has removed the folder that it made
+                self.out.mkdir(parents=True, exist_ok=True)
+                self._lock = lock(self.out)
+                break
+        for folder in _left_over(self.out):
+            self._recover(folder)
+
+    def _recover(self, folder: Path) -> None:
+        """Completes or undoes what a build has left that was killed. Raises UsageError."""
+        try:
+            recover(self.out, folder)
+        except JournalError as error:
+            raise UsageError(f"an earlier build did not end: {error}") from None
+        except OSError as error:
+            raise UsageError(
+                f"an earlier build was interrupted, and cannot be completed: cannot write "
+                f"{error.filename or self.out}: {error.strerror}; build again when that is mended"
+            ) from None
+
     def __exit__(self, *raised: object) -> None:
-        shutil.rmtree(self._folder, ignore_errors=True)
-        for folder in () if self._placed else self._made:
+        self._leave()
+
+    def _leave(self) -> None:
+        if not self._look and not self._pending and self._folder.is_dir():
+            with suppress(OSError):
+                discard(self._folder)
+        for folder in () if self._placed or self._pending else self._absent:
             with suppress(OSError):
                 folder.rmdir()
+        unlock(self._lock)
+        self._lock = None
 
     def write(self, path: str, content: bytes) -> None:
         """Writes a file, by its path in the folder of outputs. Raises UsageError."""
         try:
-            self.out.mkdir(parents=True, exist_ok=True)
             self._folder.mkdir(mode=0o700, exist_ok=True)
-            target = self._folder / "new" / path
+            target = self._folder / NEW / path
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(content)
+            put(target, content)
         except OSError as error:
             raise self._unwritten(error) from None
 
     def place(self, paths: Sequence[str], gone: Sequence[str]) -> None:
         """Moves files that were written into place, and removes others; on failure nothing has changed."""
+        journal = None
         try:
-            _move(self.out, self._folder / "new", self._folder / "old", paths, gone)
+            inside(self.out, (*paths, *gone))
+            for path in (*paths, *gone):
+                if (self.out / path).is_dir():
+                    raise IsADirectoryError(errno.EISDIR, "a folder is in the way", str(self.out / path))
+            journal = prepared(self.out, self._folder, paths, gone)
+            self._pending = True  # an interrupt may come at any time
+            begin(self._folder, journal)
+            complete(self.out, self._folder, journal)
+            self._pending, self._placed = False, True
+        except JournalError as error:
+            raise UsageError(f"{error}; nothing was changed") from None
+        except BaseException as error:
+            self._revert(journal)
+            if isinstance(error, OSError):
+                raise self._unwritten(error) from None
+            raise
+
+    def _revert(self, journal: Journal | None) -> None:
+        """Puts back what was there, where anything was moved. Raises UsageError: the next build does the rest."""
+        try:
+            if journal is not None and self._pending and (self._folder / COMPLETE).exists():
+                undo(self.out, self._folder, journal)
+            self._pending = False
         except OSError as error:
-            raise self._unwritten(error) from None
-        self._placed = True
+            raise UsageError(
+                f"cannot write {error.filename or self.out}: {error.strerror}; some files are old and some are new: "
+                "build again when that is mended"
+            ) from None
 
     def _unwritten(self, error: OSError) -> UsageError:
         return UsageError(f"cannot write {error.filename or self.out}: {error.strerror}; nothing was changed")
 
 
-def _move(out: Path, new: Path, old: Path, paths: Sequence[str], gone: Sequence[str]) -> None:
-    """Moves new files into place, keeping what was there until all are moved."""
-    kept: list[str] = []
-    placed: list[str] = []
-    made: list[Path] = []
-    try:
-        for path in [*paths, *gone]:
-            target = out / path
-            if target.is_dir():
-                raise IsADirectoryError(errno.EISDIR, "a folder is in the way", str(target))
-            if target.exists():
-                (old / path).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(target, old / path)
-                kept.append(path)
-            if path not in gone:
-                made = [*_missing(target.parent), *made]
-                target.parent.mkdir(parents=True, exist_ok=True)
-                os.replace(new / path, target)
-                placed.append(path)
-    except BaseException:  # an interrupt, too, leaves what was there
-        for path in placed:
-            (out / path).unlink(missing_ok=True)
-        for path in kept:
-            os.replace(old / path, out / path)
-        for folder in made:
-            with suppress(OSError):
-                folder.rmdir()
-        raise
-    for path in gone:
-        _remove_empty(out, (out / path).parent)
+def _left_over(out: Path) -> list[Path]:
+    """The folders that builds have left that were killed; nobody writes into them while we have the lock."""
+    with os.scandir(out) as entries:
+        return sorted(
+            out / entry.name
+            for entry in entries
+            if entry.name.startswith(BESIDE) and _FOLDER.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False)
+        )
 
 
-def _missing(folder: Path) -> list[Path]:
-    """The folders that must be made for a folder to be there, the innermost first."""
-    return [above for above in (folder, *folder.parents) if not above.exists()]
-
-
-def _remove_empty(out: Path, folder: Path) -> None:
-    while folder != out and folder.is_dir() and not any(folder.iterdir()):
-        folder.rmdir()
-        folder = folder.parent
+def _described(folder: Path) -> str:
+    """What a build has left that was killed, for `build --check`."""
+    if any((folder / name).exists() for name in (COMPLETE, UNDO)):
+        return f"unfinished: {folder.name} (a build was interrupted while it moved files into place)"
+    return f"left over: {folder.name} (a build was interrupted before it moved any file)"

@@ -9,11 +9,12 @@ from pathlib import Path
 
 from fieldspec.audit.review import FILE, State, is_day, review_entry, states
 from fieldspec.audit.sources import section_order
-from fieldspec.commands import specs
-from fieldspec.commands.list_files import write
+from fieldspec.commands import regular_file, specs
+from fieldspec.commands.storing import alone, replace
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.facts import of_versions
 from fieldspec.layout.device import DeviceLayout
+from fieldspec.reading.findings import LARGEST_FILE
 from fieldspec.reading.project import DeviceSpec, read
 
 ALL = "all"
@@ -34,12 +35,12 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
     signed = _picked(states(of_versions(held)), arguments.sign)
     manual = held[-1].device.manual
     entry = review_entry(spec, signed, arguments.by.strip(), day, manual.sha256, manual.edition, arguments.how or "")
-    folder = specs.folder(arguments.specs)
+    folder = specs.writable(arguments.specs)
     path = folder / spec.id / FILE
-    before = _before(path)
-    text = (before or f"{_HEAD}reviews:\n") + entry
-    _must_be_sound(folder, spec.id, text)
-    write(path, text.encode("utf-8"))
+    with alone(path.parent):  # from reading to writing, so that no entry of another process is lost
+        text = (_before(path) or f"{_HEAD}reviews:\n") + entry
+        _must_be_sound(folder, spec.id, text)
+        replace(path, text.encode("utf-8"))
     count = sum(len(state.digests) for state in signed.values())
     print(f"{specs.relative_path(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}")
     return 0
@@ -58,7 +59,9 @@ def _picked(now: Mapping[str, State], name: str) -> dict[str, State]:
 def _before(path: Path) -> str:
     """What the file has; it must end with the list of reviews, so that an entry can follow."""
     try:
-        text = path.read_bytes().decode("utf-8") if path.exists() else ""
+        text = regular_file.content(path, LARGEST_FILE).decode("utf-8")
+    except FileNotFoundError:
+        return ""
     except OSError as error:
         raise UsageError(f"cannot read {path}: {error.strerror}") from None
     except UnicodeError:

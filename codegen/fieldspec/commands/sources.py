@@ -5,8 +5,10 @@ from __future__ import annotations
 import os
 
 from fieldspec.classes import TYPE_CHECKING
+from fieldspec.commands.regular_file import NO_LINK, IrregularError, SizeError, content
 from fieldspec.commands.usage import UsageError, unknown
-from fieldspec.reading.findings import MAIN, PROTOCOLS, VERSIONS
+from fieldspec.reading.findings import LARGEST_FILE, LARGEST_FOLDER, MAIN, MOST_FILES, PROTOCOLS, VERSIONS
+from fieldspec.source import Refused
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -15,6 +17,20 @@ FOLDER = "specs"
 VARIABLE = "FIELDSPEC_SPECS"
 INDEX = "manual.index"
 """The file of a device with the index of its manual, which audits are made from."""
+
+
+INSTALLED = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "_specs")
+"""The specs that an installation brings along. They are read, and nobody writes there."""
+
+
+def writable(given: str | None) -> str:
+    """The specs' folder for a verb that writes into it. Raises UsageError for that of the installation."""
+    path = folder(given)
+    if path == INSTALLED:
+        raise UsageError(
+            f"the specs that come with fieldspec are not changed; copy {INSTALLED} to a folder {FOLDER} of your own"
+        )
+    return path
 
 
 def folder(given: str | None) -> str:
@@ -30,45 +46,91 @@ def folder(given: str | None) -> str:
         if devices(path):
             return path
         above, last = os.path.dirname(above), above
-    path = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "_specs")
-    if os.path.isdir(path):
-        return path
+    if os.path.isdir(INSTALLED):
+        return INSTALLED
     raise UsageError(f"there is no folder {FOLDER} here or above; give it with --specs, or set {VARIABLE}")
 
 
 def devices(path: str | os.PathLike[str]) -> list[str]:
-    """The devices of a folder of specs, each of them a folder with a file of a fixed name."""
+    """The devices of a folder of specs, each of them a folder with a file of a fixed name, whatever that is."""
     try:
-        return sorted(name for name in _folder_entries(path) if os.path.isfile(os.path.join(path, name, MAIN)))
+        return sorted(name for name in _names(path) if os.path.lexists(os.path.join(path, name, MAIN)))
     except OSError:  # which nobody may look into
         return []
 
 
 def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> dict[str, bytes]:
-    """The files of specs below a folder by relative path; of all devices' folders, or of `only` some."""
+    """The files of specs below a folder by relative path; of all devices' folders, or of `only` some.
+
+    What is no regular file, lies outside the folder or is too large is not read: a `Refused` stands for it.
+    """
     found: dict[str, bytes] = {}
     try:
-        for device in sorted(_folder_entries(path)):
+        for device in sorted(_names(path)):
             if only and device not in only and device != PROTOCOLS:
                 continue
-            for inner in sorted(_of_specs(os.path.join(path, device))):
-                with open(os.path.join(path, device, inner), "rb") as file:
-                    found[f"{device}/{inner}"] = file.read()
+            left = LARGEST_FOLDER
+            for number, (inner, file, linked) in enumerate(sorted(_of_specs(os.path.join(path, device)))):
+                content = _content(path, file, linked, left, number)
+                left -= 0 if isinstance(content, Refused) else len(content)
+                found[f"{device}/{inner}"] = content
+                if number == MOST_FILES:
+                    break
     except OSError as error:
         raise UsageError(f"cannot read {error.filename}: {error.strerror}") from None
     return found
 
 
-def _of_specs(path: str) -> Iterator[str]:
-    """The files of a device's folder that are specs, or the index of its manual."""
+def _content(root: str | os.PathLike[str], path: str, linked: bool, left: int, number: int) -> bytes:
+    """The bytes of a spec file, or what stands for them; `left` is how many bytes the folder may still have."""
+    most = min(left, LARGEST_FILE)
+    if number >= MOST_FILES:
+        return Refused.because("file_too_large", f"the folder has more than {MOST_FILES} files", "take some out of it")
+    try:
+        if linked and _leads_out(root, path):
+            return Refused.because("file_regular", "the file is a link that leads out of the specs' folder", _COPY)
+        return content(path, most, 0 if linked else NO_LINK)
+    except SizeError as error:
+        if most < LARGEST_FILE:
+            text = f"the files of this folder have more than {LARGEST_FOLDER} bytes together"
+            return Refused.because("file_too_large", text, "take some out of it")
+        text = f"the file has {error.size} bytes; a spec file may have {LARGEST_FILE}"
+        return Refused.because("file_too_large", text, "split it over several files")
+    except IrregularError as error:
+        return Refused.because("file_regular", f"the file cannot be read: {error.strerror}", _COPY)
+    except FileNotFoundError:
+        return Refused.because("file_regular", "the file is a link that leads nowhere", _COPY)
+
+
+_COPY = "put a regular file in its place"
+
+
+def _leads_out(root: str | os.PathLike[str], path: str) -> bool:
+    """Whether a file, or a folder on the way to it, is a link to what lies outside the specs' folder."""
+    return not os.path.realpath(path).startswith(os.path.join(os.path.realpath(root), ""))
+
+
+def _of_specs(path: str) -> Iterator[tuple[str, str, bool]]:
+    """The files of a device's folder that are specs, or the index of its manual.
+
+    Each is its path within the folder, the one by which it is opened, and whether there is a symbolic link on the way.
+    """
+    within = os.path.islink(path)
     for folder in ("", VERSIONS):
-        for name in _folder_entries(os.path.join(path, folder)):
-            hidden = name.startswith(".")  # what editors leave beside a file
-            if not hidden and (name.endswith(".yaml") or (name == INDEX and not folder)):
-                yield f"{folder}/{name}" if folder else name
+        inner = os.path.join(path, folder)
+        linked = within or (folder != "" and os.path.islink(inner))
+        try:
+            with os.scandir(inner) as entries:
+                for entry in entries:
+                    name = entry.name
+                    hidden = name.startswith(".")  # what editors leave beside a file
+                    if not hidden and (name.endswith(".yaml") or (name == INDEX and not folder)):
+                        yield f"{folder}/{name}" if folder else name, entry.path, linked or entry.is_symlink()
+        except (FileNotFoundError, NotADirectoryError):
+            continue
 
 
-def _folder_entries(path: str | os.PathLike[str]) -> list[str]:
+def _names(path: str | os.PathLike[str]) -> list[str]:
     """The names in a folder; none where there is no such folder."""
     try:
         return os.listdir(path)

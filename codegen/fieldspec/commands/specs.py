@@ -24,12 +24,18 @@ __all__ = [
     "spec_at",
     "split",
     "unsound",
+    "writable",
 ]
 
 
 def folder(given: str | None) -> Path:
     """The specs' folder, as `sources` finds it."""
     return Path(sources.folder(given))
+
+
+def writable(given: str | None) -> Path:
+    """The specs' folder for a verb that writes into it, as `sources` finds it."""
+    return Path(sources.writable(given))
 
 
 def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project:

@@ -15,6 +15,7 @@ from fieldspec.backends import OUTPUTS
 from fieldspec.classes import TYPE_CHECKING, dataclass, field, replace
 from fieldspec.commands.fresh import Hashes, digest, lying
 from fieldspec.commands.placing import Beside
+from fieldspec.commands.usage import UsageError
 from fieldspec.diagnostics import Diagnostic, has_errors
 from fieldspec.proofs.running import Outcome, outcome
 from fieldspec.reading.project import DeviceSpec, Project
@@ -94,14 +95,27 @@ def carried_out(work: Work, tasks: Sequence[Task], size: int) -> list[Done]:
 
 def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[Done]:
     from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
     from multiprocessing import get_context
 
+    ends = [*os.pipe()]
     try:
-        pool = ProcessPoolExecutor(min(processes, len(tasks)), get_context("fork"), _start, (work,))
-    except OSError:  # the system has no semaphores for us
-        return [carry_out(work, task) for task in tasks]
-    with pool:
-        return list(pool.map(_carry_out, tasks))
+        number = min(processes, len(tasks))
+        try:
+            pool = ProcessPoolExecutor(number, get_context("fork"), _start, (work, ends[0], ends[1]))
+        except OSError:  # the system has no semaphores for us
+            return [carry_out(work, task) for task in tasks]
+        with pool:
+            try:
+                return list(pool.map(_carry_out, tasks))
+            except KeyboardInterrupt:
+                os.close(ends.pop())  # which ends the others at once
+                raise
+    except BrokenProcessPool:
+        raise UsageError("a process of the build was killed, perhaps for want of memory; nothing was changed") from None
+    finally:
+        for end in ends:
+            os.close(end)
 
 
 def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
@@ -175,9 +189,22 @@ def settled(work: Work, files: Mapping[str, bytes], stale: list[str]) -> Hashes:
 _work_at_hand: Work
 
 
-def _start(work: Work) -> None:
+def _start(work: Work, reading: int, writing: int) -> None:
+    """Begins a process that ends with its parent, however that ends: only the parent has what writes into the pipe."""
+    import signal
+    from threading import Thread
+
     global _work_at_hand
     _work_at_hand = work
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent gets it too
+    os.close(writing)
+    Thread(target=_end_with_parent, args=(reading,), daemon=True).start()
+
+
+def _end_with_parent(reading: int) -> None:
+    """Waits until nobody can write into a pipe any more."""
+    os.read(reading, 1)
+    os._exit(1)
 
 
 def _carry_out(task: Task) -> Done:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.lists.cells import address_text
 from fieldspec.lists.sheet import ListError, Sheet, SheetRow, letters
 
+_LONGEST = 200
 _HEADED_BY = 40
 """In how many rows the heading is looked for."""
 
@@ -163,7 +164,7 @@ def _without_heading(sheet: Sheet, given: Mapping[str, str]) -> Columns:
     first = sheet.rows[0]
     width = max(len(row.cells) for row in sheet.rows)
     heads = first.cells if _is_heading(first) else ()
-    shown = ", ".join(cell for cell in heads if cell) or "no headings"
+    shown = headings_shown(heads)
     places = {}
     for role, text in given.items():
         place = _placed(heads, text) if heads else None
@@ -194,3 +195,11 @@ def _refuse_unreadable(sheet: Sheet, found: Columns, given: Mapping[str, str]) -
         touched = [column for column in used if area.first_column <= column <= area.last_column]
         if touched and area.last_row >= first and area.last_row > area.first_row:
             raise ListError(f"has merged cells {area.text()}; undo the merge and fill each cell")
+
+
+def headings_shown(headings: Iterable[str]) -> str:
+    """The headings of a file for a message, which stays one that a person can read."""
+    shown = ", ".join(text for text in headings if text)
+    if not shown:
+        return "no headings"
+    return shown if len(shown) <= _LONGEST else f"{shown[:_LONGEST]}..."

@@ -9,6 +9,8 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.lists.cells import HEXADECIMAL, address_text, base_of_heading
+from fieldspec.lists.columns import headings_shown
+from fieldspec.lists.json_text import json_data
 from fieldspec.lists.listing import Listing, listing
 from fieldspec.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.lists.text_sheet import decoded
@@ -64,10 +66,7 @@ def object_sheet(content: bytes, encoding: str = "") -> Sheet | None:
     """The sheet in a JSON object of addresses and values; None where the file is no object."""
     if not content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
         return None
-    try:
-        pairs = json.loads(decoded(content, encoding), object_pairs_hook=list)
-    except (ValueError, RecursionError):
-        raise ListError("begins like JSON and is none") from None
+    pairs = json_data(decoded(content, encoding), list)
     if len(pairs) > MOST_ROWS:
         raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")
     rows = [SheetRow(1, ("address", "value"))]
@@ -89,7 +88,7 @@ def dump(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Dump:
         given = {**given, "address": "1", "value": "2"}
     held = listing(sheet, given, base)
     if "value" not in held.columns.places:
-        shown = ", ".join(text for text in held.columns.headings if text) or "no headings"
+        shown = headings_shown(held.columns.headings)
         raise ListError(f"has no column that looks like values ({shown}); name it with --value, by heading or number")
     texts = {row.number: held.columns.cell(row, "value") for row, _ in held.addresses}
     lettered = any(_lettered(piece) for text in texts.values() for piece in _pieces(text))

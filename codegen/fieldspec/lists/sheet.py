@@ -7,6 +7,8 @@ from fieldspec.classes import dataclass
 MOST_BYTES = 32 << 20
 MOST_ROWS = 100_000
 MOST_COLUMNS = 1_000
+MOST_CELLS = 500_000
+"""Cells of the smallest rectangle that holds a sheet; all of them are in memory at a time."""
 
 
 class ListError(Exception):

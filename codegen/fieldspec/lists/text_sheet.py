@@ -8,7 +8,9 @@ import io
 import json
 import re
 from collections import Counter
+from collections.abc import Iterator
 
+from fieldspec.lists.json_text import json_data
 from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.spreadsheet import clean
 
@@ -27,6 +29,7 @@ _KNOWN_BINARIES = (
 )
 _SEPARATORS = ("\t", ";", ",", "|")
 _LOOKED_AT = 60
+_LONGEST_ROW = 1 << 20
 _RULE = re.compile(r"[|+:=\s-]+")
 
 
@@ -37,17 +40,18 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
         raise ListError("is empty")
     if text.lstrip()[0] == "[":
         return _of_json(text)
-    lines = text.splitlines(keepends=True)
-    separator = _separator(lines)
+    separator = _separator([line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)])
     bars = separator == "|"
     rows = []
+    size = [0]
     reader = csv.reader(
-        io.StringIO(text, newline=""), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
+        _bounded(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
     )
     number = 0
     try:
         for cells in reader:
             number += 1
+            size[0] = 0
             if number > MOST_ROWS:
                 raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
             if len(cells) > MOST_COLUMNS:
@@ -62,6 +66,15 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     except csv.Error as error:
         raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
     return Sheet(tuple(rows), number)
+
+
+def _bounded(text: str, size: list[int]) -> Iterator[str]:
+    """The lines of a text; `size` counts the characters of a row, which may be of several lines, and is bounded."""
+    for line in io.StringIO(text, newline=""):
+        size[0] += len(line)
+        if size[0] > _LONGEST_ROW:
+            raise ListError(f"has a row with more than {_LONGEST_ROW} characters; a list of registers has shorter ones")
+        yield line
 
 
 def decoded(content: bytes, encoding: str = "") -> str:
@@ -93,7 +106,7 @@ def decoded(content: bytes, encoding: str = "") -> str:
 
 def _separator(lines: list[str]) -> str:
     """The separator that gives the most rows of one length; a table with bars around it has bars."""
-    looked_at = [line for line in lines[:_LOOKED_AT] if line.strip()]
+    looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
     best, most = ",", (0, 0)
@@ -110,10 +123,7 @@ def _separator(lines: list[str]) -> str:
 
 def _of_json(text: str) -> Sheet:
     """The sheet of a list of objects; its columns are their keys."""
-    try:
-        data = json.loads(text)
-    except (ValueError, RecursionError):
-        raise ListError("begins like JSON and is none") from None
+    data = json_data(text)
     if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
         raise ListError("is JSON, and no list of objects")
     if len(data) > MOST_ROWS:

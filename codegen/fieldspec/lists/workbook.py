@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import io
-import zipfile
 from typing import TYPE_CHECKING
 
 from fieldspec.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Region, Sheet, SheetRow
+from fieldspec.lists.workbook_size import check_workbook
 from fieldspec.spreadsheet import clean
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
-_MOST_UNPACKED = 256 << 20
-_DECLARATIONS = (b"<!DOCTYPE", b"<!ENTITY")
 
 
 def workbook_sheet(content: bytes, named: str = "") -> Sheet:
     """A sheet of a workbook: the one with a name, or the first that is not empty."""
-    _harmless(content)
+    check_workbook(content)
     import openpyxl
 
     try:
@@ -37,24 +35,6 @@ def workbook_sheet(content: bytes, named: str = "") -> Sheet:
         if made.rows:
             return made
     raise ListError("is empty")
-
-
-def _harmless(content: bytes) -> None:
-    """Refuses what would unpack to far more than a list, or declares entities."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as packed:
-            parts = packed.infolist()
-            if sum(part.file_size for part in parts) > _MOST_UNPACKED:
-                raise ListError("unpacks to more than a list of registers holds")
-            if "xl/workbook.xml" not in packed.namelist():
-                raise ListError("is packed, and no workbook; give a CSV or XLSX file")
-            for part in parts:
-                if part.filename.endswith((".xml", ".rels")) and any(
-                    sign in packed.read(part)[:4096] for sign in _DECLARATIONS
-                ):
-                    raise ListError("declares entities, which no workbook needs; save it as CSV")
-    except (zipfile.BadZipFile, zipfile.LargeZipFile, EOFError, RuntimeError, ValueError, OSError):
-        raise ListError("is a workbook that is cut off or protected; save it anew as .xlsx, or as CSV") from None
 
 
 def _sheet(sheet: Worksheet) -> Sheet:

@@ -10,6 +10,13 @@ PROTOCOLS = "protocols"
 MAIN = "device.yaml"
 VERSIONS = "versions"
 
+LARGEST_FILE = 16 * 1024 * 1024
+"""Bytes of a spec file."""
+LARGEST_FOLDER = 32 * 1024 * 1024
+"""Bytes of all files of a device, or of all protocols."""
+MOST_FILES = 1000
+"""Files of a device, or of all protocols."""
+
 
 MOST_FINDINGS = 200
 """How many findings of one kind of trouble are listed; more of them help nobody."""

@@ -103,6 +103,15 @@ _NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
 _NOT_OF_A_PROTOCOL = ("device", "versions", "accepts", "audit", "reviews", *_OF_A_VERSION)
 
 
+DEEPEST_USE = 16
+"""How many protocols may use each other in a row."""
+MOST_USES = 100
+"""Protocols that a device or a protocol may use."""
+MOST_OVERLAYS = 250
+"""Versions of a device that may be written as changes of others, a file each."""
+LARGEST_VERSIONS = 32 * 1024 * 1024
+"""Bytes of the files of a device, once for each of its versions: what reading all versions takes grows with it."""
+
 JOINT = "+"
 """What stands between versions of different lines that are picked together."""
 
@@ -237,10 +246,21 @@ class _Reader:
             return None
         self.uses[""] = set()
         files = {path.rpartition("/")[2].removesuffix(".yaml"): tree for path, tree in others.items() if tree}
+        if len(files) > MOST_OVERLAYS:
+            text = f"the device has {len(files)} files of versions; there may be {MOST_OVERLAYS}"
+            help = "write the oldest version that is still in use as the base, and remove those before it"
+            span = Span([*files.values()][MOST_OVERLAYS].file, 0, 1)
+            self.found.append(Diagnostic("versions_bounded", text, span, help=help))
+            return None
         versions, whole = overlays(files, self._with_protocols(whole, ()))
         self.found += bounded(versions.findings)
         lines = Lines(whole)
         self.found += bounded(lines.found) + bounded(lines.unknown(whole))
+        if len(lines.place) * sum(len(self.files[path]) for path in own) > LARGEST_VERSIONS:
+            text = f"{len(lines.place)} versions of a spec of this size are more than can be read"
+            help = "remove versions that are not in use any more"
+            self.found.append(Diagnostic("versions_bounded", text, key_span(whole, "versions"), help=help))
+            return None
         layers: dict[str, Mapping] = {}
         silent = Silent()
         for version, overlay in versions.trees.items():
@@ -260,8 +280,12 @@ class _Reader:
 
     def _used(self, name: str) -> set[str]:
         """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""
-        own = self.uses.get(name, set())
-        return own.union(*(self._used(one) for one in own))
+        used: set[str] = set()
+        waiting = {name}
+        while waiting:
+            waiting = {one for name in waiting for one in self.uses.get(name, ())} - used
+            used |= waiting
+        return used
 
     def _placed(self, tree: Mapping, head: Mapping, name: str, foreign: tuple[str, ...]) -> None:
         """Finds an id that is not the name of the folder or file, and sections that mean nothing there."""
@@ -278,6 +302,11 @@ class _Reader:
     def _with_protocols(self, tree: Mapping, within: tuple[str, ...]) -> Mapping:
         """The tree laid over every protocol that it uses."""
         uses = tree.values.get("uses")
+        if isinstance(uses, Sequence) and len(uses.items) > MOST_USES:
+            text = f"{len(uses.items)} protocols are used here; there may be {MOST_USES}"
+            help = "join protocols that go together into one"
+            self.found.append(Diagnostic("uses_bounded", text, uses.items[MOST_USES].span, help=help))
+            return tree
         for use in uses.items if isinstance(uses, Sequence) else ():
             if not isinstance(use, Mapping):
                 continue
@@ -296,6 +325,11 @@ class _Reader:
             chain = " -> ".join((*within, name.text))
             text = f"the protocol uses itself: {chain}"
             self.found.append(Diagnostic("import_cycle", text, name.span, help="remove one of these uses"))
+            return None
+        if len(within) >= DEEPEST_USE and name.text not in self.protocols:
+            text = f"more than {DEEPEST_USE} protocols use each other in a row"
+            help = "let a protocol use those that it needs itself"
+            self.found.append(Diagnostic("uses_bounded", text, name.span, help=help))
             return None
         path = f"{PROTOCOLS}/{name.text}.yaml"
         if path not in self.files:

@@ -67,7 +67,16 @@ Example: `uses: [{protocol: wires}]` where the file is `protocols/wire.yaml`.
 
 Cure: Put the name right, or write the file.
 """,
-    "file_too_large": """A spec file has at most 16 MiB and two million values.
+    "file_regular": """A spec file is a regular file within the folder of the specs.
+
+Why: a pipe can wait for ever and a device can go on for ever. What lies behind a link that leads out of the folder is
+not of the specs, and no finding may quote it.
+
+Example: `device.yaml` is a symbolic link to `/etc/passwd`.
+
+Cure: Put the file itself into the folder.
+""",
+    "file_too_large": """A spec file has at most 16 MiB and two million values, a folder 1000 files and 32 MiB.
 
 Why: what is larger is no spec that a person wrote.
 
@@ -235,6 +244,14 @@ Example: `access: readonly`
 
 Cure: Use one of the words that the finding lists.
 """,
+    "uses_bounded": """A device or a protocol uses at most 100 protocols, and at most 16 use each other in a row.
+
+Why: a folder of specs must be read in bounded time, whoever has written it.
+
+Example: a protocol that uses a protocol that uses a protocol, seventeen times.
+
+Cure: Join protocols that go together, and let each use those that it needs itself.
+""",
     "version_twice": """A version is declared once, and has one place on its line.
 
 Why: `since` and `until` have to mean one place in one line.
@@ -250,6 +267,14 @@ Why: a fact that holds from an unknown version on holds never or always.
 Example: `since: "2.00"` where the version is called `2.0`.
 
 Cure: Put the identifier right, or declare the version.
+""",
+    "versions_bounded": """A device has at most 250 files of versions, and 32 MiB, counted once for each version.
+
+Why: each version is made of the files anew, so that many versions of a large spec take long to read.
+
+Example: a file in `versions/` for each day of a year.
+
+Cure: Make a version that is in use the base, and remove the files of those before it.
 """,
     "wrong_form": """A value is written in the form that its key asks for.
 

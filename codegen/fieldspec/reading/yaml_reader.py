@@ -27,16 +27,18 @@ from yaml.events import (
 )
 
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.reading.findings import quoted
+from fieldspec.reading.findings import LARGEST_FILE, quoted
 from fieldspec.reading.nodes import ALL_THERE, Mapping, Node, Scalar, Sequence, copied
-from fieldspec.source import SourceFile, Span
+from fieldspec.source import Refused, SourceFile, Span
 
-LARGEST_FILE = 16 * 1024 * 1024
 LARGEST_TREE = 2_000_000
 DEEPEST_TREE = 64
 
-# All that YAML does not print, of what UTF-8 can encode.
-_CONTROL = re.compile("[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x84\\x86-\\x9f\\ufffe\\uffff]")
+# The code points that Unicode keeps from being characters: neither HTML nor XML may have them.
+_NO_CHARACTERS = "\\ufdd0-\\ufdef" + "".join(chr(plane << 16 | low) for plane in range(17) for low in (0xFFFE, 0xFFFF))
+_NO_CHARACTER = re.compile(f"[{_NO_CHARACTERS}]")
+# With them, all that YAML does not print, of what UTF-8 can encode.
+_CONTROL = re.compile(f"[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x84\\x86-\\x9f{_NO_CHARACTERS}]")
 _HALF = re.compile("[\ud800-\udfff]")
 _TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
 
@@ -54,7 +56,10 @@ _Parser = yaml._yaml.CParser if yaml.__with_libyaml__ else yaml.Loader
 
 
 def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
-    """The text of a file, which must be UTF-8 and not larger than `LARGEST_FILE` bytes."""
+    """The text of a file, which must be UTF-8 with at most `LARGEST_FILE` bytes; one that was refused has none."""
+    if isinstance(data, Refused):
+        file = SourceFile(path, "")
+        return file, [Diagnostic(data.code, data.decode(), Span(file, 0, 0), help=data.help)]
     if len(data) > LARGEST_FILE:
         file = SourceFile(path, "")
         text = f"the file has {len(data)} bytes; a spec file may have {LARGEST_FILE}"
@@ -71,9 +76,14 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
     file = SourceFile(path, text)
     bad = _CONTROL.search(text)
     if bad is not None:
-        message = f"control character {ord(bad[0]):#04x}"
+        message = f"{_kind(bad[0])} {ord(bad[0]):#04x}"
         return file, [Diagnostic("yaml_syntax", message, Span(file, *bad.span()), help="remove it")]
     return file, []
+
+
+def _kind(sign: str) -> str:
+    """What a code point is that no text has."""
+    return "control character" if ord(sign) < 0xA0 else "code point that is no character,"
 
 
 def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
@@ -174,13 +184,22 @@ class _Builder:
             node = self._sequence(event, depth)
         else:
             assert isinstance(event, ScalarEvent)
-            if event.style == '"' and _HALF.search(event.value):
-                self._refuse("yaml_syntax", "an escape names half a character", event, "write the character itself")
+            if event.style == '"':
+                self._escapes(event)
             node = Scalar(self.file, *_bounds(event), event.value, not event.implicit[0])
         if event.anchor:
             self.anchors[event.anchor] = node
             self.sizes.pop(event.anchor, None)
         return node
+
+    def _escapes(self, event: ScalarEvent) -> None:
+        """Refuses escapes for what no text has, which some outputs could not show."""
+        if _HALF.search(event.value):
+            self._refuse("yaml_syntax", "an escape names half a character", event, "write the character itself")
+        bad = _NO_CHARACTER.search(event.value)
+        if bad is not None:
+            text = f"an escape names a {_kind(bad[0])} {ord(bad[0]):#04x}"
+            self._refuse("yaml_syntax", text, event, "say in words what it is")
 
     def _grow(self, event: Event, values: int, depth: int) -> None:
         """Counts the values of a node, whose deepest one stands at a depth."""

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from itertools import zip_longest
 
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
+from fieldspec.classes import replace
 from fieldspec.lists.packing import workbook
 from fieldspec.model.fact import Citation
 from fieldspec.render import json as findings_json
@@ -97,6 +98,8 @@ def as_json(table: SectionTable) -> bytes:
 _WIDEST = 240
 _NAMING = 2
 """How many columns, the first ones, tell a row from the others."""
+_MOST_ROWS = 500
+"""Rows of a table that a person reads."""
 _STYLES = {"good": "green", "bad": "red", "warning": "yellow", "": ""}
 
 
@@ -118,7 +121,10 @@ def _section_blocks(section: Section, everything: bool) -> Iterator[Block]:
         if table.rows and (everything or not table.detail):
             yield Line("")
             yield Line(table.title)
-            yield from table_blocks(table)
+            rows = table.rows if everything else table.rows[:_MOST_ROWS]
+            yield from table_blocks(replace(table, rows=rows, kinds=table.kinds[: len(rows)]))
+            if len(rows) < len(table.rows):
+                yield Line(f"and {len(table.rows) - len(rows)} more; --table {table.name} has all of them")
 
 
 def _style(figure: Figure) -> str:

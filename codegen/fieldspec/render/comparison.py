@@ -16,6 +16,8 @@ from fieldspec.spreadsheet import guarded
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}
 _MOST_ROWS = 10
+_MOST_ROWS = 200
+"""Rows of a table that a person reads."""
 
 
 def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
@@ -107,7 +109,9 @@ def _section(title: str, headings: tuple[str, ...], rows: list[tuple[str, ...]])
     if rows:
         yield Line("")
         yield Line(f"{title}:", "bold")
-        yield Table(headings, tuple(rows))
+        yield Table(headings, tuple(rows[:_MOST_ROWS]))
+        if len(rows) > _MOST_ROWS:
+            yield Line(f"and {len(rows) - _MOST_ROWS} more; --format csv or json has all of them")
 
 
 def _differing(result: Compared) -> list[tuple[str, ...]]:

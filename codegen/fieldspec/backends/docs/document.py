@@ -205,7 +205,13 @@ def clean(text: str) -> str:
     if text.isprintable() and "  " not in text:
         return text
     text = _BLANKS.sub(" ", text)
-    return "".join(_visible(char) if unicodedata.category(char) in ("Cc", "Cs") else char for char in text)
+    return "".join(_visible(char) if _forbidden(char) else char for char in text)
+
+
+def _forbidden(char: str) -> bool:
+    """Whether HTML forbids a character: a control character, half a character, or a code point that is no character."""
+    code = ord(char)
+    return unicodedata.category(char) in ("Cc", "Cs") or code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
 
 
 def _visible(char: str) -> str:

@@ -1,0 +1,83 @@
+"""Bytes of regular files, bounded in size before any of them is read.
+
+A pipe can wait for ever, a device can go on for ever, and a sparse file can claim to be larger than the memory. So a
+file is opened in a way that does not wait, and looked at before it is read.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+
+_READ = (
+    os.O_RDONLY
+    | getattr(os, "O_NONBLOCK", 0)  # a pipe does not wait
+    | getattr(os, "O_NOCTTY", 0)
+    | getattr(os, "O_BINARY", 0)
+    | getattr(os, "O_CLOEXEC", 0)
+)
+NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+"""The flag of `content` for a path whose last step must not be a symbolic link."""
+
+_KINDS = (
+    (stat.S_ISDIR, "a folder"),
+    (stat.S_ISFIFO, "a pipe"),
+    (stat.S_ISSOCK, "a socket"),
+    (stat.S_ISLNK, "a symbolic link"),
+)
+
+
+class IrregularError(OSError):
+    """A file that is not read: `strerror` says what it is instead of a regular file."""
+
+
+class SizeError(OSError):
+    """A file with more bytes than are read; `size` is how many it has, as far as that is known."""
+
+    size = 0
+
+
+def content(path: str | os.PathLike[str], most: int, flags: int = 0) -> bytes:
+    """The bytes of a regular file that has at most `most` of them.
+
+    Raises IrregularError, SizeError, and any other OSError of the system; each names the file.
+    """
+    try:
+        number = os.open(path, _READ | flags)
+    except OSError as error:
+        if error.errno in (errno.ELOOP, errno.ENXIO):  # a link, and a socket
+            regular(os.lstat(path), path, most)
+        raise
+    try:
+        size = regular(os.fstat(number), path, most)
+        parts = []
+        left = most + 1
+        while left > 0 and (part := os.read(number, min(size + 1, left))):
+            parts.append(part)
+            left -= len(part)
+    finally:
+        os.close(number)
+    if not left:
+        raise _too_large(path, most, most + 1)
+    return b"".join(parts) if len(parts) != 1 else parts[0]
+
+
+def regular(state: os.stat_result, path: str | os.PathLike[str], most: int) -> int:
+    """The size of a file in bytes. Raises IrregularError or SizeError for one that is not to be read."""
+    if not stat.S_ISREG(state.st_mode):
+        raise _irregular(state.st_mode, path)
+    if state.st_size > most:
+        raise _too_large(path, most, state.st_size)
+    return state.st_size
+
+
+def _irregular(mode: int, path: str | os.PathLike[str]) -> IrregularError:
+    kind = next((name for has, name in _KINDS if has(mode)), "a device")
+    return IrregularError(errno.EINVAL, f"it is {kind}, not a regular file", os.fspath(path))
+
+
+def _too_large(path: str | os.PathLike[str], most: int, size: int) -> SizeError:
+    error = SizeError(errno.EFBIG, f"it has more than {most} bytes", os.fspath(path))
+    error.size = size
+    return error

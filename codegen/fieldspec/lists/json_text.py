@@ -1,0 +1,51 @@
+"""JSON that is counted before it is read: a short text can be nested deeper, or hold more, than there is memory for."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from typing import Any
+
+from fieldspec.lists.sheet import ListError
+
+DEEPEST = 16
+MOST_VALUES = 2_000_000
+
+_SIGN = re.compile(r'["\\\[\]{},]')
+
+
+def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = None) -> Any:
+    """The data of a JSON text; `pairs` makes something of the pairs of an object. Raises ListError."""
+    _count(text)
+    try:
+        return json.loads(text, object_pairs_hook=pairs)
+    except (ValueError, RecursionError):
+        raise ListError("begins like JSON and is none") from None
+
+
+def _count(text: str) -> None:
+    """Refuses a text with too many values or levels."""
+    depth = values = escaped = 0
+    within = False
+    for found in _SIGN.finditer(text):
+        sign, at = found[0], found.start()
+        if at < escaped:
+            continue
+        if sign == "\\":
+            escaped = at + 2
+        elif sign == '"':
+            within = not within
+        elif within:
+            continue
+        elif sign == ",":
+            values += 1
+        elif sign in "[{":
+            depth += 1
+            values += 1
+        else:
+            depth -= 1
+        if depth > DEEPEST:
+            raise ListError(f"is JSON that is nested more than {DEEPEST} levels deep; a list of registers is not")
+        if values > MOST_VALUES:
+            raise ListError(f"is JSON with more than {MOST_VALUES} values; a list of registers has fewer")

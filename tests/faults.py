@@ -1,0 +1,115 @@
+"""Faults at the n-th operation on files: what a full disk, a defect, an interrupt or `kill -9` does there.
+
+The functions of `os` that change files count their calls. At the n-th one, a fault takes place instead of it, or in the
+middle of it; what follows goes on as usual, or fails too where the fault lasts.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+
+CHANGING = ("open", "write", "fsync", "replace", "rename", "link", "unlink", "remove", "mkdir", "rmdir")
+
+
+@dataclass
+class Fault:
+    """A fault by name. `error` is what the operation raises, none for `kill`; it `lasts` for all operations behind."""
+
+    name: str
+    error: BaseException | None = None
+    lasts: bool = False
+    half: bool = False
+    only: tuple[str, ...] = CHANGING
+
+    def strike(self, call: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
+        """Does what happens in place of an operation."""
+        if self.half and call.__name__ == "write":
+            call(arguments[0], arguments[1][: len(arguments[1]) // 2])
+        if self.error is None:
+            os.kill(os.getpid(), signal.SIGKILL)
+        else:
+            raise self.error
+
+
+def failure(number: int) -> OSError:
+    return OSError(number, os.strerror(number))
+
+
+FAULTS = (
+    Fault("kill"),
+    Fault("kill in the middle of a write", half=True),
+    Fault("defect", failure(errno.EIO)),
+    Fault("full disk", failure(errno.ENOSPC), half=True, lasts=True, only=("write", "mkdir", "link", "fsync")),
+    Fault("read-only", failure(errno.EROFS), lasts=True),
+    Fault("interrupt", KeyboardInterrupt()),
+)
+
+
+@dataclass
+class Operations:
+    """The operations so far; at the one with number `at`, counted from 1, a fault strikes."""
+
+    fault: Fault | None = None
+    at: int = 0
+    seen: list[str] = field(default_factory=list)
+
+    def replaced(self, name: str) -> Callable[..., Any]:
+        call = getattr(os, name)
+
+        def counted(*arguments: Any, **named: Any) -> Any:
+            if name == "open" and not arguments[1] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
+                return call(*arguments, **named)
+            if name == "write" and arguments[0] <= 2:
+                return call(*arguments, **named)
+            if self.fault is not None and name in self.fault.only:
+                self.seen.append(name)
+                if len(self.seen) == self.at or (self.fault.lasts and len(self.seen) > self.at > 0):
+                    self.fault.strike(call, arguments)
+            elif self.fault is None:
+                self.seen.append(name)
+            return call(*arguments, **named)
+
+        counted.__name__ = name
+        return counted
+
+
+@contextmanager
+def operations(fault: Fault | None = None, at: int = 0) -> Iterator[Operations]:
+    """Counts operations, with a fault at one of them."""
+    made = Operations(fault, at)
+    with pytest.MonkeyPatch.context() as patch:
+        for name in CHANGING:
+            patch.setattr(os, name, made.replaced(name))
+        yield made
+
+
+def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
+    """Does some work in a process of its own, with a fault at an operation; whether there were so many operations."""
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        reached = False
+        try:
+            with open(os.devnull, "w") as nowhere:
+                os.dup2(nowhere.fileno(), 1)
+                os.dup2(nowhere.fileno(), 2)
+            with operations(fault, at) as made:
+                with suppress(KeyboardInterrupt, Exception):
+                    work()
+                reached = len(made.seen) >= at
+        finally:
+            os.write(writing, b"1" if reached else b"0")
+            os._exit(0)
+    os.close(writing)
+    said = os.read(reading, 1)
+    os.close(reading)
+    _, status = os.waitpid(child, 0)
+    return os.WIFSIGNALED(status) or said == b"1"

@@ -1,0 +1,70 @@
+"""The same specs give the same bytes, whatever the hash seed, locale, time zone, folder, umask or order of names."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+SPECS = Path(__file__).resolve().parent.parent / "specs"
+DEVICES = ("esc11", "protocols")
+
+SETTINGS: dict[str, Mapping[str, str]] = {
+    "as it is": {"PYTHONHASHSEED": "1"},
+    "hash seed": {"PYTHONHASHSEED": "4242"},
+    "locale": {"LC_ALL": "tr_TR.UTF-8", "LANG": "tr_TR.UTF-8", "PYTHONUTF8": "0"},
+    "no locale": {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+    "time zone": {"TZ": "Pacific/Kiritimati"},
+    "optimized": {"PYTHONOPTIMIZE": "2"},
+    "epoch": {"SOURCE_DATE_EPOCH": "1"},
+    "umask": {"UMASK": "077"},
+    "order of names": {"REVERSED": "1"},
+    "width of the terminal": {"COLUMNS": "20", "LINES": "5"},
+}
+RUN = """
+import os, sys
+os.umask(int(os.environ.get("UMASK", "022"), 8))
+if "REVERSED" in os.environ:
+    listdir, scandir = os.listdir, os.scandir
+    class Reversed(list):
+        def __enter__(self): return self
+        def __exit__(self, *raised): pass
+        def close(self): pass
+        def __next__(self):
+            if not self: raise StopIteration
+            return self.pop(0)
+    os.listdir = lambda *given: listdir(*given)[::-1]
+    os.scandir = lambda *given: Reversed(list(scandir(*given))[::-1])
+from fieldspec.cli import main
+sys.exit(main())
+"""
+
+
+def built(folder: Path, setting: Mapping[str, str]) -> dict[str, bytes]:
+    """All outputs of a device, built in a folder of its own."""
+    for device in DEVICES:
+        shutil.copytree(SPECS / device, folder / "specs" / device)
+    environment = {**os.environ, "FIELDSPEC_CACHE": str(folder / "cache"), **setting}
+    done = subprocess.run(
+        [sys.executable, "-c", RUN, "build"], cwd=folder, env=environment, capture_output=True, check=False
+    )
+    assert done.returncode == 0, done.stdout.decode() + done.stderr.decode()
+    out = folder / "generated"
+    return {path.relative_to(out).as_posix(): path.read_bytes() for path in out.rglob("*") if path.is_file()}
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    return built(tmp_path_factory.mktemp("a"), {"PYTHONHASHSEED": "0"})
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_outputs_are_the_same_bytes(name: str, expected: dict[str, bytes], tmp_path: Path) -> None:
+    found = built(tmp_path / "a longer name with blanks, ä", SETTINGS[name])
+    assert sorted(found) == sorted(expected)
+    assert [path for path in found if found[path] != expected[path]] == []

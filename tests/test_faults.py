@@ -1,0 +1,265 @@
+"""Whatever happens at whichever operation on files: outputs are the old or the new ones, and the next run repairs."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from faults import FAULTS, Fault, struck
+from fieldspec.cli import main
+from fieldspec.commands import fresh, working
+from fieldspec.commands.placing import Beside
+from fieldspec.commands.storing import BESIDE
+from fieldspec.commands.usage import UsageError
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
+
+SPECS = Path(__file__).resolve().parent / "specs"
+MOST = 2000
+STEP = int(os.environ.get("FAULT_STEP", "7"))
+"""A whole build is struck at each so many operations; `make soak` strikes at each."""
+
+State = dict[str, bytes]
+
+
+def state(folder: Path) -> State:
+    """The files of a folder, and its empty folders, but for what is there only while something is written."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() if path.is_file() else b""
+        for path in sorted(folder.rglob("*"))
+        if (path.is_file() or not any(path.iterdir()))
+        and not any(part.startswith(BESIDE) for part in path.relative_to(folder).parts)
+    }
+
+
+def left_over(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.rglob(f"*{BESIDE}*"))
+
+
+class Work:
+    """Something that changes a folder from an old state to a new one, as often as a test wants it."""
+
+    def __init__(self, folder: Path, old: Path, work: Callable[[Path], object]) -> None:
+        self.folder, self.before, self.work = folder / "place", old, work
+        self.reset()
+        self.old = state(self.folder)
+        work(self.folder)
+        self.new = state(self.folder)
+        assert left_over(self.folder) == []
+        assert self.old != self.new
+
+    def reset(self) -> None:
+        shutil.rmtree(self.folder, ignore_errors=True)
+        shutil.copytree(self.before, self.folder, symlinks=True)
+
+    def faulty(self, fault: Fault, step: int = 1) -> Iterator[int]:
+        """Strikes at each operation, one after the other, or at each so many."""
+        for number in range(1, MOST, step):
+            self.reset()
+            if not struck(lambda: self.work(self.folder), fault, number):
+                return
+            yield number
+        raise AssertionError("there is no end of operations")
+
+
+OLD = {"a/one": b"1", "a/two": b"2", "b/three": b"3", "gone/four": b"4", "mine": b"not ours", "same": b"s"}
+NEW = {"a/one": b"11", "b/three": b"33", "c/d/five": b"5", "six": b"6"}
+GONE = ["a/two", "gone/four"]
+
+
+def placed(folder: Path) -> None:
+    with Beside(folder) as beside:
+        for path, content in NEW.items():
+            beside.write(path, content)
+        beside.place([*NEW], GONE)
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Work:
+    for path, content in OLD.items():
+        (tmp_path / "old" / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "old" / path).write_bytes(content)
+    return Work(tmp_path, tmp_path / "old", placed)
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work) -> None:
+    assert files.new == {path: content for path, content in {**OLD, **NEW}.items() if path not in GONE}
+    states = set()
+    for number in files.faulty(fault):
+        if fault.error is not None and not fault.lasts:
+            assert state(files.folder) in (files.old, files.new), f"at operation {number}"
+        with Beside(files.folder):
+            pass
+        now = state(files.folder)
+        assert now in (files.old, files.new), f"at operation {number}"
+        assert left_over(files.folder) == [], f"at operation {number}"
+        states.add("old" if now == files.old else "new")
+        placed(files.folder)
+        assert state(files.folder) == files.new, f"at operation {number}"
+    assert "old" in states
+    assert "new" in states or fault.lasts
+
+
+def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
+    kill = FAULTS[0]
+    unfinished = 0
+    for first in files.faulty(kill):
+        if not left_over(files.folder) or first % 4:
+            continue
+        broken = files.folder.with_name("broken")
+        shutil.rmtree(broken, ignore_errors=True)
+        shutil.copytree(files.folder, broken, symlinks=True)
+        for fault in (kill, FAULTS[2]):
+            for second in range(1, MOST):
+                shutil.rmtree(files.folder)
+                shutil.copytree(broken, files.folder, symlinks=True)
+
+                def repaired() -> None:
+                    with Beside(files.folder):
+                        pass
+
+                if not struck(repaired, fault, second):
+                    break
+                unfinished += 1
+                repaired()
+                assert state(files.folder) in (files.old, files.new), f"at operations {first} and {second}"
+                assert left_over(files.folder) == []
+    assert unfinished > 100
+
+
+def built(folder: Path, *more: str) -> int:
+    fresh._at_start.clear()
+    words = ["build", "--specs", str(folder / "specs"), "--out", str(folder / "out"), "--to", "vectors,c"]
+    return main([*words, *more])
+
+
+@pytest.fixture
+def outputs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Work:
+    """A build after which a device has changed, one is new, and one has gone."""
+    monkeypatch.setattr(working, "WORTH_IT", 10**9)  # in one process, which is the one with the fault
+    monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "place/cache"))
+    old = tmp_path / "old"
+    for name in ("gadget", "gizmo"):
+        shutil.copytree(SPECS / name, old / "specs" / name)
+    monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "unused"))
+    assert built(old) == 0
+    shutil.rmtree(old / "specs/gizmo")
+    shutil.copytree(SPECS / "glider-x", old / "specs/glider-x")
+    device = old / "specs/gadget/device.yaml"
+    device.write_text(device.read_text("utf-8").replace("name: Gadget", "name: Gidget", 1), "utf-8")
+    monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "place/cache"))
+    return Work(tmp_path, old, built)
+
+
+def of_outputs(files: State) -> State:
+    return {path: content for path, content in files.items() if path.startswith("out/")}
+
+
+@pytest.mark.parametrize("fault", [FAULTS[0], FAULTS[3]], ids=lambda fault: fault.name)
+def test_a_build_leaves_the_old_outputs_or_the_new_ones(
+    fault: Fault, outputs: Work, capsys: pytest.CaptureFixture[str]
+) -> None:
+    count = 0
+    for number in outputs.faulty(fault, STEP):
+        count += 1
+        out = outputs.folder / "out"
+        unfinished = bool(left_over(out))
+        capsys.readouterr()
+        code = built(outputs.folder, "--check")
+        said = capsys.readouterr().out
+        assert unfinished == ("unfinished: " in said or "left over: " in said), f"at operation {number}"
+        assert code == (1 if unfinished or "not fresh" in said else 0)
+        with Beside(out):
+            pass
+        now = of_outputs(state(outputs.folder))
+        assert now in (of_outputs(outputs.old), of_outputs(outputs.new)), f"at operation {number}"
+        assert built(outputs.folder) == 0
+        assert of_outputs(state(outputs.folder)) == of_outputs(outputs.new), f"at operation {number}"
+        assert left_over(outputs.folder) == []
+        cache = outputs.folder / "cache"
+        assert [path.name for path in cache.rglob("*") if path.is_file() and not path.name.isalnum()] == []
+    assert count > 50 / STEP
+
+
+LIST = "Address,Name,Type,Access\n0x10,speed,u16,rw\n0x11,torque,u16,r\n"
+
+
+def imported(folder: Path) -> int:
+    return main(["import", str(folder / "list.csv"), "--to", str(folder / "specs/pump/device.yaml")])
+
+
+def signed(folder: Path) -> int:
+    who = ("--sign", "all", "--by", "second reader", "--on", "2026-01-31")
+    return main(["audit", "gadget", *who, "--specs", str(folder / "specs")])
+
+
+def new(folder: Path) -> int:
+    return main(["new", "device", "pump", "--protocol", "packet", "--specs", str(folder / "specs")])
+
+
+def exported(folder: Path) -> int:
+    return main(["export", "gadget", "--out", str(folder / "list.csv"), "--specs", str(folder / "specs")])
+
+
+VERBS: dict[str, Callable[[Path], int]] = {"import": imported, "--sign": signed, "new": new, "export": exported}
+
+
+@pytest.mark.parametrize("fault", [FAULTS[0], FAULTS[3], FAULTS[5]], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("verb", VERBS)
+def test_a_verb_that_writes_a_file_writes_it_whole_or_not_at_all(
+    verb: str, fault: Fault, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
+    shutil.copytree(SPECS / "gadget", tmp_path / "old/specs/gadget")
+    (tmp_path / "old/list.csv").write_text(LIST, encoding="utf-8")
+    work = Work(tmp_path, tmp_path / "old", VERBS[verb])
+    count = 0
+    for number in work.faulty(fault):
+        count += 1
+        now = {path: content for path, content in state(work.folder).items() if content}
+        full = {path: content for path, content in work.new.items() if content}
+        before = {path: content for path, content in work.old.items() if content}
+        assert now in (before, full), f"at operation {number}"
+        if now == before:
+            assert VERBS[verb](work.folder) == 0
+        elif verb in ("import", "new"):
+            assert VERBS[verb](work.folder) == 2  # there is one already
+        else:
+            assert VERBS[verb](work.folder) == 0
+        assert left_over(work.folder) == [], f"at operation {number}"
+    assert count >= 3
+
+
+def test_what_lies_in_a_journal_of_somebody_else_leads_nowhere(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    folder = out / f"{BESIDE}{'0' * 16}"
+    (folder / "new/c").mkdir(parents=True)
+    (folder / "new/c/x").write_bytes(b"evil")
+    (tmp_path / "home").mkdir()
+    (out / "c").symlink_to(tmp_path / "home")
+    for path in ("c/x", "../home/x", "/etc/passwd"):
+        (folder / "journal").write_text(f'{{"place": ["{path}"], "remove": [], "absent": [], "folders": []}}', "utf-8")
+        with pytest.raises(UsageError, match="leads out of"), Beside(out):
+            pass
+        assert os.listdir(tmp_path / "home") == []
+    (folder / "journal").write_text("[]", "utf-8")
+    with pytest.raises(UsageError, match="is no journal of a build"), Beside(out):
+        pass
+
+
+def test_nothing_is_placed_through_a_link_that_leads_out(tmp_path: Path) -> None:
+    (tmp_path / "home").mkdir()
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out/c").symlink_to(tmp_path / "home")
+    with Beside(tmp_path / "out") as beside:
+        beside.write("c/x", b"evil")
+        with pytest.raises(UsageError, match="leads out of"):
+            beside.place(["c/x"], [])
+    assert os.listdir(tmp_path / "home") == []
+    assert left_over(tmp_path) == []

@@ -1,0 +1,320 @@
+"""Files that are made to take all memory or to wait for ever are refused in seconds, in bounded memory."""
+
+from __future__ import annotations
+
+import io
+import os
+import resource
+import socket
+import subprocess
+import sys
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+SPECS = Path(__file__).resolve().parent.parent / "specs"
+DEVICE = (SPECS.parent / "tests/cases/file_regular/passing/gadget/device.yaml").read_bytes()
+MEMORY = 1 << 30
+"""Bytes of address space that a run may have."""
+SECONDS = 60
+"""Far above what it takes, which is one to five."""
+
+BOOK = '<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"/>'
+SHEET = '<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">'
+CELL = '<c r="A1"><v>1</v></c>'
+
+
+def limited() -> None:
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def run(*arguments: str, timeout: float = SECONDS) -> subprocess.CompletedProcess[str]:
+    """Runs the command line in bounded memory and time; whatever it says is no traceback."""
+    ran = subprocess.run(
+        [sys.executable, "-m", "fieldspec", *arguments],
+        preexec_fn=limited,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=timeout,
+        check=False,
+    )
+    assert "Traceback" not in ran.stderr
+    return ran
+
+
+def workbook(sheet: str, times: int = 1, repeated: str = "", end: str = "", level: int = 1) -> bytes:
+    """A workbook whose sheet begins with a text and has another one many times, packed without ever being whole."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=level) as file:
+        file.writestr("xl/workbook.xml", BOOK)
+        with file.open("xl/worksheets/sheet1.xml", "w") as part:
+            part.write((SHEET + sheet).encode())
+            for _ in range(times // 1000):
+                part.write(repeated.encode() * 1000)
+            part.write((end + "</worksheet>").encode())
+    return packed.getvalue()
+
+
+LISTS: dict[str, tuple[Callable[[], bytes], str]] = {
+    "a row of 250 MB of cells": (
+        lambda: workbook("<sheetData><row>", 11_000_000, CELL, "</row></sheetData>"),
+        "unpacks to more than a list of registers holds",
+    ),
+    "a row of 100 MB of cells": (
+        lambda: workbook("<sheetData><row>", 4_500_000, "<c><v>1</v></c>", "</row></sheetData>"),
+        "has more than 1000 columns",
+    ),
+    "many rows of cells": (
+        lambda: workbook("<sheetData>", 90_000, f"<row>{'<c><v>1</v></c>' * 10}</row>", "</sheetData>"),
+        "which is more than 500000 cells",
+    ),
+    "many rows": (lambda: workbook("<sheetData>", 200_000, "<row/>", "</sheetData>"), "has more than 100000 rows"),
+    "a cell far away": (
+        lambda: workbook('<sheetData><row r="99999"><c r="ALL99999"><v>1</v></c></row></sheetData>'),
+        "has 99999 rows with 1000 columns, which is more than 500000 cells; remove what stands far away",
+    ),
+    "a cell at the end": (
+        lambda: workbook('<sheetData><row r="1048576"><c r="XFD1048576"/></row></sheetData>'),
+        "has more than 100000 rows",
+    ),
+    "a row of no sheet": (
+        lambda: workbook('<sheetData><row r="2000000000"/></sheetData>'),
+        "has more than 100000 rows",
+    ),
+    "a giant merged range": (
+        lambda: workbook('<sheetData/><mergeCells><mergeCell ref="A1:XFD1048576"/></mergeCells>'),
+        "has merged cells as far as A1:XFD1048576",
+    ),
+    "many merged ranges": (
+        lambda: workbook("<sheetData/><mergeCells>", 2000, '<mergeCell ref="A1:Z1000"/>', "</mergeCells>"),
+        "has merged cells as far as",
+    ),
+    "elements within each other": (lambda: workbook("<a>" * 1000), "unpacks to more than a list of registers holds"),
+    "an entity behind a long remark": (
+        lambda: (
+            workbook("").replace(b"", b"", 0)
+            and _packed(f"<!--{'x' * 5000}--><!DOCTYPE x [<!ENTITY a 'b'>]><x>&a;</x>")
+        ),
+        "declares entities",
+    ),
+    "more parts than a workbook has": (lambda: _packed(BOOK, 3000), "has more than 2000 parts"),
+    "JSON nested 985 deep": (lambda: b"[" * 985 + b"]" * 985, "nested more than 16 levels deep"),
+    "JSON of empty lists": (lambda: b"[" + b"[]," * 10_000_000 + b"[]]", "is JSON with more than 2000000 values"),
+    "JSON of marks of escapes": (lambda: b'["' + b'\\"' * 16_000_000, "begins like JSON and is none"),
+    "lines without an end": (lambda: b"\n" * (32 << 20), "is empty"),
+    "an address and many empty lines": (lambda: b"address\n0x10\n" + b"\n" * (31 << 20), "has more than 100000 rows"),
+    "a row of separators": (lambda: b"address" + b"," * (31 << 20), "has a row with more than 1048576 characters"),
+    "a row of open quotes": (
+        lambda: b"address\n" + b',"a\n"' * 6_000_000,
+        "has a row with more than 1048576 characters",
+    ),
+}
+
+
+def _packed(book: str, parts: int = 0) -> bytes:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr("xl/workbook.xml", book)
+        for number in range(parts):
+            file.writestr(f"xl/{number}", "")
+    return packed.getvalue()
+
+
+@pytest.mark.parametrize("name", LISTS)
+def test_a_list_that_is_made_to_be_large_is_refused(name: str, tmp_path: Path) -> None:
+    make, text = LISTS[name]
+    path = tmp_path / "list.dat"
+    path.write_bytes(make())
+    ran = run("import", str(path), "--to", "-")
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert len(ran.stderr.splitlines()) == 1
+    assert len(ran.stderr) < 1000
+    assert text in ran.stderr
+
+
+def test_a_dump_that_is_nested_deep_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "dump.json"
+    path.write_text('{"1": ' + "[" * 985 + "]" * 985 + "}", encoding="utf-8")
+    ran = run("audit", "tc100", "--dump", str(path), "--specs", str(SPECS))
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert "nested more than 16 levels deep" in ran.stderr
+
+
+@pytest.mark.parametrize("verb", [("compare", "tc100"), ("audit", "tc100", "--dump")])
+@pytest.mark.parametrize("first", [0x1000, 0x20000])
+def test_a_list_of_many_rows_prints_what_a_person_can_read(verb: tuple[str, ...], first: int, tmp_path: Path) -> None:
+    path = tmp_path / "list.csv"
+    rows = [f"{first + (number if first > 0xFFFF else 0):#x},{number % 7}" for number in range(99_000)]
+    path.write_text("address,value\n0x1000,0\n" + "\n".join(rows), encoding="utf-8")
+    ran = run(*verb, str(path), "--specs", str(SPECS))
+    assert ran.returncode == 1
+    assert len(ran.stdout) < 100_000
+
+
+def pipe(path: Path) -> None:
+    os.mkfifo(path)
+
+
+def sparse(path: Path) -> None:
+    with path.open("wb") as file:
+        file.truncate(1 << 40)
+
+
+def bound(path: Path) -> None:
+    with socket.socket(socket.AF_UNIX) as one:
+        here = os.getcwd()
+        os.chdir(path.parent)
+        one.bind(path.name)
+        os.chdir(here)
+
+
+def secret(path: Path) -> None:
+    path.symlink_to(next(above / "secret.txt" for above in path.parents if (above / "secret.txt").exists()))
+
+
+IRREGULAR: dict[str, tuple[Callable[[Path], object], str]] = {
+    "a pipe": (pipe, "it is a pipe"),
+    "a socket": (bound, "it is a socket"),
+    "a folder": (Path.mkdir, "it is a folder"),
+    "a sparse file": (sparse, "has 1099511627776 bytes"),
+    "zeros without end": (lambda path: path.symlink_to("/dev/zero"), "leads out of the specs' folder"),
+    "noise without end": (lambda path: path.symlink_to("/dev/urandom"), "leads out of the specs' folder"),
+    "a file of somebody else": (secret, "leads out of the specs' folder"),
+    "a link to itself": (lambda path: path.symlink_to(path.name), "the file"),
+}
+
+
+@pytest.mark.parametrize(
+    "place", ["gadget/device.yaml", "gadget/more.yaml", "protocols/wire.yaml", "gadget/versions/2.yaml"]
+)
+@pytest.mark.parametrize("kind", IRREGULAR)
+def test_what_is_no_regular_file_is_refused_and_not_quoted(kind: str, place: str, tmp_path: Path) -> None:
+    make, text = IRREGULAR[kind]
+    (tmp_path / "secret.txt").write_text("root:secret:0", encoding="utf-8")
+    specs = tmp_path / "specs"
+    for folder in ("gadget/versions", "protocols"):
+        (specs / folder).mkdir(parents=True)
+    (specs / "gadget/device.yaml").write_bytes(DEVICE)
+    (specs / place).unlink(missing_ok=True)
+    make(specs / place)
+    out = tmp_path / "out"
+    for words in (("check",), ("build", "--out", str(out)), ("build", "--check", "--out", str(out))):
+        ran = run(*words, "--specs", str(specs), timeout=20)
+        assert ran.returncode == 1
+        assert text in ran.stdout + ran.stderr
+        assert "secret:0" not in ran.stdout + ran.stderr
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("kind", ["a pipe", "a socket", "a folder", "a sparse file"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("import", "FILE", "--to", "-"),
+        ("compare", "tc100", "FILE"),
+        ("audit", "tc100", "--dump", "FILE"),
+        ("audit", "tc100", "--manual", "FILE"),
+    ],
+    ids=" ".join,
+)
+def test_a_list_or_manual_that_is_no_regular_file_is_wrong_use(
+    kind: str, words: tuple[str, ...], tmp_path: Path
+) -> None:
+    path = tmp_path / "file"
+    IRREGULAR[kind][0](path)
+    specs = () if words[0] == "import" else ("--specs", str(SPECS))
+    ran = run(*(str(path) if word == "FILE" else word for word in words), *specs, timeout=20)
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert len(ran.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("kind", ["a pipe", "a folder", "a sparse file"])
+def test_an_index_of_a_manual_that_is_no_regular_file_is_refused(kind: str, tmp_path: Path) -> None:
+    specs = tmp_path / "specs"
+    (specs / "gadget").mkdir(parents=True)
+    (specs / "gadget/device.yaml").write_bytes(DEVICE)
+    IRREGULAR[kind][0](specs / "gadget/manual.index")
+    for words in (("audit", "gadget"), ("build", "--out", str(tmp_path / "out"))):
+        ran = run(*words, "--specs", str(specs), timeout=20)
+        assert ran.returncode == 2
+        assert "manual.index" in ran.stderr
+
+
+@pytest.mark.parametrize("kind", ["a pipe", "a socket"])
+def test_an_output_that_is_no_regular_file_is_replaced(kind: str, tmp_path: Path) -> None:
+    specs, out = tmp_path / "specs", tmp_path / "out"
+    (specs / "gadget").mkdir(parents=True)
+    (specs / "gadget/device.yaml").write_bytes(DEVICE)
+    words = ("build", "--to", "vectors", "--specs", str(specs), "--out", str(out))
+    assert run(*words).returncode == 0
+    for path in (out / "manifest.json", out / "vectors/gadget.json"):
+        before = path.read_bytes()
+        path.unlink()
+        IRREGULAR[kind][0](path)
+        assert run(*words, timeout=20).returncode == 0
+        assert path.read_bytes() == before
+
+
+OVERLAY = '{id: "%d", line: main, based_on: "%d", source: 1 L1}'
+
+
+def uses(*names: str) -> str:
+    return "uses: [" + ", ".join(f"{{protocol: {name}}}" for name in names) + "]\n"
+
+
+REFERRING: dict[str, tuple[Callable[[], dict[str, str]], int]] = {
+    "a chain of protocols": (
+        lambda: {"gadget/device.yaml": uses("p0"), **{f"protocols/p{n}.yaml": uses(f"p{n + 1}") for n in range(900)}},
+        1,
+    ),
+    "a fan of protocols": (
+        lambda: (
+            {"gadget/device.yaml": uses(*(f"p{n}" for n in range(900)))}
+            | {f"protocols/p{n}.yaml": "" for n in range(900)}
+        ),
+        1,
+    ),
+    "protocols that all use the next two": (
+        lambda: (
+            {"gadget/device.yaml": uses("p0", "q0")}
+            | {
+                f"protocols/{p}{n}.yaml": uses(f"p{n + 1}", f"q{n + 1}") if n < 14 else ""
+                for n in range(15)
+                for p in "pq"
+            }
+        ),
+        0,
+    ),
+    "a chain of versions": (
+        lambda: (
+            {"gadget/device.yaml": 'versions: [{line: main, title: A, members: [{id: "0", source: 1 L1}]}]\n'}
+            | {
+                f"gadget/versions/{n}.yaml": f'{{id: "{n}", line: main, based_on: "{n - 1}", source: 1 L1}}'
+                for n in range(1, 900)
+            }
+        ),
+        1,
+    ),
+    "more files than a folder has": (
+        lambda: {"gadget/device.yaml": ""} | {f"gadget/{n}.yaml": "enums: []\n" for n in range(5000)},
+        1,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFERRING)
+def test_specs_that_refer_to_each_other_without_end_are_read_in_seconds(name: str, tmp_path: Path) -> None:
+    make, code = REFERRING[name]
+    for path, text in make().items():
+        folder, _, file = path.partition("/")
+        stem = file.rpartition("/")[2].removesuffix(".yaml")
+        head = f"protocol: {{id: {stem}, title: A, doc: B.}}\n" if folder == "protocols" else ""
+        head = DEVICE.decode() if file == "device.yaml" else "overlay: " if "versions" in file else head
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(head + text, encoding="utf-8")
+    ran = run("check", "--specs", str(tmp_path))
+    assert ran.returncode == code
+    assert len(ran.stdout) < 200_000
