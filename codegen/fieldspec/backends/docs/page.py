@@ -30,6 +30,7 @@ from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.records import records, tables
 from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.spaces import spaces
+from fieldspec.backends.docs.tasks import tasks
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
@@ -74,6 +75,7 @@ def _merged(lines: set[tuple[int, int]]) -> str:
 
 SECTIONS = (
     identity,
+    tasks,
     links,
     spaces,
     registers,
