@@ -84,11 +84,11 @@ class Operations:
 @contextmanager
 def operations(fault: Fault | None = None, at: int = 0) -> Iterator[Operations]:
     """Counts operations, with a fault at one of them."""
-    made = Operations(fault, at)
+    counter = Operations(fault, at)
     with pytest.MonkeyPatch.context() as patch:
         for name in CHANGING:
-            patch.setattr(os, name, made.replaced(name))
-        yield made
+            patch.setattr(os, name, counter.replaced(name))
+        yield counter
 
 
 def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
@@ -101,15 +101,15 @@ def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
             with open(os.devnull, "w") as nowhere:
                 os.dup2(nowhere.fileno(), 1)
                 os.dup2(nowhere.fileno(), 2)
-            with operations(fault, at) as made:
+            with operations(fault, at) as counter:
                 with suppress(KeyboardInterrupt, Exception):
                     work()
-                reached = len(made.seen) >= at
+                reached = len(counter.seen) >= at
         finally:
             os.write(writing, b"1" if reached else b"0")
             os._exit(0)
     os.close(writing)
-    said = os.read(reading, 1)
+    output = os.read(reading, 1)
     os.close(reading)
     _, status = os.waitpid(child, 0)
-    return os.WIFSIGNALED(status) or said == b"1"
+    return os.WIFSIGNALED(status) or output == b"1"

@@ -122,15 +122,15 @@ def files(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> dic
     """The files of the spec of the gauge, about a manual."""
     sha256 = hashlib.sha256(manual.encode()).hexdigest()
     head = device.replace("SHA256", sha256).replace("LINES", str(len(manual.splitlines())))
-    made = {"gauge/device.yaml": head, "protocols/wire.yaml": WIRE}
-    return {**made, "gauge/audit.yaml": audit} if audit else made
+    texts = {"gauge/device.yaml": head, "protocols/wire.yaml": WIRE}
+    return {**texts, "gauge/audit.yaml": audit} if audit else texts
 
 
 def spec(device: str = DEVICE, audit: str = AUDIT, manual: str = MANUAL) -> DeviceSpec:
     """The spec of the gauge, about a manual."""
-    found = read({path: text.encode() for path, text in files(device, audit, manual).items()})
-    assert [finding.message for finding in found.findings] == []
-    return found.devices["gauge"]
+    project = read({path: text.encode() for path, text in files(device, audit, manual).items()})
+    assert [finding.message for finding in project.findings] == []
+    return project.devices["gauge"]
 
 
 def index(manual: str = MANUAL) -> ManualIndex:
@@ -143,8 +143,8 @@ def covered(
 ) -> Section:
     """The coverage of the manual `cited`, from its index, or from another text at hand."""
     read_spec = spec(device, audit, cited)
-    model, found = read_spec.at("1")
-    assert [finding.message for finding in found] == []
+    model, findings = read_spec.at("1")
+    assert [finding.message for finding in findings] == []
     layout = device_layout(model)
     at_hand = index(manual) if manual is not None else None
     return coverage(

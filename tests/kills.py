@@ -80,28 +80,28 @@ def kill(place: Place, number: int, after: float) -> str:
         time.sleep(0.01)
     assert not alive(building.pid), "a worker outlives its parent"
     before = place.files()
-    found = "whole" if before in place.states else "mixed"
+    state = "whole" if before in place.states else "mixed"
     if place.left_over():
-        found += ", left over"
-    next_one = place.build(number)
-    assert next_one.wait() == 0, "the next build fails"
+        state += ", left over"
+    next_build = place.build(number)
+    assert next_build.wait() == 0, "the next build fails"
     assert place.files() == place.states[number], "the next build does not repair"
     assert place.left_over() == [], "something is left"
-    return found
+    return state
 
 
 def soak(builds: int, seed: int) -> Counter[str]:
     """Kills so many builds; how often what was found."""
     chance = random.Random(seed)
-    found: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
         place = Place(Path(folder))
         start = time.monotonic()
         assert place.build(0).wait() == 0
         whole = time.monotonic() - start
         for turn in range(builds):
-            found[kill(place, 1 - turn % 2, chance.uniform(0, whole * 1.05))] += 1
-    return found
+            counts[kill(place, 1 - turn % 2, chance.uniform(0, whole * 1.05))] += 1
+    return counts
 
 
 if __name__ == "__main__":

@@ -24,14 +24,14 @@ def layouts(root: Path) -> dict[str, list[DeviceLayout]]:
 
 def laid_at(spec: DeviceSpec, version: str) -> DeviceLayout:
     """The layout of a device at a version, whose spec must be in order."""
-    device, found = spec.at(version)
-    assert not has_errors(found), found[0].message
+    device, findings = spec.at(version)
+    assert not has_errors(findings), findings[0].message
     return device_layout(device)
 
 
 def all_layouts() -> list[DeviceLayout]:
     """All versions of all devices, the real and the made-up ones."""
-    return [laid for root in (SPECS, MADE_UP) for versions in layouts(root).values() for laid in versions]
+    return [layout for root in (SPECS, MADE_UP) for versions in layouts(root).values() for layout in versions]
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

@@ -56,13 +56,13 @@ class LanguageServer:
 
     def completions(self, path: Path, line: int, column: int) -> dict[str, Json]:
         """What may be typed at a position, by its label."""
-        found = self._request("textDocument/completion", _position(path, line, column))
-        return {item["label"]: item for item in found["items"]}
+        items = self._request("textDocument/completion", _position(path, line, column))
+        return {item["label"]: item for item in items["items"]}
 
     def hover(self, path: Path, line: int, column: int) -> str:
         """The text that is shown for what stands at a position."""
-        found = self._request("textDocument/hover", _position(path, line, column))
-        return str(found["contents"]["value"]) if found else ""
+        contents = self._request("textDocument/hover", _position(path, line, column))
+        return str(contents["contents"]["value"]) if contents else ""
 
     def _request(self, method: str, params: Any) -> Any:
         self._asked += 1

@@ -44,9 +44,11 @@ def _built(archive: Path) -> Path:
             for name in ("autoreconf", "bison", "flex", "make", "g++"):
                 require_tool(name)
             shutil.rmtree(folder, ignore_errors=True)
-            with tarfile.open(archive) as held:
-                held.extractall(folder, filter="data") if hasattr(tarfile, "data_filter") else held.extractall(folder)
-            (source,) = {found.parent for found in folder.glob("**/configure.ac")}
+            with tarfile.open(archive) as tar_file:
+                tar_file.extractall(folder, filter="data") if hasattr(tarfile, "data_filter") else tar_file.extractall(
+                    folder
+                )
+            (source,) = {path.parent for path in folder.glob("**/configure.ac")}
             for step in STEPS:
                 ran = subprocess.run(step, cwd=source, capture_output=True, text=True, check=False)
                 assert ran.returncode == 0, (step, ran.stderr[-3000:])

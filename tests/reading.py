@@ -27,7 +27,7 @@ def project(text: str = "", **others: str) -> Project:
     files = {"gadget/device.yaml": DEVICE + text} | {
         f"{name.replace('_', '/', 1)}.yaml": other for name, other in others.items()
     }
-    return read({path: held.encode() for path, held in files.items()})
+    return read({path: content.encode() for path, content in files.items()})
 
 
 def gadget(text: str, **others: str) -> DeviceSpec:
@@ -37,9 +37,9 @@ def gadget(text: str, **others: str) -> DeviceSpec:
     return read_from.devices["gadget"]
 
 
-def codes(found: list[Diagnostic]) -> list[str]:
+def codes(findings: list[Diagnostic]) -> list[str]:
     """The codes of findings."""
-    return [finding.code for finding in found]
+    return [finding.code for finding in findings]
 
 
 def pointed_at(span: Span) -> str:

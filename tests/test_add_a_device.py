@@ -29,9 +29,9 @@ def block(kind: str, text: str) -> list[str]:
 
 def files() -> dict[str, str]:
     """The files of the page by the paths that stand above them."""
-    found = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
-    assert len(found) == 5
-    return dict(found)
+    blocks = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    assert len(blocks) == 5
+    return dict(blocks)
 
 
 def run(command: str, folder: Path) -> str:
@@ -88,7 +88,7 @@ def test_the_misprint_is_found_as_the_page_shows_it(folder: Path, accept: bool) 
 
 
 def test_the_mended_device_has_no_findings(mended: Path) -> None:
-    (shown,) = [one for one in block("console", PAGE.read_text("utf-8")) if "no findings" in one]
+    (shown,) = [block for block in block("console", PAGE.read_text("utf-8")) if "no findings" in block]
     command, _, printed = shown.partition("\n")
     assert run(command, mended) == printed
 
@@ -100,7 +100,7 @@ def test_the_erratum_is_needed(mended: Path) -> None:
 
 
 def test_the_mended_device_is_built(mended: Path) -> None:
-    (command,) = [one for one in block("console", PAGE.read_text("utf-8")) if "build" in one]
+    (command,) = [block for block in block("console", PAGE.read_text("utf-8")) if "build" in block]
     run(command.strip(), mended)
     outputs = sorted(path.name for path in (mended / "generated").iterdir() if path.is_dir())
     assert len(outputs) >= 3
@@ -112,14 +112,14 @@ def test_the_mended_device_is_built(mended: Path) -> None:
 def test_the_audit_of_the_mended_device_leaves_nothing(mended: Path, accept: bool) -> None:
     page = PAGE.read_text("utf-8")
     (mended / "lifter.txt").write_text(block("text", page)[0], "utf-8", newline="\n")
-    shown = [one for one in block("console", page) if "audit" in one]
-    for one in shown:
+    blocks = [block for block in block("console", page) if "audit" in block]
+    for one in blocks:
         command = one.splitlines()[0]
         printed = f"{command}\n{run(command, mended)}"
         page = page.replace(f"```console\n{one}```", f"```console\n{printed}```", 1)
     if accept:
         PAGE.write_text(page, "utf-8", newline="\n")
     assert PAGE.read_text("utf-8") == page
-    assert len(shown) == 2
-    told = json.loads(run("$ fieldspec audit lifter --format json", mended))
-    assert told["sections"]["coverage"]["findings"] == []
+    assert len(blocks) == 2
+    result = json.loads(run("$ fieldspec audit lifter --format json", mended))
+    assert result["sections"]["coverage"]["findings"] == []

@@ -25,8 +25,8 @@ def codes(group: str = "", first: str = "", second: str = "") -> list[str]:
     """The codes of what is found when a group and its rows have these keys too."""
     text = SPEC.replace("GROUP", group).replace("FIRST", f", {first}" if first else "")
     text = text.replace("SECOND", f", {second}" if second else "")
-    device, found = read({"gadget/device.yaml": text.encode()}).devices["gadget"].at("1")
-    assert found == []
+    device, findings = read({"gadget/device.yaml": text.encode()}).devices["gadget"].at("1")
+    assert findings == []
     return [finding.code for finding in checks.run(device)]
 
 

@@ -36,11 +36,11 @@ class Place:
         self.spec.write_text(self.spec.read_text("utf-8") + USE, encoding="utf-8")
         self.made: list[str] = []
         self.devices = ["gadget", "gizmo", "glider-x"]
-        made = pipeline.output
+        output_stage = pipeline.output
 
         def noted(name: str, versions: list[pipeline.DeviceLayout]) -> dict[str, bytes]:
             self.made.append(f"{versions[0].device.id} {name}")
-            return made(name, versions)
+            return output_stage(name, versions)
 
         monkeypatch.setattr(pipeline, "output", noted)
         monkeypatch.setattr(working, "WORTH_IT", 10**9)  # within this process, where the notes are
@@ -65,16 +65,16 @@ class Place:
     def forgets(self, path: str) -> None:
         """Takes a file away, and out of the manifest."""
         (self.out / path).unlink()
-        held = json.loads(self.manifest.read_text("utf-8"))
-        del held["files"][path]
-        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+        manifest = json.loads(self.manifest.read_text("utf-8"))
+        del manifest["files"][path]
+        self.manifest.write_text(json.dumps(manifest), encoding="utf-8")
 
     def wrote(self, path: str, content: bytes) -> None:
         """Puts a content into a file, as if it had been made like that."""
         (self.out / path).write_bytes(content)
-        held = json.loads(self.manifest.read_text("utf-8"))
-        held["files"][path] = fresh.digest(content)
-        self.manifest.write_text(json.dumps(held), encoding="utf-8")
+        manifest = json.loads(self.manifest.read_text("utf-8"))
+        manifest["files"][path] = fresh.digest(content)
+        self.manifest.write_text(json.dumps(manifest), encoding="utf-8")
 
     @property
     def spec(self) -> Path:
@@ -96,10 +96,10 @@ class Place:
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     """Specs that are built already."""
-    made = Place(tmp_path, monkeypatch)
-    assert made.build() == 0
-    assert sorted(made.made) == made.of(*made.devices)
-    return made
+    workplace = Place(tmp_path, monkeypatch)
+    assert workplace.build() == 0
+    assert sorted(workplace.made) == workplace.of(*workplace.devices)
+    return workplace
 
 
 def replaced(path: Path, old: str, new: str) -> None:
@@ -200,7 +200,7 @@ def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.
     names = {Path(path).name for path in caching._files(caching._PACKAGE)}
     assert {"cli.py", "page.html.in", "page.css", "spec.schema.json", "_frames.py"} <= names
     assert not any(name.endswith(".pyc") for name in names)
-    assert all("info" in caching._version(*one) for one in caching.LIBRARIES.items())
+    assert all("info" in caching._version(*library) for library in caching.LIBRARIES.items())
     first = caching.identity()
     monkeypatch.setattr(caching, "_version", lambda module, distribution: "2.0")
     assert caching.identity() != first

@@ -53,13 +53,13 @@ class Watch:
 @pytest.fixture
 def watch(tmp_path: Path) -> Iterator[Watch]:
     """A watch whose first build is done."""
-    made = Watch(tmp_path)
+    session = Watch(tmp_path)
     try:
-        assert "built in" in made.told()
-        yield made
+        assert "built in" in session.told()
+        yield session
     finally:
-        made.process.kill()
-        made.process.communicate()
+        session.process.kill()
+        session.process.communicate()
 
 
 def test_a_save_builds_again(watch: Watch) -> None:
@@ -73,10 +73,10 @@ def test_a_save_builds_again(watch: Watch) -> None:
 def test_a_broken_spec_shows_what_is_found_and_keeps_the_outputs(watch: Watch) -> None:
     before, text = watch.texts(), watch.spec.read_text("utf-8")
     watch.save(text.replace("u16", "u17", 1))
-    told = watch.told()
-    assert "u17" in told
-    assert "device.yaml:" in told
-    assert "not built in" in told
+    output = watch.told()
+    assert "u17" in output
+    assert "device.yaml:" in output
+    assert "not built in" in output
     assert watch.texts() == before
     watch.save(text)
     assert "\nbuilt in" in watch.told()

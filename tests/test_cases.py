@@ -41,10 +41,10 @@ def name(folder: Path) -> str:
 def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
     """What an audit finds in the comparison with the manual and in the reviews; or, where there is one, in a dump."""
     versions = layouts(spec)
-    dumped, manual = folder / "dump.csv", folder / "manual.txt"
-    if dumped.exists():
-        data = dumped.read_bytes()
-        file = SourceFile(dumped.name, data.decode("utf-8"))
+    path, manual = folder / "dump.csv", folder / "manual.txt"
+    if path.exists():
+        data = path.read_bytes()
+        file = SourceFile(path.name, data.decode("utf-8"))
         starts = {row: file.text.index(line) for row, line in enumerate(file.text.splitlines(), 1)}
         return judged(compared(versions[-1], dump(text_sheet(data), {})), file, starts)
     index = index_of(manual.name, manual.read_bytes()) if manual.exists() else None
@@ -60,13 +60,15 @@ def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     files = {f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))} or specs(folder)
     assert files, f"{name(folder)} has no spec"
     project = load(files)
-    given = checked(project)
+    findings = checked(project)
     stage = rule(folder.parent.name)
-    if stage is not None and stage.stage == "audits" and not given:
-        given = in_order(one for spec in project.devices.values() for one in audited(folder, spec))
-    if stage is not None and stage.stage == "outputs" and not given:
-        given = in_order(one for spec in project.devices.values() for one in refusals(layouts(spec), OUTPUTS))
-    return concise(given)
+    if stage is not None and stage.stage == "audits" and not findings:
+        findings = in_order(finding for spec in project.devices.values() for finding in audited(folder, spec))
+    if stage is not None and stage.stage == "outputs" and not findings:
+        findings = in_order(
+            finding for spec in project.devices.values() for finding in refusals(layouts(spec), OUTPUTS)
+        )
+    return concise(findings)
 
 
 @pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("failing")], ids=name)

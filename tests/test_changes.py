@@ -26,17 +26,17 @@ PAGE = Path(__file__).parent.parent / "docs" / "changes.md"
 @cache
 def devices(folder: Path) -> tuple[Device, Device]:
     """The two sides of a folder."""
-    sides = []
+    device_models = []
     for side in ("old", "new"):
         files = {"gadget/device.yaml": CASES / "device.yaml", "gadget/common.yaml": folder / "common.yaml"}
         files |= {f"gadget/{side}_{path.name}": path for path in sorted((folder / side).glob("*.yaml"))}
         project = read({path: file.read_bytes() for path, file in files.items() if file.exists()})
         assert [finding.message for finding in project.findings] == []
         spec = project.devices["gadget"]
-        device, found = spec.at(spec.versions()[-1])
-        assert [finding.message for finding in found] == []
-        sides.append(device)
-    return sides[0], sides[1]
+        device, findings = spec.at(spec.versions()[-1])
+        assert [finding.message for finding in findings] == []
+        device_models.append(device)
+    return device_models[0], device_models[1]
 
 
 def found(folder: Path) -> list[Change]:
@@ -56,7 +56,9 @@ def test_the_changes_between_two_specs_are_found(folder: Path, accept: bool) -> 
     assert text == expected.read_text("utf-8")
 
 
-@pytest.mark.parametrize(("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda one: str(one))
+@pytest.mark.parametrize(
+    ("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda param: str(param)
+)
 def test_every_rule_has_a_folder_that_shows_each_of_its_classes(rule: str, effects: tuple[Effect, ...]) -> None:
     assert {change.effect for change in found(CASES / rule) if change.rule == rule} == set(effects)
 
@@ -72,7 +74,7 @@ def test_a_spec_does_not_differ_from_itself(folder: Path) -> None:
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_every_change_has_values_places_and_a_class_of_its_rule(folder: Path) -> None:
-    effects = {code: held for code, _, held in RULES}
+    effects = {code: class_effects for code, _, class_effects in RULES}
     for change in found(folder):
         assert change.effect in effects[change.rule]
         assert change.old != change.new

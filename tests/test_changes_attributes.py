@@ -105,9 +105,9 @@ def devices() -> tuple[Device, ...]:
 def classes() -> Iterator[type]:
     """All dataclasses of the model."""
     for module in iter_modules(fieldspec.model.__path__, "fieldspec.model."):
-        for held in vars(import_module(module.name)).values():
-            if dataclasses.is_dataclass(held) and isinstance(held, type) and held.__module__ == module.name:
-                yield held
+        for member in vars(import_module(module.name)).values():
+            if dataclasses.is_dataclass(member) and isinstance(member, type) and member.__module__ == module.name:
+                yield member
 
 
 Step = tuple[str, Any]
@@ -181,7 +181,7 @@ def others(value: Any, hint: Any) -> Iterator[Any]:
             yield {"key": SAMPLES[typing.get_args(hint)[-1]]}
     elif isinstance(value, tuple) and value:
         yield value[:-1]
-        if len(value) == 2 and all(isinstance(one, int) for one in value):
+        if len(value) == 2 and all(isinstance(number, int) for number in value):
             yield value[0] + 1, value[1] + 1
     elif value is None or value == ():
         yield from made(hint)

@@ -36,11 +36,11 @@ def test_broken_devices_are_compared(seed: int) -> None:
             continue
         device = built(broken, version)[0]
         for old, new in ((sound, device), (device, sound)):
-            found = changes(old, new)
-            assert [change for change in found if change.old == change.new] == []
-            held = Compared(old, new, found, step=True)
-            assert len(judged(held)) == len(found)
-            list(accepts_used([held]))
+            found_changes = changes(old, new)
+            assert [change for change in found_changes if change.old == change.new] == []
+            comparison = Compared(old, new, found_changes, step=True)
+            assert len(judged(comparison)) == len(found_changes)
+            list(accepts_used([comparison]))
         compared += 1
         if compared == ROUNDS:
             break

@@ -79,9 +79,9 @@ def test_documentation_describes_every_column_in_order() -> None:
 
 
 def test_the_same_device_gives_the_same_workbook_without_times_and_versions() -> None:
-    held = items(newest(SPECS, "tc100"))
-    first = as_xlsx(held, "tc100")
-    assert first == as_xlsx(held, "tc100")
+    sheet_items = items(newest(SPECS, "tc100"))
+    first = as_xlsx(sheet_items, "tc100")
+    assert first == as_xlsx(sheet_items, "tc100")
     with zipfile.ZipFile(io.BytesIO(first)) as packed:
         assert {part.date_time for part in packed.infolist()} == {(1980, 1, 1, 0, 0, 0)}
         texts = b"".join(packed.read(name) for name in packed.namelist() if name.startswith("docProps/"))
@@ -103,13 +103,13 @@ def test_no_cell_of_a_workbook_is_a_formula() -> None:
 
 
 def test_hostile_texts_come_back_as_they_were_but_for_control_characters() -> None:
-    held = hostile_items()
+    sheet_items = hostile_items()
     column = COLUMNS.index("printed_name")
     wanted = [" ".join(text.split()) for text in HOSTILE]
     for sheet in (
-        text_sheet(as_csv(held).encode()),
-        workbook_sheet(as_xlsx(held, "x")),
-        text_sheet(as_json(held).encode()),
+        text_sheet(as_csv(sheet_items).encode()),
+        workbook_sheet(as_xlsx(sheet_items, "x")),
+        text_sheet(as_json(sheet_items).encode()),
     ):
         assert [row.cell(column) for row in sheet.rows[1:]] == wanted
 

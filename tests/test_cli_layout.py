@@ -56,7 +56,7 @@ def test_a_field_of_several_types_is_laid_out_with_each(run: CommandLine) -> Non
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (("tc100", "pont", "--target", "s7"), "there is no record of tc100 pont; did you mean point?"),
         (("tc100", "point", "--target", "s8"), "there is no target s8; there are c, codesys, s7, tc3:1,"),
@@ -66,12 +66,12 @@ def test_a_field_of_several_types_is_laid_out_with_each(run: CommandLine) -> Non
     ],
 )
 def test_what_is_not_known_is_said_with_what_there_is(
-    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], said: str
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str
 ) -> None:
     from fieldspec.cli import main
 
     assert main(["layout", *arguments]) == 2
-    assert said in capsys.readouterr().err
+    assert message in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("device", ["gadget", "gizmo", "glider-x", "hostile", "widget"])
@@ -81,7 +81,7 @@ def test_every_record_of_the_made_up_devices_has_a_layout_in_every_memory(
     run = CommandLine(capsys, monkeypatch, MADE_UP)
     layout = newest(MADE_UP, device)
     data = [side for message in layout.messages.values() for side in (message.request, message.response)]
-    for record in (*layout.records.values(), *(one for one in data if one.fields)):
+    for record in (*layout.records.values(), *(record for record in data if record.fields)):
         for target in MEMORIES:
             ran = run("layout", device, record.name, "--target", target)
             assert ran.code in (0, 1), (record.name, target, ran.err)

@@ -15,10 +15,10 @@ from fieldspec.commands.compiled import layout
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """The protocols and one device with versions."""
-    held = tmp_path / "specs"
+    specs = tmp_path / "specs"
     for name in ("protocols", "tc100"):
-        shutil.copytree(SPECS / name, held / name)
-    return held
+        shutil.copytree(SPECS / name, specs / name)
+    return specs
 
 
 def run(folder: Path, *words: str) -> int:

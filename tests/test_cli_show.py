@@ -52,18 +52,18 @@ def test_a_word_is_drawn_with_a_box_a_bit(name: str, drawing: str) -> None:
 
 
 def test_a_device_is_shown_with_all_that_it_has(run: CommandLine) -> None:
-    found = run("show", "widget")
-    assert (found.code, found.err) == (0, "")
-    assert found.lines[0].startswith("Widget (Nobody), version 2.0, identity ")
+    result = run("show", "widget")
+    assert (result.code, result.err) == (0, "")
+    assert result.lines[0].startswith("Widget (Nobody), version 2.0, identity ")
     for cell in ("0x1010   position", "0x9010   points  1..5", "0x20  stop", "enums: exception_code, color, direction"):
-        assert cell in found.out
+        assert cell in result.out
 
 
 @pytest.mark.parametrize(("device", "text"), HANDLES)
 def test_everything_that_has_a_name_can_be_shown(run: CommandLine, device: str, text: str) -> None:
-    found = run("show", device, text)
-    assert (found.code, found.err) == (0, "")
-    assert text in found.lines[0]
+    result = run("show", device, text)
+    assert (result.code, result.err) == (0, "")
+    assert text in result.lines[0]
 
 
 @pytest.mark.parametrize(
@@ -99,9 +99,9 @@ def test_everything_that_has_a_name_can_be_shown(run: CommandLine, device: str, 
     ],
 )
 def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, text: str, lines: list[str]) -> None:
-    found = run("show", "widget", text)
-    assert found.code == 0
-    shown = [" ".join(line.split()) for line in found.lines]
+    result = run("show", "widget", text)
+    assert result.code == 0
+    shown = [" ".join(line.split()) for line in result.lines]
     assert [line for line in lines if line not in shown] == []
 
 
@@ -151,14 +151,14 @@ def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, 
     ],
 )
 def test_what_telegrams_and_parameters_are_called_means_them(run: CommandLine, text: str, lines: list[str]) -> None:
-    found = run("show", "glider-x", text)
-    assert found.code == 0
-    shown = [" ".join(line.split()) for line in found.lines]
+    result = run("show", "glider-x", text)
+    assert result.code == 0
+    shown = [" ".join(line.split()) for line in result.lines]
     assert [line for line in lines if line not in shown] == []
 
 
 def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:
-    shown = [" ".join(line.split()) for line in run("show", "glider-x").lines]
+    lines = [" ".join(line.split()) for line in run("show", "glider-x").lines]
     for line in (
         "cyclic Process data telegram received / sent",
         "channel Parameter channel message request / response",
@@ -168,19 +168,19 @@ def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:
         "Ut100..Ut104 0x4100..0x4104 unused u16 ?",
         "conversions: commanded_speed, output_torque, short_speed",
     ):
-        assert line in shown
+        assert line in lines
 
 
 def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
-    found = run("show", "widget", "nest")
-    assert found.lines[0] == "nest"
-    assert found.lines.count("nest") == 2
-    assert "  code      0x24" in found.lines
-    assert any(line.startswith("  size      ") for line in found.lines)
+    result = run("show", "widget", "nest")
+    assert result.lines[0] == "nest"
+    assert result.lines.count("nest") == 2
+    assert "  code      0x24" in result.lines
+    assert any(line.startswith("  size      ") for line in result.lines)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["show", "widget", "positon"], "there is no item of widget positon; did you mean position?"),
         (["show", "widget", "0x7000"], "there is no item of widget 0x7000; "),
@@ -192,7 +192,7 @@ def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
         (["show"], "the following arguments are required"),
     ],
 )
-def test_what_there_is_not_is_wrong_use(run: CommandLine, arguments: list[str], said: str) -> None:
-    found = run(*arguments)
-    assert (found.code, found.out) == (2, "")
-    assert said in found.err
+def test_what_there_is_not_is_wrong_use(run: CommandLine, arguments: list[str], message: str) -> None:
+    result = run(*arguments)
+    assert (result.code, result.out) == (2, "")
+    assert message in result.err

@@ -11,7 +11,7 @@ from fieldspec.commands.decode import LONGEST_LINE
 from fieldspec.explain.log import LogLine, Unreadable, log_line
 from laid_out import MADE_UP, newest
 
-LINKS = [laid.link for laid in newest(MADE_UP, "widget").links.values()]
+LINKS = [link.link for link in newest(MADE_UP, "widget").links.values()]
 BYTES = bytes.fromhex("01 06 20 1E 00 03 A2 0D")
 CHARACTERS = b":010310000002EA\r\n"
 
@@ -115,9 +115,9 @@ def test_bytes_are_read_however_they_are_spelled(text: str, direction: str) -> N
     ],
 )
 def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
-    found = log_line(text, LINKS)
-    assert found is not None
-    assert (found.frame, found.remarks) == (CHARACTERS, ())
+    line = log_line(text, LINKS)
+    assert line is not None
+    assert (line.frame, line.remarks) == (CHARACTERS, ())
 
 
 @pytest.mark.parametrize(
@@ -130,10 +130,8 @@ def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
     ],
 )
 def test_an_end_mark_that_the_text_lacks_is_added_and_said(text: str, lacks: str) -> None:
-    found = log_line(text, LINKS)
-    assert found == LogLine(
-        CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",)
-    )
+    line = log_line(text, LINKS)
+    assert line == LogLine(CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",))
 
 
 @pytest.mark.parametrize("text", ["", " \t\n", "# a comment", "   // a comment", "\r\n"])

@@ -43,11 +43,11 @@ def ran(capsys: pytest.CaptureFixture[str], folder: Path, *words: str) -> Done:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """The made-up devices, one of them with a version that is a file."""
-    held = tmp_path / "specs"
-    shutil.copytree(MADE_UP, held)
-    (held / "glider-x/versions").mkdir()
-    (held / "glider-x/versions/1.2.yaml").write_text(OVERLAY, "utf-8")
-    return held
+    specs = tmp_path / "specs"
+    shutil.copytree(MADE_UP, specs)
+    (specs / "glider-x/versions").mkdir()
+    (specs / "glider-x/versions/1.2.yaml").write_text(OVERLAY, "utf-8")
+    return specs
 
 
 def test_versions_are_listed_by_line_with_what_depends_on_them(
@@ -71,14 +71,14 @@ def test_a_resolved_spec_is_the_device_at_that_version(
     capsys: pytest.CaptureFixture[str], root: Path, tmp_path: Path
 ) -> None:
     for name, versions in layouts(root).items():
-        for laid in versions:
-            done = ran(capsys, root, "resolve", f"{name}@{laid.device.version}")
+        for layout in versions:
+            done = ran(capsys, root, "resolve", f"{name}@{layout.device.version}")
             assert done.code == 0
             project = read({f"{name}/device.yaml": done.out.encode()})
             assert not has_errors(project.findings), (name, project.findings[0].message)
-            device, found = project.devices[name].at(laid.device.version)
-            assert not has_errors(found)
-            assert device_layout(device).identity == laid.identity
+            device, findings = project.devices[name].at(layout.device.version)
+            assert not has_errors(findings)
+            assert device_layout(device).identity == layout.identity
 
 
 def test_each_value_of_a_resolved_spec_has_its_place(capsys: pytest.CaptureFixture[str], folder: Path) -> None:

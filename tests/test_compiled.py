@@ -54,29 +54,29 @@ def shown(folder: Path, *options: str) -> int:
 def unread(monkeypatch: pytest.MonkeyPatch) -> None:
     """From here on, no spec can be read."""
 
-    def read(*given: object) -> None:
+    def read(*arguments: object) -> None:
         raise AssertionError("a spec is read")
 
     monkeypatch.setattr(project, "read", read)
 
 
-def alike(one: Any, other: Any, met: set[tuple[int, int]]) -> bool:
+def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
     """Whether two objects are of the same class and hold the same, through everything that they hold."""
-    if one is other or (id(one), id(other)) in met:
+    if left is other or (id(left), id(other)) in met:
         return True
-    met.add((id(one), id(other)))
-    if isinstance(one, (tuple, list)) and type(one) is type(other):
-        return len(one) == len(other) and all(alike(*pair, met) for pair in zip(one, other, strict=True))
-    if isinstance(one, dict):
-        return list(one) == list(other) and all(alike(one[key], other[key], met) for key in one)
-    if isinstance(one, SourceFile):
-        return (one.path, one.text) == (other.path, other.text)
-    if isinstance(one, Place) and isinstance(other, Place):  # of what was read, it is told where it stands
-        return alike((one.path, one.whole, one.spans), (other.path, other.whole, other.spans), set())
-    if hasattr(type(one), "_fields") and not isinstance(one, Enum):
-        values = [(getattr(one, name), getattr(other, name)) for name in attributes(type(one))]
-        return type(one) is type(other) and all(alike(*pair, met) for pair in values)
-    return type(one) is type(other) and bool(one == other)
+    met.add((id(left), id(other)))
+    if isinstance(left, (tuple, list)) and type(left) is type(other):
+        return len(left) == len(other) and all(alike(*pair, met) for pair in zip(left, other, strict=True))
+    if isinstance(left, dict):
+        return list(left) == list(other) and all(alike(left[key], other[key], met) for key in left)
+    if isinstance(left, SourceFile):
+        return (left.path, left.text) == (other.path, other.text)
+    if isinstance(left, Place) and isinstance(other, Place):  # of what was read, it is told where it stands
+        return alike((left.path, left.whole, left.spans), (other.path, other.whole, other.spans), set())
+    if hasattr(type(left), "_fields") and not isinstance(left, Enum):
+        values = [(getattr(left, name), getattr(other, name)) for name in attributes(type(left))]
+        return type(left) is type(other) and all(alike(*pair, met) for pair in values)
+    return type(left) is type(other) and bool(left == other)
 
 
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
@@ -91,19 +91,19 @@ def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) ->
 
 def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alike() -> None:
     citations = [(3, 17), (4, 20)]
-    held = [Citation("8.2", (lines,)) for lines in citations]
-    content = layout_json.to_json(Claim(Place("x", NOWHERE, {}), tuple(held), {}))
+    original = [Citation("8.2", (lines,)) for lines in citations]
+    content = layout_json.to_json(Claim(Place("x", NOWHERE, {}), tuple(original), {}))
 
     def new() -> tuple[Citation, ...]:
-        found: tuple[Citation, ...] = layout_json.from_json(content, lambda path: NOWHERE.file).sources
-        return found
+        citations: tuple[Citation, ...] = layout_json.from_json(content, lambda path: NOWHERE.file).sources
+        return citations
 
-    assert new()[0] == held[0]
-    assert held[0] == new()[0]
+    assert new()[0] == original[0]
+    assert original[0] == new()[0]
     assert new()[0] == new()[0] != new()[1]
-    assert [*map(hash, new())] == [*map(hash, held)]
+    assert [*map(hash, new())] == [*map(hash, original)]
     assert replace(new()[0], section="9") == Citation("9", ((3, 17),))
-    assert repr(new()[0]) == repr(held[0])
+    assert repr(new()[0]) == repr(original[0])
     with pytest.raises(AttributeError, match="Citation has no attribute colour"):
         _ = new()[0].colour  # type: ignore[attr-defined]
 
@@ -211,8 +211,8 @@ def test_places_are_shown_as_they_are_found_from_here(
     cache: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def path() -> str:
-        held = compiled.layout(str(folder), "widget").device
-        return next(iter(held.records.values())).place.whole.file.path
+        device = compiled.layout(str(folder), "widget").device
+        return next(iter(device.records.values())).place.whole.file.path
 
     monkeypatch.chdir(folder.parent)
     near = path()
@@ -233,11 +233,11 @@ def test_a_compiled_device_is_taken_without_what_reads_specs(cache: Path) -> Non
 
 @pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
 def test_a_device_that_cannot_be_laid_out_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
-    found = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
-    assert found is not None
-    shutil.copytree(case, tmp_path / "specs" / found[1])
+    match = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
+    assert match is not None
+    shutil.copytree(case, tmp_path / "specs" / match[1])
     for more in (["show"], ["decode"]):
         frame = ["01 02 03"] if more == ["decode"] else []
-        assert main([*more, found[1], *frame, "--specs", str(tmp_path / "specs")]) == 2
-        assert f"the spec of {found[1]} has findings" in capsys.readouterr().err
+        assert main([*more, match[1], *frame, "--specs", str(tmp_path / "specs")]) == 2
+        assert f"the spec of {match[1]} has findings" in capsys.readouterr().err
     assert not cache.exists()

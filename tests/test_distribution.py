@@ -30,7 +30,7 @@ def packed(folder: Path, mask: int, zone: str, stamp: int) -> dict[str, bytes]:
             shutil.copyfile(ROOT / part, copy / part)
     for path in copy.rglob("*"):
         os.utime(path, (stamp, stamp))
-    environment = {name: held for name, held in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
+    environment = {name: value for name, value in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
     command = [sys.executable, "-m", "hatchling", "build", "-d", str(folder / "dist")]
     subprocess.run(command, cwd=copy, env={**environment, "TZ": zone}, umask=mask, check=True, capture_output=True)
     return {path.name: path.read_bytes() for path in sorted((folder / "dist").iterdir())}
@@ -86,9 +86,9 @@ def test_an_installed_wheel_works_in_an_empty_folder(distributions: dict[str, by
     assert (refused.returncode, "are not changed" in refused.stderr) == (2, True)
     protocols = sorted(path.stem for path in (ROOT / "specs/protocols").glob("*.yaml"))
     for number, protocol in enumerate(["packet", *protocols]):
-        made = run("new", "device", f"pump{number}", "--protocol", protocol)
-        assert (made.returncode, made.stderr) == (0, "")
-        assert f"specs/pump{number}/device.yaml" in made.stdout
+        created = run("new", "device", f"pump{number}", "--protocol", protocol)
+        assert (created.returncode, created.stderr) == (0, "")
+        assert f"specs/pump{number}/device.yaml" in created.stdout
     checked = run("check")
     assert (checked.returncode, checked.stdout) == (0, checked.stdout.strip() + "\n")
     assert run("build").returncode == 0

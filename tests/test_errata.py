@@ -29,13 +29,13 @@ def test_a_device_has_several_dozen_errata_and_many_of_them_are_proven(spec: Dev
 def test_a_judgement_is_one_that_no_check_can_make(spec: DeviceSpec) -> None:
     version = spec.versions()[-1]
     device, _ = spec.at(version)
-    clean = {found.message for found in checks.run(device)}
+    clean = {finding.message for finding in checks.run(device)}
     provable = {}
     for erratum in device.errata:
         if erratum.proof == JUDGEMENT and erratum.printed and None not in erratum.printed.values():
             wrong, broken = put_back(spec, spec.tree_at(version), version, device, erratum)
-            found = [*broken, *checks.run(wrong)]
-            provable[erratum.id] = {finding.code for finding in found if finding.message not in clean}
+            findings = [*broken, *checks.run(wrong)]
+            provable[erratum.id] = {finding.code for finding in findings if finding.message not in clean}
     assert {id: codes for id, codes in provable.items() if codes} == {}
 
 

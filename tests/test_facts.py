@@ -49,8 +49,10 @@ def test_a_path_is_that_of_one_fact(device: str) -> None:
 def test_every_printed_fact_has_its_line(device: str) -> None:
     free = ("example", "note", "version", "register_group", "task")
     elsewhere = ("standard", "computed", "reported")
-    given = [row for row in facts(SPECS, device) if row["provenance"] not in elsewhere and row["kind"] not in free]
-    assert [row["path"] for row in given if row["line"] is None] == []
+    printed_facts = [
+        row for row in facts(SPECS, device) if row["provenance"] not in elsewhere and row["kind"] not in free
+    ]
+    assert [row["path"] for row in printed_facts if row["line"] is None] == []
 
 
 @pytest.mark.parametrize("device", DEVICES)

@@ -172,9 +172,9 @@ def test_a_build_leaves_the_old_outputs_or_the_new_ones(
         unfinished = bool(left_over(out))
         capsys.readouterr()
         code = built(outputs.folder, "--check")
-        said = capsys.readouterr().out
-        assert unfinished == ("unfinished: " in said or "left over: " in said), f"at operation {number}"
-        assert code == (1 if unfinished or "not fresh" in said else 0)
+        output = capsys.readouterr().out
+        assert unfinished == ("unfinished: " in output or "left over: " in output), f"at operation {number}"
+        assert code == (1 if unfinished or "not fresh" in output else 0)
         with Beside(out):
             pass
         now = of_outputs(state(outputs.folder))

@@ -31,17 +31,17 @@ BARE = [Diagnostic("other_rule", 'a </script> & \x00 "quoted"', Span(FILE, 33, 3
 
 
 def test_a_caret_stands_under_the_culprit_behind_wide_characters() -> None:
-    shown = text.rendered(FOUND).splitlines()
-    line, marks = shown[1], shown[2]
+    rendered = text.rendered(FOUND).splitlines()
+    line, marks = rendered[1], rendered[2]
     before = line.split("servo")[0]
     assert text.width(marks.split("^")[0]) == text.width(before)
     assert marks.count("^") == len("servo")
 
 
 def test_the_text_names_rule_place_label_and_help() -> None:
-    shown = text.rendered(FOUND)
+    rendered = text.rendered(FOUND)
     for part in ("device/points.yaml:1:18: error[some_rule]", "device/points.yaml:1:8: here", "help: rename it"):
-        assert part in shown
+        assert part in rendered
 
 
 def test_plain_text_has_no_escape_sequences_and_coloured_text_has() -> None:
@@ -71,11 +71,11 @@ def test_github_commands_are_one_line_each_and_escaped() -> None:
     assert "the name is taken%0Aby 100%25 of ::x" in lines[0]
 
 
-@pytest.mark.parametrize("found", [[], FOUND, BARE], ids=["none", "one", "hostile"])
-def test_junit_is_xml_with_a_case_for_every_finding(found: list[Diagnostic]) -> None:
-    suite = ElementTree.fromstring(import_module("fieldspec.render.junit").rendered(found))
-    assert suite.get("failures") == str(len(found))
-    assert len(suite.findall("testcase")) == max(1, len(found))
+@pytest.mark.parametrize("findings", [[], FOUND, BARE], ids=["none", "one", "hostile"])
+def test_junit_is_xml_with_a_case_for_every_finding(findings: list[Diagnostic]) -> None:
+    suite = ElementTree.fromstring(import_module("fieldspec.render.junit").rendered(findings))
+    assert suite.get("failures") == str(len(findings))
+    assert len(suite.findall("testcase")) == max(1, len(findings))
 
 
 @pytest.mark.parametrize(

@@ -140,8 +140,8 @@ def named(node: ast.Call) -> str:
 
 def test_every_part_of_the_house_is_in_the_order_of_imports() -> None:
     parts = {path.name.removesuffix(".py") for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
-    listed = [name for level in order() for sibling in level for name in sibling]
-    assert sorted(listed) == sorted(parts - {"__init__", "__main__", "__pycache__"})
+    levels = [name for level in order() for sibling in level for name in sibling]
+    assert sorted(levels) == sorted(parts - {"__init__", "__main__", "__pycache__"})
 
 
 def test_places_that_the_documentation_names_are_there() -> None:
@@ -176,7 +176,7 @@ def test_a_library_is_imported_at_home_only(library: str) -> None:
 
 
 def test_only_the_command_line_touches_the_world() -> None:
-    found = {
+    uses = {
         f"{inside(path)}:{node.lineno}: {named(node)}"
         for path in MODULES
         if not inside(path).startswith(("cli.py", "commands/"))
@@ -184,11 +184,11 @@ def test_only_the_command_line_touches_the_world() -> None:
         if isinstance(node, ast.Call) and named(node) in TOUCHES_THE_WORLD
         if (inside(path), named(node)) not in NOT_THE_WORLD
     }
-    assert found == set()
+    assert uses == set()
 
 
 def test_texts_are_read_and_written_as_utf8() -> None:
-    found = {
+    uses = {
         f"{path.name}:{node.lineno}: {named(node)}"
         for path in [*MODULES, *TESTS]
         for node in ast.walk(tree(path))
@@ -196,7 +196,7 @@ def test_texts_are_read_and_written_as_utf8() -> None:
         and named(node) in ("read_text", "write_text")
         and "utf-8" not in [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
     }
-    assert found == set()
+    assert uses == set()
 
 
 def test_the_compiler_knows_no_device_and_no_protocol() -> None:
@@ -205,12 +205,12 @@ def test_the_compiler_knows_no_device_and_no_protocol() -> None:
         {path.name for path in folders} | {path.stem for path in (ROOT / "specs" / "protocols").iterdir()} | {*MAKERS}
     )
     assert len(names) > 6
-    found = {}
+    names_by_file = {}
     for path in [*TEXTS, *PACKAGE.rglob("*.json")]:
         text = ALGORITHMS.sub("", path.read_text("utf-8")).lower()
-        if held := [name for name in names if name in text]:
-            found[inside(path)] = held
-    assert found == {}
+        if present := [name for name in names if name in text]:
+            names_by_file[inside(path)] = present
+    assert names_by_file == {}
 
 
 def test_files_are_small() -> None:
@@ -270,8 +270,8 @@ def built(seed: str) -> list[dict[str, str]]:
     """The findings and the hashes of all outputs of the made-up devices, in their order."""
     environment = {**os.environ, "PYTHONHASHSEED": seed}
     ran = subprocess.run([sys.executable, "-c", BUILD], cwd=ROOT, env=environment, capture_output=True, check=True)
-    found: list[dict[str, str]] = json.loads(ran.stdout)
-    return found
+    report: list[dict[str, str]] = json.loads(ran.stdout)
+    return report
 
 
 def test_outputs_are_the_same_whatever_the_hashes_of_strings() -> None:

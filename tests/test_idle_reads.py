@@ -19,16 +19,16 @@ BLOCKS = [
     pytest.param(newest(SPECS, name), block, id=f"{name}-{block.start:04X}")
     for name in ("ck10", "tc100")
     for block in polling(newest(SPECS, name)).blocks
-    if any(block.start <= laid.address < block.start + block.words for laid in newest(SPECS, name).registers)
+    if any(block.start <= register.address < block.start + block.words for register in newest(SPECS, name).registers)
 ]
 
 
-def resting(layout: DeviceLayout, laid: RegisterLayout) -> Any:
+def resting(layout: DeviceLayout, register: RegisterLayout) -> Any:
     """What a register answers at rest: 0 where writing starts something, else its initial value, or the least legal."""
-    value = laid.register.value
+    value = register.register.value
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         return bytes(value.size)
-    if laid.register.trigger or value.type.kind is Kind.FLOAT:
+    if register.register.trigger or value.type.kind is Kind.FLOAT:
         return 0
     if value.const is not None:
         return value.const
@@ -45,15 +45,15 @@ def _least(layout: DeviceLayout, value: Value) -> int:
 
 def within(layout: DeviceLayout, block: PollBlock) -> list[tuple[RegisterLayout, bytes]]:
     """The registers that begin in a block, each element of several, with what they answer."""
-    found = []
-    for laid in layout.registers:
-        for number in range(laid.count):
-            address = laid.address + number * laid.stride
-            if block.start <= address and address + laid.words <= block.start + block.words:
-                whole = value_construct(laid.register.value, laid.order, laid.swapped)
-                data = whole.build(resting(layout, laid))
-                found.append((laid, data.ljust(2 * laid.words, b"\0")))
-    return found
+    registers = []
+    for register in layout.registers:
+        for number in range(register.count):
+            address = register.address + number * register.stride
+            if block.start <= address and address + register.words <= block.start + block.words:
+                whole = value_construct(register.register.value, register.order, register.swapped)
+                data = whole.build(resting(layout, register))
+                registers.append((register, data.ljust(2 * register.words, b"\0")))
+    return registers
 
 
 @pytest.mark.parametrize(("layout", "block"), BLOCKS)
@@ -67,10 +67,10 @@ def test_every_register_of_an_idle_device_is_decoded(layout: DeviceLayout, block
         raw = value_construct(answer, laid.order, laid.swapped).parse(data[: answer.size])
         wanted = decoded_value(laid.name, answer, raw, layout.device, None)
         register = constants[laid.name] if laid.count == 1 else next(iter(constants[laid.name]))
-        found = register.decode(data)
-        assert getattr(found, "raw", found) == wanted, laid.name
+        value = register.decode(data)
+        assert getattr(value, "raw", value) == wanted, laid.name
 
 
 def test_what_starts_something_is_among_what_is_read() -> None:
-    started = [laid.name for param in BLOCKS for laid, _ in within(*param.values) if laid.register.trigger]  # type: ignore[arg-type]
+    started = [register.name for param in BLOCKS for register, _ in within(*param.values) if register.register.trigger]  # type: ignore[arg-type]
     assert {"start_move", "start_homing", "stop", "run_point_table", "save_all_parameters"} <= set(started)

@@ -164,10 +164,10 @@ def sparse(path: Path) -> None:
 
 
 def bound(path: Path) -> None:
-    with socket.socket(socket.AF_UNIX) as one:
+    with socket.socket(socket.AF_UNIX) as listener:
         here = os.getcwd()
         os.chdir(path.parent)
-        one.bind(path.name)
+        listener.bind(path.name)
         os.chdir(here)
 
 

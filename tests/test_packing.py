@@ -37,7 +37,7 @@ BOOK = Workbook(
 )
 
 
-@pytest.mark.parametrize(("number", "shown"), list(enumerate(shown for _, shown in CELLS)))
+@pytest.mark.parametrize(("number", "cell"), list(enumerate(cell for _, cell in CELLS)))
 def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, shown: str | int) -> None:
     cell = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))["First"].cell(number + 1, 2)
     assert (cell.value or "", cell.data_type) == (shown, "n" if isinstance(shown, int) else "s")
@@ -45,35 +45,35 @@ def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, show
 
 
 def test_all_sheets_and_columns_are_there() -> None:
-    held = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))
-    assert held.sheetnames == ["First", "Second sheet"]
-    assert held["First"].dimensions == f"A1:B{len(CELLS)}"
-    assert held["Second sheet"].dimensions == "A1:AD1"
-    assert held["Second sheet"]["AD1"].value == "column 29"
+    workbook = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))
+    assert workbook.sheetnames == ["First", "Second sheet"]
+    assert workbook["First"].dimensions == f"A1:B{len(CELLS)}"
+    assert workbook["Second sheet"].dimensions == "A1:AD1"
+    assert workbook["Second sheet"]["AD1"].value == "column 29"
 
 
 def test_a_workbook_says_its_properties() -> None:
-    held = openpyxl.load_workbook(io.BytesIO(packed(BOOK))).custom_doc_props  # type: ignore[attr-defined]
-    assert {name: held[name].value for name in held.names} == BOOK.properties
+    properties = openpyxl.load_workbook(io.BytesIO(packed(BOOK))).custom_doc_props  # type: ignore[attr-defined]
+    assert {name: properties[name].value for name in properties.names} == BOOK.properties
 
 
 @pytest.mark.parametrize("book", [BOOK, Workbook(BOOK.sheets[1:])])
 def test_every_part_is_xml_and_every_part_that_is_named_is_there(book: Workbook) -> None:
-    with zipfile.ZipFile(io.BytesIO(packed(book))) as held:
-        parts = {name: ElementTree.fromstring(held.read(name)) for name in held.namelist()}
-    listed = {one.get("PartName", "").lstrip("/") for one in parts["[Content_Types].xml"]} - {""}
-    assert listed == {name for name in parts if not name.endswith(".rels")} - {"[Content_Types].xml"}
-    assert {f"xl/{one.get('Target', '').removeprefix('/xl/')}" for one in parts["xl/_rels/workbook.xml.rels"]} == {
-        name for name in listed if name.startswith("xl/") and name != "xl/workbook.xml"
-    }
-    assert {one.get("Target") for one in parts["_rels/.rels"]} == {
-        name for name in listed if name.startswith("docProps/")
+    with zipfile.ZipFile(io.BytesIO(packed(book))) as archive:
+        parts = {name: ElementTree.fromstring(archive.read(name)) for name in archive.namelist()}
+    declared_parts = {element.get("PartName", "").lstrip("/") for element in parts["[Content_Types].xml"]} - {""}
+    assert declared_parts == {name for name in parts if not name.endswith(".rels")} - {"[Content_Types].xml"}
+    assert {
+        f"xl/{element.get('Target', '').removeprefix('/xl/')}" for element in parts["xl/_rels/workbook.xml.rels"]
+    } == {name for name in declared_parts if name.startswith("xl/") and name != "xl/workbook.xml"}
+    assert {element.get("Target") for element in parts["_rels/.rels"]} == {
+        name for name in declared_parts if name.startswith("docProps/")
     } | {"xl/workbook.xml"}
 
 
 def test_a_text_is_kept_once_however_often_it_is_used() -> None:
     book = Workbook((Worksheet("Sheet", (("same", "same"), ("same", "other"))),))
-    with zipfile.ZipFile(io.BytesIO(packed(book))) as held:
-        texts = held.read("xl/sharedStrings.xml").decode()
+    with zipfile.ZipFile(io.BytesIO(packed(book))) as archive:
+        texts = archive.read("xl/sharedStrings.xml").decode()
     assert 'count="4" uniqueCount="2"' in texts
     assert texts.count("same") == 1

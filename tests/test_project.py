@@ -35,9 +35,9 @@ IN_WHEEL = {
 
 def normalised(requirement: str) -> str:
     """The name of the package that a requirement asks for, in the one spelling that registries compare."""
-    found = re.match(r"[\w.-]+", requirement)
-    assert found, requirement
-    return re.sub(r"[-_.]+", "-", found[0]).lower()
+    match = re.match(r"[\w.-]+", requirement)
+    assert match, requirement
+    return re.sub(r"[-_.]+", "-", match[0]).lower()
 
 
 @pytest.fixture(scope="module")
@@ -95,9 +95,9 @@ def test_wheel_holds_the_compiler_the_specs_and_the_codecs(tmp_path: Path) -> No
     build = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(tmp_path)]
     subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
     (wheel,) = tmp_path.glob("*.whl")
-    held = set(zipfile.ZipFile(wheel).namelist())
+    names = set(zipfile.ZipFile(wheel).namelist())
     for folder, inside in IN_WHEEL.items():
         files = [path.relative_to(ROOT / folder) for path in (ROOT / folder).rglob("*") if path.is_file()]
         wanted = {f"{inside}/{file.as_posix()}" for file in files if "__pycache__" not in file.parts}
         assert wanted, f"{folder} is empty"
-        assert wanted - held == set()
+        assert wanted - names == set()

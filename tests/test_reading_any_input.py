@@ -42,9 +42,9 @@ WORDS = st.sampled_from([*MARKS, *ESCAPES, *KEYS])
 
 def read_whole(files: dict[str, bytes]) -> Project:
     """Reads files and every version of their devices; whatever is found can be shown."""
-    found = read(files)
-    findings = list(found.findings)
-    for spec in found.devices.values():
+    project = read(files)
+    findings = list(project.findings)
+    for spec in project.devices.values():
         for version in [*spec.versions(), "no such version"]:
             findings += spec.at(version)[1]
     for finding in findings:
@@ -57,7 +57,7 @@ def read_whole(files: dict[str, bytes]) -> Project:
             assert line >= 1
             assert column >= 1
             span.file.line(line)
-    return found
+    return project
 
 
 def of_device(data: bytes) -> dict[str, bytes]:
@@ -123,7 +123,9 @@ def test_any_spec_that_fits_the_schema_is_read() -> None:
     for seed in range(SEEDS):
         text = any_spec.spec(seed)
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
-        found = read_whole(files)
-        assert set(codes(found.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, f"seed {seed}"
-        built += "gadget" in found.devices
+        project = read_whole(files)
+        assert set(codes(project.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, (
+            f"seed {seed}"
+        )
+        built += "gadget" in project.devices
     assert built > SEEDS / 2

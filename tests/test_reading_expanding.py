@@ -56,8 +56,8 @@ enums:
 
 
 def device(text: str) -> Device:
-    built, found = gadget(text).at("1")
-    assert codes(found) == []
+    built, findings = gadget(text).at("1")
+    assert codes(findings) == []
     return built
 
 
@@ -112,7 +112,7 @@ def test_a_field_of_a_record_may_place_a_signal() -> None:
 
 def test_masks_of_named_bits_are_members_behind_those_that_are_listed() -> None:
     members = device(ENUMS).enums["function"].members
-    assert [(one.value, one.name, one.label) for one in members] == [
+    assert [(member.value, member.name, member.label) for member in members] == [
         (0, "none", ""),
         (1, "stop", "停"),
         (1 << 31, "go", ""),
@@ -121,7 +121,7 @@ def test_masks_of_named_bits_are_members_behind_those_that_are_listed() -> None:
 
 
 def test_numbers_of_members_are_the_members_of_another_enum() -> None:
-    assert [(one.value, one.name, one.printed_name) for one in device(ENUMS).enums["internal"].members] == [
+    assert [(member.value, member.name, member.printed_name) for member in device(ENUMS).enums["internal"].members] == [
         (4, "system", "AL.024")
     ]
 
@@ -141,9 +141,9 @@ def test_numbers_of_members_are_the_members_of_another_enum() -> None:
 )
 def test_a_reference_to_what_is_not_there_is_found(text: str, message: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    found = project(clean.removeprefix(DEVICE)).findings
-    assert (found[0].code, found[0].message) == ("references_resolve", message)
-    assert pointed_at(found[0].span) == clean[start:end]
+    findings = project(clean.removeprefix(DEVICE)).findings
+    assert (findings[0].code, findings[0].message) == ("references_resolve", message)
+    assert pointed_at(findings[0].span) == clean[start:end]
 
 
 @pytest.mark.parametrize(
@@ -158,8 +158,8 @@ def test_a_fraction_is_an_exact_scale(scale: str, exact: str) -> None:
 
 @pytest.mark.parametrize("scale", ["1/3", "1/0", "1/7^50"])
 def test_a_fraction_that_is_no_exact_decimal_is_found(scale: str) -> None:
-    found = gadget(f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n").at("1")[1]
-    assert codes(found) == ["wrong_form"]
+    findings = gadget(f"records: [{{name: a, fields: [{{name: b, type: i32, scale: {scale}}}]}}]\n").at("1")[1]
+    assert codes(findings) == ["wrong_form"]
 
 
 def test_a_value_in_the_unit_is_exact_for_long_scales() -> None:

@@ -46,38 +46,38 @@ class Watched(dict[str, Node]):
         return super().__getitem__(key)
 
 
-def watched(node: Node, part: Schema, name: str, given: set[Key], asked: set[Key]) -> Node:
+def watched(node: Node, part: Schema, name: str, declared: set[Key], asked: set[Key]) -> Node:
     """The tree with watched mappings; the keys that it has are added to `given`."""
     name = part.get("$ref", name).removeprefix("#/$defs/")
     part = resolved(part)
     if isinstance(node, Sequence):
-        items = tuple(watched(item, part.get("items", {}), f"{name}[]", given, asked) for item in node.items)
+        items = tuple(watched(item, part.get("items", {}), f"{name}[]", declared, asked) for item in node.items)
         return Sequence(node.file, node.start, node.end, items)
     if not isinstance(node, Mapping):
         return node
     known = part.get("properties", {})
-    given.update((name, key) for key in node.values if key in known)
+    declared.update((name, key) for key in node.values if key in known)
     values = {
-        key: watched(value, known.get(key, {}), f"{name}.{key}", given, asked) for key, value in node.values.items()
+        key: watched(value, known.get(key, {}), f"{name}.{key}", declared, asked) for key, value in node.values.items()
     }
     return Mapping(node.file, node.start, node.end, Watched(values, name, asked), node.keys)
 
 
 def test_every_key_is_asked_for() -> None:
-    given: set[Key] = set()
+    declared: set[Key] = set()
     asked: set[Key] = set()
     for text in (RARE, *map(any_spec.spec, range(SEEDS))):
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         for spec in read(files).devices.values():
             for version in spec.versions():
-                tree = watched(spec.tree_at(version), schema(), "", given, asked)
+                tree = watched(spec.tree_at(version), schema(), "", declared, asked)
                 assert isinstance(tree, Mapping)
                 built(tree, version)
-    assert len(given) > 350
+    assert len(declared) > 350
     # What another place or somebody else says is taken key by key, whatever the keys are.
     passed_over = {
         (name, key)
-        for name, key in given - asked
+        for name, key in declared - asked
         if not name.startswith(("claim", "report", "copy", ".audit", ".reviews", *OF_AUDITS))
         and key not in SETTLED_BEFORE
     }

@@ -49,10 +49,10 @@ def project(base: str = BASE, **files: str) -> Project:
 
 def at(version: str, base: str = BASE, **files: str) -> Device:
     """The device at a version; nothing is found."""
-    made = project(base, **files)
-    assert codes(made.findings) == []
-    device, found = made.devices["gadget"].at(version)
-    assert codes(found) == []
+    built = project(base, **files)
+    assert codes(built.findings) == []
+    device, findings = built.devices["gadget"].at(version)
+    assert codes(findings) == []
     return device
 
 
@@ -70,7 +70,7 @@ def test_a_changed_key_has_its_new_value() -> None:
     old, new = at("2.0", v2_1=FULL).register("speed"), at("2.1", v2_1=FULL).register("speed")
     assert old is not None
     assert new is not None
-    assert [one.value.ranges.text() for one in (old, new) if one.value.ranges] == ["1..100", "1..120"]
+    assert [register.value.ranges.text() for register in (old, new) if register.value.ranges] == ["1..100", "1..120"]
     assert [old.value.unit, new.value.unit] == ["", "rpm"]
 
 
@@ -116,8 +116,8 @@ def test_a_later_version_that_is_listed_has_nothing_of_an_overlay() -> None:
 def test_versions_of_several_lines_are_picked_together() -> None:
     base = BASE + "limits: [{name: a, value: 1, only: [V1]}, {name: b, value: 1, since: V2, until: '2.0'}]\n"
     spec = project(base).devices["gadget"]
-    held = {v: [limit.name for limit in spec.at(v)[0].limits] for v in ("2.0", "2.0+V1", "2.0+V2", "3.0+V2")}
-    assert held == {"2.0": ["a", "b"], "2.0+V1": ["a"], "2.0+V2": ["b"], "3.0+V2": []}
+    limits = {v: [limit.name for limit in spec.at(v)[0].limits] for v in ("2.0", "2.0+V1", "2.0+V2", "3.0+V2")}
+    assert limits == {"2.0": ["a", "b"], "2.0+V1": ["a"], "2.0+V2": ["b"], "3.0+V2": []}
 
 
 # An overlay of 2.0 with its mark, and the code of the finding.
@@ -147,10 +147,10 @@ WRONG = {
 @pytest.mark.parametrize("text", WRONG)
 def test_what_does_not_fit_the_base_is_found(text: str) -> None:
     clean, start, end = unmarked(overlay(text))
-    found = project(v2_1=clean).findings
-    assert codes(found) == [WRONG[text]]
-    assert pointed_at(found[0].span) == clean[start:end]
-    assert found[0].span.file.path == "gadget/versions/2.1.yaml"
+    findings = project(v2_1=clean).findings
+    assert codes(findings) == [WRONG[text]]
+    assert pointed_at(findings[0].span) == clean[start:end]
+    assert findings[0].span.file.path == "gadget/versions/2.1.yaml"
 
 
 def test_an_old_value_that_the_base_has_not_is_shown_in_both_places() -> None:
@@ -186,15 +186,15 @@ def test_versions_that_do_not_follow_each_other_are_found(name: str) -> None:
 
 def test_a_version_of_another_line_says_behind_which_one_it_stands() -> None:
     text = 'overlay: {id: "V1b", line: hardware, based_on: "2.0", after: V1}'
-    made = project(vV1b=text)
-    assert codes(made.findings) == []
-    assert [version.id for version in made.devices["gadget"].at("2.0")[0].lines[1].versions] == ["V1", "V1b", "V2"]
+    built = project(vV1b=text)
+    assert codes(built.findings) == []
+    assert [version.id for version in built.devices["gadget"].at("2.0")[0].lines[1].versions] == ["V1", "V1b", "V2"]
 
 
 @pytest.mark.parametrize("section", ["overlay", "adds", "changes", "removes", "renames"])
 def test_what_belongs_into_the_file_of_a_version_is_found_elsewhere(section: str) -> None:
-    held = '{id: "2.1", line: firmware, based_on: "2.0"}' if section == "overlay" else "[]"
-    assert codes(project(BASE + f"{section}: {held}\n").findings) == ["unknown_key"]
+    overlay = '{id: "2.1", line: firmware, based_on: "2.0"}' if section == "overlay" else "[]"
+    assert codes(project(BASE + f"{section}: {overlay}\n").findings) == ["unknown_key"]
 
 
 TWICE = BASE.replace(
@@ -204,9 +204,9 @@ TWICE = BASE.replace(
 
 
 def test_an_entry_is_about_the_fact_that_its_base_has_where_there_are_several_of_a_name() -> None:
-    found = at("2.1", TWICE, v2_1=FULL).register("speed")
-    assert found is not None
-    assert str(found.value.ranges and found.value.ranges.text()) == "1..120"
+    register = at("2.1", TWICE, v2_1=FULL).register("speed")
+    assert register is not None
+    assert str(register.value.ranges and register.value.ranges.text()) == "1..120"
     before = at("1.0", TWICE, v2_1=FULL).register("speed")
     assert before is not None
     assert str(before.value.ranges and before.value.ranges.text()) == "1..50"
@@ -221,9 +221,9 @@ def test_a_version_of_another_line_keeps_what_all_versions_have() -> None:
     text = 'overlay: {id: V3, line: hardware, based_on: "1.0", after: V2}\n' + (
         "changes: [{fact: registers/speed, set: {unit: {was: ~, is: rpm}}, reason: Known now.}]"
     )
-    made = project(vV3=text)
-    assert codes(made.findings) == []
-    device, _ = made.devices["gadget"].at("2.0+V3")
+    built = project(vV3=text)
+    assert codes(built.findings) == []
+    device, _ = built.devices["gadget"].at("2.0+V3")
     assert device.register("late") is not None
 
 

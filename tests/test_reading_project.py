@@ -38,8 +38,8 @@ records:
 def device(text: str, **others: str) -> Device:
     """The model of the gadget's only version."""
     spec = gadget(text, **others)
-    model, found = spec.at(spec.versions()[-1])
-    assert codes(found) == []
+    model, findings = spec.at(spec.versions()[-1])
+    assert codes(findings) == []
     return model
 
 
@@ -62,9 +62,9 @@ def test_files_that_are_no_specs_are_passed_over() -> None:
 
 def test_a_section_that_is_no_list_stands_in_one_file() -> None:
     clean, start, _ = unmarked(f"«device»: {{id: gadget, name: Other, vendor: Maker, manual: {MANUAL}}}\n")
-    (found,) = project("", gadget_other=clean).findings
-    assert (found.code, found.span.file.path, found.span.start) == ("section_twice", "gadget/other.yaml", start)
-    assert [(label.span.file.path, pointed_at(label.span)) for label in found.labels] == [
+    (finding,) = project("", gadget_other=clean).findings
+    assert (finding.code, finding.span.file.path, finding.span.start) == ("section_twice", "gadget/other.yaml", start)
+    assert [(label.span.file.path, pointed_at(label.span)) for label in finding.labels] == [
         ("gadget/device.yaml", "device")
     ]
 
@@ -110,14 +110,14 @@ def test_only_the_devices_that_are_asked_for_are_read() -> None:
 )
 def test_a_wrong_use_is_found_where_it_is(text: str, others: dict[str, str], code: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
-    (found,) = project(clean.removeprefix(DEVICE), **others).findings
-    assert (found.code, found.span.start, found.span.end) == (code, start, end)
-    assert found.help
+    (finding,) = project(clean.removeprefix(DEVICE), **others).findings
+    assert (finding.code, finding.span.start, finding.span.end) == (code, start, end)
+    assert finding.help
 
 
 def test_a_missing_protocol_has_a_hint() -> None:
-    (found,) = project("uses: [{protocol: wires}]\n", protocols_wire=WIRE).findings
-    assert found.help == "did you mean `wire`?"
+    (finding,) = project("uses: [{protocol: wires}]\n", protocols_wire=WIRE).findings
+    assert finding.help == "did you mean `wire`?"
 
 
 @pytest.mark.parametrize(
@@ -133,15 +133,15 @@ def test_protocols_that_use_each_other_in_a_circle_are_a_finding(others: dict[st
         path: f"protocol: {{id: {path[-1]}, title: P}}\nuses: [{', '.join(f'{{protocol: {name}}}' for name in uses)}]\n"
         for path, uses in others.items()
     }
-    (found,) = project("uses: [{protocol: a}]\n", **files).findings
-    assert found.code == "import_cycle"
-    assert found.message.endswith(chain)
-    assert pointed_at(found.span) == chain[-1]
+    (finding,) = project("uses: [{protocol: a}]\n", **files).findings
+    assert finding.code == "import_cycle"
+    assert finding.message.endswith(chain)
+    assert pointed_at(finding.span) == chain[-1]
 
 
 def test_a_protocol_that_no_device_uses_is_read_too() -> None:
-    found = project("", protocols_wire="protocol: {id: wire, title: P}\nlinkz: []\n").findings
-    assert codes(found) == ["unknown_key"]
+    findings = project("", protocols_wire="protocol: {id: wire, title: P}\nlinkz: []\n").findings
+    assert codes(findings) == ["unknown_key"]
 
 
 @pytest.mark.parametrize("text", ["links: []\n", "protocol: {id: wire, title: P}\ndevice: 1\n"])
@@ -213,8 +213,8 @@ enums:
 def test_a_finding_in_what_comes_from_a_protocol_points_into_the_protocol() -> None:
     wire = "protocol: {id: wire, title: P}\nrecords: [{name: a, fields: [{name: b, scale: 0, type: u8}]}]\n"
     spec = gadget("uses: [{protocol: wire}]\n", protocols_wire=wire)
-    (found,) = spec.at("1")[1]
-    assert (found.span.file.path, pointed_at(found.span)) == ("protocols/wire.yaml", "0")
+    (finding,) = spec.at("1")[1]
+    assert (finding.span.file.path, pointed_at(finding.span)) == ("protocols/wire.yaml", "0")
 
 
 ROWS = """
@@ -313,12 +313,12 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
 )
 def test_what_a_schema_cannot_say_is_found_when_the_model_is_built(text: str, code: str) -> None:
     clean, start, _ = unmarked(DEVICE + text)
-    found = gadget(clean.removeprefix(DEVICE)).at("1")[1]
-    assert (found[0].code, found[0].span.start) == (code, start)
-    assert found[0].help
+    findings = gadget(clean.removeprefix(DEVICE)).at("1")[1]
+    assert (findings[0].code, findings[0].span.start) == (code, start)
+    assert findings[0].help
 
 
 def test_findings_of_building_are_bounded() -> None:
     rows = ", ".join(f"{{at: {number}, name: r{number}}}" for number in range(1000))
-    found = gadget(f"registers: [{{group: a, rows: [{rows}]}}]\n").at("1")[1]
-    assert codes(found) == ["type_given"] * 200 + ["too_many_findings"]
+    findings = gadget(f"registers: [{{group: a, rows: [{rows}]}}]\n").at("1")[1]
+    assert codes(findings) == ["type_given"] * 200 + ["too_many_findings"]

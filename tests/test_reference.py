@@ -42,18 +42,18 @@ def test_an_example_decodes_to_its_meaning_or_is_refused_as_it_says(layout: Devi
         assert caught.value.reason == example.refused
         return
     decoded = link.decode(example.frame, example.direction, example.message)
-    written = raw_values(layout, example)
-    assert written.items() <= {**decoded.head, **decoded.values}.items() or _within(
-        written, {**decoded.head, **decoded.values}
+    example_values = raw_values(layout, example)
+    assert example_values.items() <= {**decoded.head, **decoded.values}.items() or _within(
+        example_values, {**decoded.head, **decoded.values}
     )
 
 
-def _within(written: object, decoded: object) -> bool:
-    if isinstance(written, dict) and isinstance(decoded, dict):
-        return all(name in decoded and _within(value, decoded[name]) for name, value in written.items())
-    if isinstance(written, list) and isinstance(decoded, list):
-        return len(written) == len(decoded) and all(map(_within, written, decoded))
-    return written == decoded
+def _within(expected: object, decoded: object) -> bool:
+    if isinstance(expected, dict) and isinstance(decoded, dict):
+        return all(name in decoded and _within(value, decoded[name]) for name, value in expected.items())
+    if isinstance(expected, list) and isinstance(decoded, list):
+        return len(expected) == len(decoded) and all(map(_within, expected, decoded))
+    return expected == decoded
 
 
 def test_all_frames_of_both_manuals_are_examples() -> None:
@@ -72,24 +72,24 @@ def test_another_modbus_stack_reads_the_same_from_a_frame(layout: DeviceLayout, 
     assert used == len(example.frame)
     assert pdu is not None
     values = codec(layout).links[example.link].decode(example.frame, example.direction, example.message)
-    found = {**values.head, **values.values}
-    assert pdu.dev_id == found["station"]
+    decoded = {**values.head, **values.values}
+    assert pdu.dev_id == decoded["station"]
     code = layout.messages[example.message].message.code
     assert code is not None
     assert pdu.function_code == (code | 0x80 if example.error else code)
-    for name, value in found.items():
+    for name, value in decoded.items():
         if name in PDU:
-            held = getattr(pdu, PDU[name])
-            assert held == ([value] if name == "value" else value)
+            pdu_value = getattr(pdu, PDU[name])
+            assert pdu_value == ([value] if name == "value" else value)
 
 
 def test_another_modbus_stack_reads_an_identity() -> None:
     layout = newest(SPECS, "ck10")
-    held = layout.device.examples["identity-response"]
-    _, pdu = MODBUS[held.link](DecodePDU(is_server=False)).handleFrame(held.frame, 0, 0)
+    example = layout.device.examples["identity-response"]
+    _, pdu = MODBUS[example.link](DecodePDU(is_server=False)).handleFrame(example.frame, 0, 0)
     assert isinstance(pdu, ReportDeviceIdResponse)
-    found = codec(layout).links[held.link].decode(held.frame, "response", held.message).values
-    identity, state = found["server_id"], found["run_status"]
+    values = codec(layout).links[example.link].decode(example.frame, "response", example.message).values
+    identity, state = values["server_id"], values["run_status"]
     assert (pdu.identifier, pdu.status) == (bytes([identity]), state == 0xFF)
 
 

@@ -49,7 +49,7 @@ def test_the_action_is_a_composite_one_whose_steps_say_their_shell() -> None:
 
 
 def test_every_input_says_what_it_is_and_what_it_is_by_default() -> None:
-    assert all(held["description"] and "default" in held for held in ACTION["inputs"].values())
+    assert all(option["description"] and "default" in option for option in ACTION["inputs"].values())
 
 
 def test_the_script_calls_verbs_with_options_that_they_have() -> None:
@@ -85,14 +85,14 @@ class Repository:
         assert old in text
         path.write_text(text.replace(old, new, 1), "utf-8")
 
-    def review(self, **given: str) -> subprocess.CompletedProcess[str]:
+    def review(self, **inputs: str) -> subprocess.CompletedProcess[str]:
         """Runs the script with some variables."""
         path = f"{self.folder / 'bin'}{os.pathsep}{os.environ['PATH']}"
-        clean = {name: held for name, held in os.environ.items() if not name.startswith(("GITHUB_", "GIT_"))}
+        clean = {name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "GIT_"))}
         return subprocess.run(
             [require_tool("bash"), ROOT / ".ci" / "review"],
             cwd=self.folder,
-            env={**clean, "PATH": path, **given},
+            env={**clean, "PATH": path, **inputs},
             capture_output=True,
             text=True,
             encoding="utf-8",
@@ -108,8 +108,8 @@ def test_nothing_is_said_of_what_is_as_it_was(repository: Repository) -> None:
     done = repository.review(BASE="HEAD", SARIF="out")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     for name in ("check", "diff"):
-        held = json.loads((repository.folder / "out" / f"{name}.sarif").read_text("utf-8"))
-        assert held["runs"][0]["results"] == []
+        sarif = json.loads((repository.folder / "out" / f"{name}.sarif").read_text("utf-8"))
+        assert sarif["runs"][0]["results"] == []
 
 
 def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> None:
@@ -120,8 +120,8 @@ def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> Non
     (line,) = [line for line in done.stdout.splitlines() if line.startswith("::error")]
     assert "file=specs/tc100/registers-parameters.yaml" in line
     assert "renamed" in line
-    held = json.loads((repository.folder / "out" / "diff.sarif").read_text("utf-8"))
-    assert [one["ruleId"] for one in held["runs"][0]["results"]] == ["renamed"]
+    sarif = json.loads((repository.folder / "out" / "diff.sarif").read_text("utf-8"))
+    assert [entry["ruleId"] for entry in sarif["runs"][0]["results"]] == ["renamed"]
     assert "renamed" in summary.read_text("utf-8")
 
 

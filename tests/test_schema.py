@@ -74,11 +74,11 @@ def objects(part: Any) -> Iterator[dict[str, Any]]:
 
 def content(path: Path) -> object:
     """A spec file as plain data, typed as the reader types it."""
-    file, found = decoded(path.name, path.read_bytes())
-    assert not found
-    node, found = parsed(file)
+    file, findings = decoded(path.name, path.read_bytes())
+    assert not findings
+    node, findings = parsed(file)
     assert node is not None
-    assert not found
+    assert not findings
     return plain_data(typed(node)[0])
 
 
@@ -130,7 +130,7 @@ def mutated(data: Any, random: random.Random) -> Any:
     elif slip == 1:
         holder[key + random.choice("xs_")] = holder.pop(key)
     elif slip == 2:
-        elsewhere = random.choice([one for one in holders if isinstance(one, dict)])
+        elsewhere = random.choice([holder for holder in holders if isinstance(holder, dict)])
         elsewhere[key] = copy.deepcopy(holder[key])
     else:
         holder[key] = other(holder[key], random)
@@ -171,7 +171,7 @@ def test_two_libraries_find_nothing_in_a_spec_and_the_same_in_mutated_ones(path:
     refused = 0
     for _ in range(MUTATIONS):
         wrong = mutated(data, source)
-        found = rust(wrong)
-        assert found == python(validator, wrong)
-        refused += bool(found)
+        rejected = rust(wrong)
+        assert rejected == python(validator, wrong)
+        refused += bool(rejected)
     assert refused > MUTATIONS / 10

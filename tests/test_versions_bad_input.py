@@ -137,7 +137,7 @@ def test_a_version_or_a_revision_that_does_not_exist_is_wrong_use(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main([*words, "--specs", str(SPECS)]) == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert said.err.startswith("fieldspec: ")
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("fieldspec: ")
     assert list(tmp_path.iterdir()) == []

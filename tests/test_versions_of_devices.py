@@ -19,8 +19,8 @@ def project() -> Project:
 
 
 def device_at(name: str, version: str) -> Device:
-    device, found = project().devices[name].at(version)
-    assert found == [], version
+    device, findings = project().devices[name].at(version)
+    assert findings == [], version
     return device
 
 
@@ -50,8 +50,10 @@ def test_all_versions_that_the_manuals_speak_of_are_there() -> None:
 
 @pytest.mark.parametrize(("name", "version"), [*ALL, *JOINED])
 def test_a_version_passes_the_checks_whether_it_is_built_or_not(name: str, version: str) -> None:
-    found = [found for found in checks.run(device_at(name, version)) if found.code not in LEFT_OUT.get(version, ())]
-    assert [one.message for one in found] == []
+    findings = [
+        finding for finding in checks.run(device_at(name, version)) if finding.code not in LEFT_OUT.get(version, ())
+    ]
+    assert [finding.message for finding in findings] == []
 
 
 def test_versions_of_lines_that_are_not_built_are_on_the_wire_as_one_that_is() -> None:
@@ -64,5 +66,5 @@ def test_versions_of_lines_that_are_not_built_are_on_the_wire_as_one_that_is() -
 
 @pytest.mark.parametrize(("name", "version"), ALL)
 def test_versions_that_are_built_differ_on_the_wire(name: str, version: str) -> None:
-    identities = [device_layout(device_at(name, one)).identity for one in project().devices[name].versions()]
+    identities = [device_layout(device_at(name, version)).identity for version in project().devices[name].versions()]
     assert len(set(identities)) == len(identities)

@@ -21,7 +21,7 @@ def varied(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout,
         assert old in text
         text = text.replace(old, new)
     text = text[: text.index("\nexamples:")] + "\n"
-    device, found = read({NAME: text.encode()}).devices["glider-x"].at("1.1")
-    assert not has_errors(found), found[0].message
+    device, findings = read({NAME: text.encode()}).devices["glider-x"].at("1.1")
+    assert not has_errors(findings), findings[0].message
     layout = device_layout(device)
     return layout, made_apart(layout, f"glider_{name}")

@@ -45,8 +45,8 @@ def number(row: Row, words: Sequence[int], element: int = 0) -> int:
         word, _, span = run.rpartition(":")
         high, _, low = span.partition("..")
         width = int(high) - int(low or high) + 1
-        held = words[base + int(word or 0)] >> int(low or high)
-        value = value << width | held & ((1 << width) - 1)
+        raw = words[base + int(word or 0)] >> int(low or high)
+        value = value << width | raw & ((1 << width) - 1)
     return value
 
 

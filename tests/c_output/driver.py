@@ -52,10 +52,10 @@ int main(void)
 
 def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
     """Everything of a device that is decoded without a frame."""
-    found = dict(layout.records)
+    records = dict(layout.records)
     for message in layout.messages.values():
-        found |= {data.name: data for data in (message.request, message.response)}
-    return found
+        records |= {data.name: data for data in (message.request, message.response)}
+    return records
 
 
 def settled(layout: DeviceLayout) -> Naming:
@@ -71,12 +71,12 @@ def source(layout: DeviceLayout) -> str:
     cases = []
     for name, record in records(layout).items():
         decode, encode = naming.function("record", name, "decode"), naming.function("record", name, "encode")
-        held = bool(members(record))
+        has_members = bool(members(record))
         cases.append(
             f'if (strcmp(name, "{name}") == 0) {{'
-            + (f" {naming.type('record', name)} value; memset(&value, 0, sizeof value);" if held else "")
-            + f" status = (int){decode}(data, (size_t)size{', &value' if held else ''});"
-            + f" if (status == 0) second = (int){encode}({'&value, ' if held else ''}again, sizeof again, &length); }}"
+            + (f" {naming.type('record', name)} value; memset(&value, 0, sizeof value);" if has_members else "")
+            + f" status = (int){decode}(data, (size_t)size{', &value' if has_members else ''});"
+            + f" if (status == 0) second = (int){encode}({'&value, ' if has_members else ''}again, sizeof again, &length); }}"
         )
     for link in layout.links.values():
         wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end

@@ -63,8 +63,8 @@ def main(seconds: int = SECONDS) -> int:
             return 2
         call = command(program, seconds, folder / "corpus")
         log = folder / "log.txt"
-        with log.open("w", encoding="utf-8") as said:
-            running.append((layout.device.id, log, subprocess.Popen(call, stdout=said, stderr=subprocess.STDOUT)))
+        with log.open("w", encoding="utf-8") as log_file:
+            running.append((layout.device.id, log, subprocess.Popen(call, stdout=log_file, stderr=subprocess.STDOUT)))
     broken = 0
     for device, log, process in running:
         code = process.wait()

@@ -49,26 +49,26 @@ def answers(program: Path, lines: list[str]) -> Iterator[tuple[int, str | None]]
     """For each line the status of decoding, and what was written again, None where that was refused."""
     text = "".join(f"{line}\n" for line in lines)
     result = subprocess.run([str(program)], input=text, capture_output=True, text=True, check=True)
-    found = result.stdout.splitlines()
-    assert len(found) == len(lines)
-    for line in found:
+    output_lines = result.stdout.splitlines()
+    assert len(output_lines) == len(lines)
+    for line in output_lines:
         status, second, again = line.split(" ")
         yield int(status), again if second == "0" else None
 
 
 def given(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
     """The values without those that nobody gives: reserved, constant and measuring fields."""
-    kept = {}
+    values_given = {}
     for field in record.fields:
         constant = field.value is not None and field.value.const is not None
         if constant or field.field.measures or field.field.reserved:
             continue
-        held = values[field.name]
+        value = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [given(inner, item) for item in held] if field.is_list else given(inner, held)
-        kept[field.name] = held
-    return kept
+            value = [given(inner, item) for item in value] if field.is_list else given(inner, value)
+        values_given[field.name] = value
+    return values_given
 
 
 def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[int, str | None]:
@@ -125,23 +125,23 @@ def comparable(record: RecordLayout) -> bool:
 def test_c_and_the_reference_agree_on_random_bytes(driver: tuple[DeviceLayout, Path]) -> None:
     layout, program = driver
     dice = random.Random(layout.device.id)
-    held = records(layout)
+    layouts_by_name = records(layout)
     cases = [
         (name, random_bytes(record, dice))
-        for name, record in held.items()
+        for name, record in layouts_by_name.items()
         for _ in range(TRIES * max(1, len(record.chosen)))
     ]
     taken = set()
     for (name, data), answer in zip(
         cases, answers(program, [f"{name} {data.hex()}" for name, data in cases]), strict=True
     ):
-        record = held[name].of_data(data)
-        status, written = expected(layout, held[name], data)
+        record = layouts_by_name[name].of_data(data)
+        status, expected_text = expected(layout, layouts_by_name[name], data)
         assert answer[0] == status, (name, data.hex(), answer)
         if status == 0 and record is not None and comparable(record):
-            assert answer[1] == written, (name, data.hex(), answer)
+            assert answer[1] == expected_text, (name, data.hex(), answer)
             taken.add(name)
-    assert taken >= {name for name, record in held.items() if record.selector is not None}
+    assert taken >= {name for name, record in layouts_by_name.items() if record.selector is not None}
 
 
 def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout, Path]) -> None:

@@ -74,10 +74,10 @@ def run_again(machine: Machine, folder: Path, source: Path, *more: str) -> subpr
     objects = []
     for file, standard in ((source, ["-std=c99", *STRICT]), (BARE / "start.c", ["-std=gnu99"])):
         objects.append(str(folder / f"{file.stem}.o"))
-        made = subprocess.run(
+        build = subprocess.run(
             [*compiler, *standard, "-c", "-o", objects[-1], str(file)], capture_output=True, text=True, check=False
         )
-        assert made.returncode == 0, made.stderr[:4000]
+        assert build.returncode == 0, build.stderr[:4000]
     program = str(folder / "program")
     linked = [*compiler, "-nostdlib", *machine.linking, *objects, "-lgcc", "-o", program]
     subprocess.run(linked, check=True, capture_output=True)
@@ -124,7 +124,7 @@ def called(device: str, folder: Path, *flags: str) -> list[str]:
         (folder / path).write_text(text, encoding="utf-8", newline="\n")
     (folder / "all.c").write_text(f'#include "{STEMS[device]}.h"\n', encoding="utf-8")
     machine = ["-std=c99", "-ffreestanding", "-mcpu=cortex-m0plus", "-mthumb", "-fkeep-inline-functions"]
-    made = [str(folder / "all.c"), "-c", "-o", str(folder / "all.o")]
-    subprocess.run([require_tool("arm-none-eabi-gcc"), *machine, *flags, *made], check=True)
+    arguments = [str(folder / "all.c"), "-c", "-o", str(folder / "all.o")]
+    subprocess.run([require_tool("arm-none-eabi-gcc"), *machine, *flags, *arguments], check=True)
     tool = [require_tool("arm-none-eabi-nm"), "--undefined-only", "--format=just-symbols", str(folder / "all.o")]
     return subprocess.run(tool, capture_output=True, text=True, check=True).stdout.split()

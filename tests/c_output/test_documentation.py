@@ -27,5 +27,5 @@ def test_a_program_of_the_documentation_runs(program: str, compiler: str, tmp_pa
         for path, text in files([newest(SPECS, device)]).items():
             (tmp_path / path).write_text(text, encoding="utf-8", newline="\n")
     (tmp_path / "program.c").write_text(program, encoding="utf-8")
-    made = compiled(compiler, tmp_path / "program.c", tmp_path / "program")
-    assert subprocess.run([str(made)], check=False).returncode == 0
+    compilation = compiled(compiler, tmp_path / "program.c", tmp_path / "program")
+    assert subprocess.run([str(compilation)], check=False).returncode == 0

@@ -50,13 +50,13 @@ def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "",
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None:
-    said = fuzzed(tmp_path, root, device, SECONDS)
-    assert "SUMMARY" not in said, said[-3000:]
-    assert re.search(r"^Done \d{4,} runs", said, re.MULTILINE)
+    output = fuzzed(tmp_path, root, device, SECONDS)
+    assert "SUMMARY" not in output, output[-3000:]
+    assert re.search(r"^Done \d{4,} runs", output, re.MULTILINE)
 
 
 @pytest.mark.parametrize(
-    ("root", "device", "right", "wrong", "found"),
+    ("root", "device", "right", "wrong", "expected_text"),
     [
         (SPECS, "tc100", "if (length != 28u)", "if (length > 28u)", "heap-buffer-overflow"),
         (SPECS, "tc100", "if (size < 3u)", "if (size < 1u)", "SUMMARY"),
@@ -66,6 +66,6 @@ def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None
     ],
 )
 def test_a_fuzzer_finds_what_is_wrong(
-    root: Path, device: str, right: str, wrong: str, found: str, tmp_path: Path
+    root: Path, device: str, right: str, wrong: str, expected_text: str, tmp_path: Path
 ) -> None:
-    assert found in fuzzed(tmp_path, root, device, 60, right, wrong)
+    assert expected_text in fuzzed(tmp_path, root, device, 60, right, wrong)

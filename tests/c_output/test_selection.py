@@ -30,16 +30,16 @@ def program(folder: Path, compiler: str, *flags: str, code: str = PROGRAM) -> li
         (folder / path).write_text(text, encoding="utf-8", newline="\n")
     source = folder / "program.c"
     source.write_text(code, encoding="utf-8")
-    made = compiled(compiler, source, folder / "program", "-Wno-unused-function", *flags)
-    return subprocess.run([str(made)], capture_output=True, text=True, check=True).stdout.split()
+    compilation = compiled(compiler, source, folder / "program", "-Wno-unused-function", *flags)
+    return subprocess.run([str(compilation)], capture_output=True, text=True, check=True).stdout.split()
 
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang", "g++"])
 @pytest.mark.parametrize(("name", "version"), [("V1_17", "1.17"), ("BEFORE_1_17", "before-1.17"), ("LATEST", "1.17")])
 def test_the_version_that_is_asked_for_is_taken(name: str, version: str, compiler: str, tmp_path: Path) -> None:
-    (laid,) = (laid for laid in VERSIONS if laid.device.version == version)
-    said = program(tmp_path, compiler, f"-DESC11_SELECT=ESC11_SELECT_{name}")
-    assert said == [version, laid.identity]
+    (layout,) = (layout for layout in VERSIONS if layout.device.version == version)
+    output = program(tmp_path, compiler, f"-DESC11_SELECT=ESC11_SELECT_{name}")
+    assert output == [version, layout.identity]
 
 
 def test_the_version_may_be_named_in_the_program(tmp_path: Path) -> None:
