@@ -55,7 +55,7 @@ FAULTS = (
 
 @dataclass
 class Operations:
-    """The operations so far; at the one with number `at`, counted from 1, a fault strikes."""
+    """The operations so far; at the one with number `at`, counting from 1, a fault strikes."""
 
     fault: Fault | None = None
     at: int = 0
@@ -64,7 +64,7 @@ class Operations:
     def replaced(self, name: str) -> Callable[..., Any]:
         call = getattr(os, name)
 
-        def counted(*arguments: Any, **named: Any) -> Any:
+        def counting(*arguments: Any, **named: Any) -> Any:
             if name == "open" and not arguments[1] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
                 return call(*arguments, **named)
             if name == "write" and arguments[0] <= 2:
@@ -77,8 +77,8 @@ class Operations:
                 self.seen.append(name)
             return call(*arguments, **named)
 
-        counted.__name__ = name
-        return counted
+        counting.__name__ = name
+        return counting
 
 
 @contextmanager

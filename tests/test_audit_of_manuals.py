@@ -84,7 +84,7 @@ def planned(device: str) -> tuple[Plan, Cited]:
     return reading_plan, cited(spec(device), layouts(device), facts(device))
 
 
-def counted(device: str, manual: Aligned, cited: Cited | None = None) -> Accounts:
+def accounts_of(device: str, manual: Aligned, cited: Cited | None = None) -> Accounts:
     """What is accounted for in a text of its manual."""
     reading_plan, known = planned(device)
     return accounts(manual, reading_plan, cited or known)
@@ -121,7 +121,7 @@ def test_the_documentation_gives_the_numbers_of_the_manuals(accept: bool) -> Non
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_most_facts_would_be_missed(device: str) -> None:
-    needed = counted(device, unmoved(recorded(device))).needed
+    needed = accounts_of(device, unmoved(recorded(device))).needed
     numbered = judgement(device, unmoved(recorded(device))).numbered
     assert len(needed & numbered.keys()) >= LEAST_NEEDED[device] * len(numbered)
 
@@ -130,13 +130,13 @@ def test_most_facts_would_be_missed(device: str) -> None:
 def test_a_fact_that_is_gone_is_noticed(device: str) -> None:
     known = planned(device)[1]
     manual = unmoved(recorded(device))
-    needed = sorted(counted(device, manual).needed)
+    needed = sorted(accounts_of(device, manual).needed)
     for gone in random.Random(1).sample(needed, 12):
         old_by_line = {
             line: OnLine([row for row in on_line.facts if not f"{row['path']}/".startswith(f"{gone}/")], on_line.errata)
             for line, on_line in known.by_line.items()
         }
-        left = counted(device, manual, Cited(old_by_line, known.lines, known.elided))
+        left = accounts_of(device, manual, Cited(old_by_line, known.lines, known.elided))
         assert OPEN in {candidate.status for candidate in left.candidates}, gone
 
 

@@ -30,7 +30,7 @@ class Watch:
             self.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, encoding="utf-8"
         )
 
-    def told(self) -> str:
+    def next_output(self) -> str:
         """What is printed up to the end of the next build."""
         assert self.process.stdout is not None
         lines = []
@@ -55,7 +55,7 @@ def watch(tmp_path: Path) -> Iterator[Watch]:
     """A watch whose first build is done."""
     session = Watch(tmp_path)
     try:
-        assert "built in" in session.told()
+        assert "built in" in session.next_output()
         yield session
     finally:
         session.process.kill()
@@ -65,7 +65,7 @@ def watch(tmp_path: Path) -> Iterator[Watch]:
 def test_a_save_builds_again(watch: Watch) -> None:
     before = watch.texts()
     watch.save(watch.spec.read_text("utf-8").replace("name: Gizmo", "name: Gimmick"))
-    assert "\nbuilt in" in watch.told()
+    assert "\nbuilt in" in watch.next_output()
     assert watch.texts() != before
     assert watch.texts().keys() == before.keys()
 
@@ -73,22 +73,22 @@ def test_a_save_builds_again(watch: Watch) -> None:
 def test_a_broken_spec_shows_what_is_found_and_keeps_the_outputs(watch: Watch) -> None:
     before, text = watch.texts(), watch.spec.read_text("utf-8")
     watch.save(text.replace("u16", "u17", 1))
-    output = watch.told()
+    output = watch.next_output()
     assert "u17" in output
     assert "device.yaml:" in output
     assert "not built in" in output
     assert watch.texts() == before
     watch.save(text)
-    assert "\nbuilt in" in watch.told()
+    assert "\nbuilt in" in watch.next_output()
     assert watch.texts() == before
 
 
 def test_specs_that_are_gone_are_waited_for(watch: Watch) -> None:
     text = watch.spec.read_text("utf-8")
     watch.spec.unlink()
-    assert "holds no device" in watch.told()
+    assert "holds no device" in watch.next_output()
     watch.save(text)
-    assert "\nbuilt in" in watch.told()
+    assert "\nbuilt in" in watch.next_output()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no such signal")

@@ -52,7 +52,7 @@ def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
     return [finding for part in (coverage, sign_off) for finding in part(subject).findings]
 
 
-def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def findings_text(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     """The findings of a case as text."""
     limits = folder / "limits.json"
     for limit, value in json.loads(limits.read_text("utf-8")).items() if limits.exists() else ():
@@ -73,7 +73,7 @@ def found(folder: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 
 @pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("failing")], ids=name)
 def test_broken_spec_has_the_expected_findings(folder: Path, accept: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = found(folder, monkeypatch)
+    text = findings_text(folder, monkeypatch)
     expected = folder / "expected.txt"
     if accept:
         expected.write_text(text, "utf-8", newline="\n")
@@ -83,7 +83,7 @@ def test_broken_spec_has_the_expected_findings(folder: Path, accept: bool, monke
 
 @pytest.mark.parametrize("folder", [f for f in FOLDERS if f.name.startswith("passing")], ids=name)
 def test_good_spec_has_no_findings(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert found(folder, monkeypatch) == ""
+    assert findings_text(folder, monkeypatch) == ""
 
 
 @pytest.mark.parametrize("kind", ["failing", "passing"])

@@ -39,7 +39,7 @@ def devices(folder: Path) -> tuple[Device, Device]:
     return device_models[0], device_models[1]
 
 
-def found(folder: Path) -> list[Change]:
+def changes_of(folder: Path) -> list[Change]:
     return changes(*devices(folder))
 
 
@@ -49,7 +49,7 @@ def name(folder: Path) -> str:
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_the_changes_between_two_specs_are_found(folder: Path, accept: bool) -> None:
-    text = concise(found(folder))
+    text = concise(changes_of(folder))
     expected = folder / "expected.txt"
     if accept:
         expected.write_text(text, "utf-8", newline="\n")
@@ -60,7 +60,7 @@ def test_the_changes_between_two_specs_are_found(folder: Path, accept: bool) -> 
     ("rule", "effects"), [(code, effects) for code, _, effects in RULES], ids=lambda param: str(param)
 )
 def test_every_rule_has_a_folder_that_shows_each_of_its_classes(rule: str, effects: tuple[Effect, ...]) -> None:
-    assert {change.effect for change in found(CASES / rule) if change.rule == rule} == set(effects)
+    assert {change.effect for change in changes_of(CASES / rule) if change.rule == rule} == set(effects)
 
 
 def test_every_folder_belongs_to_a_rule() -> None:
@@ -75,7 +75,7 @@ def test_a_spec_does_not_differ_from_itself(folder: Path) -> None:
 @pytest.mark.parametrize("folder", FOLDERS, ids=name)
 def test_every_change_has_values_places_and_a_class_of_its_rule(folder: Path) -> None:
     effects = {code: class_effects for code, _, class_effects in RULES}
-    for change in found(folder):
+    for change in changes_of(folder):
         assert change.effect in effects[change.rule]
         assert change.old != change.new
         assert change.before or change.after or change.what in ("line of versions", "version")

@@ -29,7 +29,7 @@ from fieldspec.reading.project import read
 from fieldspec.source import SourceFile, Span
 from reading import gadget
 
-MADE_UP = Path(__file__).parent / "specs"
+TEST_SPECS = Path(__file__).parent / "specs"
 
 # What the made-up devices have not.
 MORE = """
@@ -96,7 +96,7 @@ IGNORED = {
 @cache
 def devices() -> tuple[Device, ...]:
     """The newest versions of the made-up devices, which use every feature of the language."""
-    files = {path.relative_to(MADE_UP).as_posix(): path.read_bytes() for path in MADE_UP.rglob("*.yaml")}
+    files = {path.relative_to(TEST_SPECS).as_posix(): path.read_bytes() for path in TEST_SPECS.rglob("*.yaml")}
     project = read(files)
     specs = (*project.devices.values(), gadget(MORE))
     return tuple(spec.at(spec.versions()[-1])[0] for spec in specs)
@@ -111,7 +111,7 @@ def classes() -> Iterator[type]:
 
 
 Step = tuple[str, Any]
-Held = tuple[Device, str, Any, tuple[Any, ...]]
+Position = tuple[Device, str, Any, tuple[Any, ...]]
 
 
 def walk(holder: Any, item: Any, path: tuple[Any, ...]) -> Iterator[tuple[str, Any, tuple[Any, ...]]]:
@@ -130,13 +130,13 @@ def walk(holder: Any, item: Any, path: tuple[Any, ...]) -> Iterator[tuple[str, A
 
 
 @cache
-def found() -> dict[tuple[str, type], list[Held]]:
-    """The places of every class, by the class that holds it."""
-    places: dict[tuple[str, type], list[Held]] = {}
+def positions() -> dict[tuple[str, type], list[Position]]:
+    """The positions of the instances of every class, by the class that contains it."""
+    by_class: dict[tuple[str, type], list[Position]] = {}
     for device in devices():
         for holder, item, path in walk(None, device, ()):
-            places.setdefault((holder, type(item)), []).append((device, holder, item, path))
-    return places
+            by_class.setdefault((holder, type(item)), []).append((device, holder, item, path))
+    return by_class
 
 
 def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
@@ -184,12 +184,12 @@ def others(value: Any, hint: Any) -> Iterator[Any]:
         if len(value) == 2 and all(isinstance(number, int) for number in value):
             yield value[0] + 1, value[1] + 1
     elif value is None or value == ():
-        yield from made(hint)
+        yield from values_of_type(hint)
     elif type(None) in typing.get_args(hint):
         yield None
 
 
-def made(hint: Any) -> Iterator[Any]:
+def values_of_type(hint: Any) -> Iterator[Any]:
     """Values of a type where there was nothing."""
     for inner in typing.get_args(hint) if isinstance(hint, types.UnionType) else (hint,):
         if inner in (int, Decimal, bool):
@@ -207,21 +207,21 @@ def ignored(holder: str, noun: type, attribute: str) -> bool:
     return any(name in IGNORED for name in names)
 
 
-ALWAYS_HELD = {
+NEVER_ABSENT = {
     noun.__name__: [
         name
         for name, hint in typing.get_type_hints(noun).items()
         if dataclasses.is_dataclass(hint) and hint is not Primitive and hint is not Place
     ]
-    for _, noun in found()
+    for _, noun in positions()
 }
 """Attributes that are never without their dataclass, whose own attributes are changed."""
 
 CASES = [
     pytest.param(holder, noun, field.name, id=f"{holder}/{noun.__name__}.{field.name}")
-    for holder, noun in found()
+    for holder, noun in positions()
     for field in dataclasses.fields(noun)
-    if field.name not in ALWAYS_HELD.get(noun.__name__, ())
+    if field.name not in NEVER_ABSENT.get(noun.__name__, ())
 ]
 
 
@@ -229,7 +229,7 @@ def noticed(holder: str, noun: type, attribute: str) -> set[str]:
     """The rules that notice another value of an attribute, wherever the class stands."""
     hint = typing.get_type_hints(noun)[attribute]
     rules: set[str] = set()
-    for device, _, item, path in found()[holder, noun]:
+    for device, _, item, path in positions()[holder, noun]:
         for value in others(getattr(item, attribute), hint):
             if getattr(item, attribute) != value:
                 new = with_changed(device, (*path, attribute), value)
@@ -246,14 +246,14 @@ def test_every_attribute_of_the_model_is_compared_or_listed(holder: str, noun: t
 
 
 def test_the_made_up_devices_have_every_class_of_the_model() -> None:
-    missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in found()}
+    missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in positions()}
     assert missing == {"Fact", "Operand", "Place", "Primitive"}
 
 
 def test_every_reason_to_ignore_an_attribute_is_about_an_attribute() -> None:
-    names = {f"{noun.__name__}.{field.name}" for _, noun in found() for field in dataclasses.fields(noun)}
+    names = {f"{noun.__name__}.{field.name}" for _, noun in positions() for field in dataclasses.fields(noun)}
     names |= {
-        f"{holder}/{noun.__name__}.{field.name}" for holder, noun in found() for field in dataclasses.fields(noun)
+        f"{holder}/{noun.__name__}.{field.name}" for holder, noun in positions() for field in dataclasses.fields(noun)
     }
     names |= {f"*.{field.name}" for noun in classes() for field in dataclasses.fields(noun)}
     assert set(IGNORED) - names == set()
@@ -264,7 +264,7 @@ def test_a_device_does_not_differ_from_itself() -> None:
 
 
 def test_values_are_held_by_every_noun_that_has_one() -> None:
-    assert {holder for holder, noun in found() if noun is Value} == {
+    assert {holder for holder, noun in positions() if noun is Value} == {
         "Case",
         "Field",
         "Parameter",

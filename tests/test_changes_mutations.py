@@ -46,8 +46,8 @@ def device(name: str) -> Device:
     return built(*trees()[name])[0]
 
 
-def difference(changes_found: list[Change]) -> list[Difference]:
-    return [Difference("old", "new", tuple(map(AcceptedChange, changes_found)))]
+def difference(noticed: list[Change]) -> list[Difference]:
+    return [Difference("old", "new", tuple(map(AcceptedChange, noticed)))]
 
 
 @cache
@@ -79,10 +79,10 @@ def test_every_change_on_the_wire_is_noticed_and_called_by_its_rule(name: str, n
     rule = MUTATIONS[number][0]
     for tree in mutated(name, number):
         new = built(tree, trees()[name][1])[0]
-        found_changes = changes(device(name), new)
-        assert hurts(difference(found_changes), "breaking"), rule
-        assert rule in {change.rule for change in found_changes if change.effect.breaking}
-        wire = [change.rule for change in found_changes if change.effect is Effect.WIRE]
+        noticed = changes(device(name), new)
+        assert hurts(difference(noticed), "breaking"), rule
+        assert rule in {change.rule for change in noticed if change.effect.breaking}
+        wire = [change.rule for change in noticed if change.effect is Effect.WIRE]
         if wire:
             assert identity(new) != own_identity(name), wire
 
@@ -107,7 +107,7 @@ def test_other_words_are_never_called_breaking(name: str, seed: int) -> None:
     for way in chance.sample(renamed, min(20, len(renamed))):
         other = "9.9 L99" if way[-1] == "source" else "In other words."
         tree = put(tree, way, scalar(other, tree))
-    found_changes = changes(device(name), built(tree, version)[0])
-    assert found_changes or not renamed
-    assert {change.effect for change in found_changes} <= {Effect.DOCS}
-    assert not hurts(difference(found_changes), "behaviour")
+    noticed = changes(device(name), built(tree, version)[0])
+    assert noticed or not renamed
+    assert {change.effect for change in noticed} <= {Effect.DOCS}
+    assert not hurts(difference(noticed), "behaviour")

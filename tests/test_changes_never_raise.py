@@ -36,10 +36,10 @@ def test_broken_devices_are_compared(seed: int) -> None:
             continue
         device = built(broken, version)[0]
         for old, new in ((sound, device), (device, sound)):
-            found_changes = changes(old, new)
-            assert [change for change in found_changes if change.old == change.new] == []
-            comparison = Compared(old, new, found_changes, step=True)
-            assert len(judged(comparison)) == len(found_changes)
+            noticed = changes(old, new)
+            assert [change for change in noticed if change.old == change.new] == []
+            comparison = Compared(old, new, noticed, step=True)
+            assert len(judged(comparison)) == len(noticed)
             list(accepts_used([comparison]))
         compared += 1
         if compared == ROUNDS:

@@ -60,7 +60,8 @@ def counter(module: ModuleType) -> type:
 @BOTH
 def test_attributes_are_given_by_place_by_name_and_by_default(module: ModuleType) -> None:
     Point = point(module)
-    assert [(instance.x, instance.y, instance.near) for instance in (Point(1), Point(1, 2), Point(y=2, x=1), Point(1, 2, [3]))] == [
+    points = (Point(1), Point(1, 2), Point(y=2, x=1), Point(1, 2, [3]))
+    assert [(instance.x, instance.y, instance.near) for instance in points] == [
         (1, 0, []), (1, 2, []), (1, 2, []), (1, 2, [3]),
     ]  # fmt: skip
     assert Point(1).near is not Point(1).near
@@ -145,14 +146,14 @@ def test_objects_match_patterns_by_place(module: ModuleType) -> None:
 
 
 @classes.dataclass(frozen=True, slots=True)
-class Kept:
+class Note:
     """A class that other processes find."""
 
     text: str
 
 
 def test_objects_go_to_other_processes() -> None:
-    assert pickle.loads(pickle.dumps(Kept("a"))) == Kept("a")
+    assert pickle.loads(pickle.dumps(Note("a"))) == Note("a")
 
 
 def test_the_standard_library_takes_them_for_its_own() -> None:

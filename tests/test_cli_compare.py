@@ -282,13 +282,11 @@ FORMS = {
 @given(data=st.data(), form=st.sampled_from(sorted(FORMS)))
 @settings(max_examples=40, deadline=None)
 def test_some_rows_of_a_device_agree_however_their_addresses_are_written(data: st.DataObject, form: str) -> None:
-    listed_items = [
-        item for item in items(newest(Path(__file__).parent.parent / "specs", "tc100")) if item.address < 0x8000
-    ]
-    chosen = data.draw(st.lists(st.sampled_from(listed_items), min_size=8, unique_by=lambda item: item.address))
+    registers = [item for item in items(newest(SPECS, "tc100")) if item.address < 0x8000]
+    chosen = data.draw(st.lists(st.sampled_from(registers), min_size=8, unique_by=lambda item: item.address))
     shift = 1 if FORMS[form] == "one more" else 0
     text = "Address,Name\n" + "".join(f"{form.format(item.address + shift)},{item.name}\n" for item in chosen)
-    result = compared(listed_items, listing(text_sheet(text.encode()), {}))
+    result = compared(registers, listing(text_sheet(text.encode()), {}))
     assert [pair.item.name for pair in result.agreeing] == [item.name for item in chosen]
 
 

@@ -24,7 +24,7 @@ def run_on_devices(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.Monke
     return CommandLine(capsys, monkeypatch, SPECS)
 
 
-def written(value: object, name: str = "") -> list[str]:
+def arguments_of(value: object, name: str = "") -> list[str]:
     """Values of the spec as arguments: `nest.corners.0.x=1`."""
     if isinstance(value, dict):
         pairs = list(value.items())
@@ -33,7 +33,7 @@ def written(value: object, name: str = "") -> list[str]:
     else:
         text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
         return [f"{name}={text}"]
-    return [argument for key, member in pairs for argument in written(member, f"{name}.{key}".lstrip("."))]
+    return [argument for key, member in pairs for argument in arguments_of(member, f"{name}.{key}".lstrip("."))]
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def test_every_example_is_written_from_its_values(run: CommandLine, example: Exa
     code = WIDGET.links[example.link].frame(example.direction).role("code")
     values = {name: value for name, value in example.values.items() if code is None or name != code.name}
     options = ["--link", example.link, "--direction", example.direction]
-    result = run("encode", "widget", example.message, *written(values), *options)
+    result = run("encode", "widget", example.message, *arguments_of(values), *options)
     assert (result.code, result.err) == (0, "")
     assert bytes.fromhex(result.lines[0]) == example.frame
 

@@ -198,8 +198,8 @@ def test_any_cells_give_a_spec_that_passes_or_a_refusal(cells: list[tuple[object
     heads = "Address\tName\tLabel\tType\tWords\tAccess\tUnit\tMin\tMax\tDefault\n"
     lines = ["\t".join(str(cell).replace("\t", " ").replace('"', "'") for cell in row) for row in cells]
     try:
-        found = listing(text_sheet((heads + "\n".join(lines)).encode()), {}, "decimal")
-        spec = skeleton("gadget", ORIGIN, found.rows("decimal"))
+        register_list = listing(text_sheet((heads + "\n".join(lines)).encode()), {}, "decimal")
+        spec = skeleton("gadget", ORIGIN, register_list.rows("decimal"))
     except ListError:
         return
     wrong = [

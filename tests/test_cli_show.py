@@ -101,8 +101,8 @@ def test_everything_that_has_a_name_can_be_shown(run: CommandLine, device: str, 
 def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, text: str, lines: list[str]) -> None:
     result = run("show", "widget", text)
     assert result.code == 0
-    shown = [" ".join(line.split()) for line in result.lines]
-    assert [line for line in lines if line not in shown] == []
+    visible = [" ".join(line.split()) for line in result.lines]
+    assert [line for line in lines if line not in visible] == []
 
 
 @pytest.mark.parametrize(
@@ -153,8 +153,8 @@ def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, 
 def test_what_telegrams_and_parameters_are_called_means_them(run: CommandLine, text: str, lines: list[str]) -> None:
     result = run("show", "glider-x", text)
     assert result.code == 0
-    shown = [" ".join(line.split()) for line in result.lines]
-    assert [line for line in lines if line not in shown] == []
+    visible = [" ".join(line.split()) for line in result.lines]
+    assert [line for line in lines if line not in visible] == []
 
 
 def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:

@@ -15,7 +15,7 @@ LINKS = [link.link for link in newest(MADE_UP, "widget").links.values()]
 BYTES = bytes.fromhex("01 06 20 1E 00 03 A2 0D")
 CHARACTERS = b":010310000002EA\r\n"
 
-SPELLED = [
+SPELLINGS = [
     "01 06 20 1E 00 03 A2 0D",
     "0106201E0003A20D",
     "0106 201E 0003 A20D",
@@ -89,7 +89,7 @@ RESPONSES = [
 @pytest.mark.parametrize(
     ("text", "direction"),
     [
-        *((text, "") for text in SPELLED),
+        *((text, "") for text in SPELLINGS),
         *((text, "request") for text in REQUESTS),
         *((text, "response") for text in RESPONSES),
     ],

@@ -13,7 +13,7 @@ from fieldspec.cli import main
 from fieldspec.commands.device_help import suggest
 from fieldspec.model.texts import Example
 from laid_out import newest
-from test_cli_encode import written
+from test_cli_encode import arguments_of
 
 EXAMPLES = newest(MADE_UP, "glider-x").device.examples
 RECEIVED = "F0 03 20 00 00 00"
@@ -50,7 +50,7 @@ def test_every_example_is_written_from_its_values(run: CommandLine, example: Exa
     link = newest(MADE_UP, "glider-x").device.links[example.link]
     options = [f"--{link.message_name}", example.message, "--direction", link.direction_name(example.direction)]
     values = {name: value for name, value in example.values.items() if name != "order"}
-    result = run("encode", "glider-x", *options, *written(values))
+    result = run("encode", "glider-x", *options, *arguments_of(values))
     assert (result.code, result.err) == (0, "")
     assert bytes.fromhex(result.lines[0]) == example.frame
 
@@ -237,8 +237,8 @@ def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: Command
 def test_a_word_of_a_log_that_the_device_uses_the_other_way_round_says_nothing(
     run: CommandLine, line: str, chosen: str
 ) -> None:
-    (found,) = run("decode", "glider-x", "-", "--format", "json", stdin=line.encode()).lines
-    assert f'"chosen": "{chosen}"' in found
+    (log_line,) = run("decode", "glider-x", "-", "--format", "json", stdin=line.encode()).lines
+    assert f'"chosen": "{chosen}"' in log_line
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path / "specs"
 
 
-def shown(folder: Path, *options: str) -> int:
+def show(folder: Path, *options: str) -> int:
     return main(["show", "widget", "--specs", str(folder), *options])
 
 
@@ -109,30 +109,30 @@ def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alik
 
 
 def test_the_second_call_reads_no_spec(cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     first = capsys.readouterr().out
     unread(monkeypatch)
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     assert capsys.readouterr().out == first
     assert len(list(cache.iterdir())) == 1
 
 
 def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys: Any) -> None:
-    assert shown(folder) == 0
+    assert show(folder) == 0
     before = capsys.readouterr().out
     file = folder / "widget" / "device.yaml"
     text = file.read_text("utf-8").replace("vendor: Nobody", "vendor: Someone")
     file.write_text(text, "utf-8", newline="\n")
-    assert shown(folder) == 0
+    assert show(folder) == 0
     assert capsys.readouterr().out == before.replace("Nobody", "Someone")
 
 
 def test_with_another_compiler_a_spec_is_read_again(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     monkeypatch.setattr(caching, "state", lambda: "another")
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        shown(MADE_UP)
+        show(MADE_UP)
 
 
 def test_the_state_of_the_compiler_changes_with_each_of_its_files(
@@ -152,12 +152,12 @@ def test_the_state_of_the_compiler_changes_with_each_of_its_files(
 def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
     cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert shown(MADE_UP, "--no-cache") == 0
+    assert show(MADE_UP, "--no-cache") == 0
     assert not cache.exists()
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        shown(MADE_UP, "--no-cache")
+        show(MADE_UP, "--no-cache")
 
 
 @pytest.mark.parametrize(
@@ -175,12 +175,12 @@ def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
 def test_a_compiled_device_that_is_not_whole_is_as_none(
     cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]
 ) -> None:
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     before = capsys.readouterr().out
     (file,) = cache.iterdir()
     whole = file.read_bytes()
     file.write_bytes(spoilt(whole))
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     assert capsys.readouterr().out == before
     assert file.read_bytes() == whole
 
@@ -190,20 +190,20 @@ def test_a_compiled_device_that_is_not_whole_is_as_none(
 def test_a_compiled_device_that_others_can_write_to_is_as_none(
     cache: Path, monkeypatch: pytest.MonkeyPatch, mode: int
 ) -> None:
-    assert shown(MADE_UP) == 0
+    assert show(MADE_UP) == 0
     (file,) = cache.iterdir()
     assert file.stat().st_mode & 0o777 == 0o600
     assert cache.stat().st_mode & 0o777 == 0o700
     file.chmod(mode)
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        shown(MADE_UP)
+        show(MADE_UP)
 
 
 def test_findings_are_kept_of_no_device(cache: Path, folder: Path) -> None:
     for path in folder.glob("widget/*.yaml"):
         path.write_text(path.read_text("utf-8").replace("type: u16", "type: u17"), "utf-8", newline="\n")
-    assert shown(folder) == 2
+    assert show(folder) == 2
     assert not cache.exists()
 
 

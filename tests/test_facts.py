@@ -14,7 +14,7 @@ from fieldspec.reading.project import read
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"
-MADE_UP = ROOT / "tests" / "specs"
+TEST_SPECS = ROOT / "tests" / "specs"
 PAGE = (ROOT / "docs" / "facts.md").read_text("utf-8")
 DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 
@@ -29,8 +29,8 @@ def facts(folder: Path, device: str) -> tuple[FactRow, ...]:
 
 def fact(path: str) -> FactRow:
     """The row of the made-up device that has a path."""
-    (found,) = (row for row in facts(MADE_UP, "glider-x") if row["path"] == path)
-    return found
+    (match,) = (row for row in facts(TEST_SPECS, "glider-x") if row["path"] == path)
+    return match
 
 
 def test_documentation_describes_every_column_in_order() -> None:

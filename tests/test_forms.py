@@ -18,7 +18,7 @@ from fieldspec.source import SourceFile, Span
 
 SPECS = str(Path(__file__).resolve().parent.parent / "specs")
 FILE = SourceFile("device/points.yaml", "label: 伺服, name: servo\nhostile: ]]> </x> %0A, :: \n")
-FOUND = [
+FINDINGS = [
     Diagnostic(
         "some_rule",
         "the name is taken\nby 100% of ::x",
@@ -31,7 +31,7 @@ BARE = [Diagnostic("other_rule", 'a </script> & \x00 "quoted"', Span(FILE, 33, 3
 
 
 def test_a_caret_stands_under_the_culprit_behind_wide_characters() -> None:
-    rendered = text.rendered(FOUND).splitlines()
+    rendered = text.rendered(FINDINGS).splitlines()
     line, marks = rendered[1], rendered[2]
     before = line.split("servo")[0]
     assert text.width(marks.split("^")[0]) == text.width(before)
@@ -39,24 +39,24 @@ def test_a_caret_stands_under_the_culprit_behind_wide_characters() -> None:
 
 
 def test_the_text_names_rule_place_label_and_help() -> None:
-    rendered = text.rendered(FOUND)
+    rendered = text.rendered(FINDINGS)
     for part in ("device/points.yaml:1:18: error[some_rule]", "device/points.yaml:1:8: here", "help: rename it"):
         assert part in rendered
 
 
 def test_plain_text_has_no_escape_sequences_and_coloured_text_has() -> None:
-    assert "\x1b" not in text.rendered([*FOUND, *BARE])
-    assert "\x1b" in text.rendered(FOUND, coloured=True)
+    assert "\x1b" not in text.rendered([*FINDINGS, *BARE])
+    assert "\x1b" in text.rendered(FINDINGS, coloured=True)
 
 
 def test_json_has_every_place() -> None:
-    (finding,) = json.loads(import_module("fieldspec.render.json").rendered(FOUND))
+    (finding,) = json.loads(import_module("fieldspec.render.json").rendered(FINDINGS))
     assert (finding["code"], finding["line"], finding["column"], finding["end_column"]) == ("some_rule", 1, 18, 23)
     assert finding["labels"][0]["column"] == 8
 
 
 def test_sarif_has_a_rule_and_a_region_for_every_result() -> None:
-    run = json.loads(import_module("fieldspec.render.sarif").rendered([*FOUND, *BARE]))["runs"][0]
+    run = json.loads(import_module("fieldspec.render.sarif").rendered([*FINDINGS, *BARE]))["runs"][0]
     assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == ["other_rule", "some_rule"]
     for result in run["results"]:
         assert run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"] == result["ruleId"]
@@ -65,13 +65,13 @@ def test_sarif_has_a_rule_and_a_region_for_every_result() -> None:
 
 
 def test_github_commands_are_one_line_each_and_escaped() -> None:
-    lines = import_module("fieldspec.render.github").rendered(FOUND).splitlines()
+    lines = import_module("fieldspec.render.github").rendered(FINDINGS).splitlines()
     assert len(lines) == 1
     assert lines[0].startswith("::error file=device/points.yaml,line=1,col=18,")
     assert "the name is taken%0Aby 100%25 of ::x" in lines[0]
 
 
-@pytest.mark.parametrize("findings", [[], FOUND, BARE], ids=["none", "one", "hostile"])
+@pytest.mark.parametrize("findings", [[], FINDINGS, BARE], ids=["none", "one", "hostile"])
 def test_junit_is_xml_with_a_case_for_every_finding(findings: list[Diagnostic]) -> None:
     suite = ElementTree.fromstring(import_module("fieldspec.render.junit").rendered(findings))
     assert suite.get("failures") == str(len(findings))

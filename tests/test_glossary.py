@@ -127,12 +127,12 @@ def wrong_by_folder() -> dict[str, list[str]]:
     wrong: dict[str, list[str]] = {}
     for path in python_files():
         place = path.relative_to(ROOT).as_posix()
-        found = [f"{place}: the name of the file"] if is_wrong(path.stem.removeprefix("test_")) else []
+        places = [f"{place}: the name of the file"] if is_wrong(path.stem.removeprefix("test_")) else []
         if path.stem.startswith("test_"):
-            found = []
-        found += [f"{place}:{line}: {name}" for line, name in names(path) if is_wrong(name)]
-        if found:
-            wrong.setdefault(folder(path), []).extend(found)
+            places = []
+        places += [f"{place}:{line}: {name}" for line, name in names(path) if is_wrong(name)]
+        if places:
+            wrong.setdefault(folder(path), []).extend(places)
     return wrong
 
 

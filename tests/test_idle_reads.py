@@ -62,13 +62,13 @@ def test_every_register_of_an_idle_device_is_decoded(layout: DeviceLayout, block
     constants = {register.name.partition("[")[0]: register for register in module.REGISTERS}
     answered = within(layout, block)
     assert answered
-    for laid, data in answered:
-        answer = laid.register.answer
-        raw = value_construct(answer, laid.order, laid.swapped).parse(data[: answer.size])
-        wanted = decoded_value(laid.name, answer, raw, layout.device, None)
-        register = constants[laid.name] if laid.count == 1 else next(iter(constants[laid.name]))
+    for placed, data in answered:
+        answer = placed.register.answer
+        raw = value_construct(answer, placed.order, placed.swapped).parse(data[: answer.size])
+        wanted = decoded_value(placed.name, answer, raw, layout.device, None)
+        register = constants[placed.name] if placed.count == 1 else next(iter(constants[placed.name]))
         value = register.decode(data)
-        assert getattr(value, "raw", value) == wanted, laid.name
+        assert getattr(value, "raw", value) == wanted, placed.name
 
 
 def test_what_starts_something_is_among_what_is_read() -> None:

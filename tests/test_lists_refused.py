@@ -186,7 +186,7 @@ LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).ma
 @settings(max_examples=300, deadline=None)
 def test_any_bytes_are_a_list_or_are_refused(content: bytes) -> None:
     try:
-        rows_found = listing(sheet(content, "", ""), {})
+        register_list = listing(sheet(content, "", ""), {})
     except ListError:
         return
-    assert all(row.address >= 0 for base in rows_found.bases for row in rows_found.rows(base))
+    assert all(row.address >= 0 for base in register_list.bases for row in register_list.rows(base))

@@ -37,11 +37,11 @@ BOOK = Workbook(
 )
 
 
-@pytest.mark.parametrize(("number", "cell"), list(enumerate(cell for _, cell in CELLS)))
-def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, shown: str | int) -> None:
+@pytest.mark.parametrize(("number", "content"), list(enumerate(content for _, content in CELLS)))
+def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, content: str | int) -> None:
     cell = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))["First"].cell(number + 1, 2)
-    assert (cell.value or "", cell.data_type) == (shown, "n" if isinstance(shown, int) else "s")
-    assert bool(cell.quotePrefix) is (isinstance(shown, str) and shown.startswith(("=", "+", "-", "@")))
+    assert (cell.value or "", cell.data_type) == (content, "n" if isinstance(content, int) else "s")
+    assert bool(cell.quotePrefix) is (isinstance(content, str) and content.startswith(("=", "+", "-", "@")))
 
 
 def test_all_sheets_and_columns_are_there() -> None:

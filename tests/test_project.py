@@ -56,8 +56,8 @@ def pins() -> list[str]:
 
 def test_no_tracked_file_names_a_path_of_one_machine() -> None:
     git = require_tool("git")
-    listed = subprocess.run([git, "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True)
-    files = [ROOT / name for name in listed.stdout.split("\0") if name]
+    listing = subprocess.run([git, "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True)
+    files = [ROOT / name for name in listing.stdout.split("\0") if name]
     assert files
     assert [file for file in files if file.is_file() and MACHINE_PATH.search(file.read_bytes())] == []
 

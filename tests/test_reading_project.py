@@ -80,10 +80,10 @@ def test_a_folder_needs_the_section_device() -> None:
 def test_two_devices_with_one_id_are_a_finding_at_the_second_with_a_label_at_the_first() -> None:
     read_from = read({"gadget/device.yaml": DEVICE.encode(), "gizmo/device.yaml": DEVICE.encode()})
     assert sorted(codes(read_from.findings)) == ["device_id_unique", "id_matches_path"]
-    found = next(finding for finding in read_from.findings if finding.code == "device_id_unique")
-    assert found.span.file.path == "gizmo/device.yaml"
-    assert [label.span.file.path for label in found.labels] == ["gadget/device.yaml"]
-    assert pointed_at(found.span) == pointed_at(found.labels[0].span) == "gadget"
+    duplicate = next(finding for finding in read_from.findings if finding.code == "device_id_unique")
+    assert duplicate.span.file.path == "gizmo/device.yaml"
+    assert [label.span.file.path for label in duplicate.labels] == ["gadget/device.yaml"]
+    assert pointed_at(duplicate.span) == pointed_at(duplicate.labels[0].span) == "gadget"
 
 
 def test_a_file_with_findings_takes_its_device_out_and_no_other() -> None:

@@ -105,8 +105,8 @@ def test_a_scalar_means_what_its_place_wants(scalar: str, kind: str, meant: Scal
         assert [(finding.code, finding.span.start, finding.span.end) for finding in findings] == [(code, start, end)]
     else:
         assert findings == []
-        (held,) = (scalar for scalar in scalars(result) if scalar.start == start)
-        assert (held.value, type(held.value)) == (meant, type(meant))
+        (value,) = (scalar for scalar in scalars(result) if scalar.start == start)
+        assert (value.value, type(value.value)) == (meant, type(meant))
 
 
 def test_decimals_keep_every_digit() -> None:

@@ -151,9 +151,9 @@ def test_values_that_do_not_fit_their_format_are_refused(data: str, reason: str)
     [(6, [65536], "out_of_range"), (2, [-129], "out_of_range"), (3, [1], "unknown_value"), (6, [], "wrong_length")],
 )
 def test_values_that_a_format_cannot_hold_are_not_encoded(form: int, values: list[int], reason: str) -> None:
-    given = {"reference": 7, "axis": 0, "format": form, "values": values}
+    message = {"reference": 7, "axis": 0, "format": form, "values": values}
     with pytest.raises(CodecError) as caught:
-        codec(GLIDER).links["channel"].encode("response", "read_parameter", given)
+        codec(GLIDER).links["channel"].encode("response", "read_parameter", message)
     assert caught.value.reason == reason
 
 

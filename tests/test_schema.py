@@ -28,7 +28,7 @@ MUTATIONS = 40
 """How many mutations of each spec file are judged."""
 
 
-def written(value: Any, indent: int = 0, before: int = 0) -> str:
+def formatted(value: Any, indent: int = 0, before: int = 0) -> str:
     """JSON whose every value stands on one line where it fits, else with its items one a line."""
     line = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, dict | list) or not value:
@@ -38,10 +38,12 @@ def written(value: Any, indent: int = 0, before: int = 0) -> str:
     blank = " " * (indent + 2)
     if isinstance(value, dict):
         heads = [f"{json.dumps(key)}: " for key in value]
-        items = [head + written(item, indent + 2, len(head)) for head, item in zip(heads, value.values(), strict=True)]
+        items = [
+            head + formatted(item, indent + 2, len(head)) for head, item in zip(heads, value.values(), strict=True)
+        ]
         return "{\n" + ",\n".join(blank + item for item in items) + "\n" + " " * indent + "}"
     if any(isinstance(item, dict | list) for item in value):
-        items = [written(item, indent + 2) for item in value]
+        items = [formatted(item, indent + 2) for item in value]
         return "[\n" + ",\n".join(blank + item for item in items) + "\n" + " " * indent + "]"
     rows = [""]
     for item in value:
@@ -83,7 +85,7 @@ def content(path: Path) -> object:
 
 
 def test_schema_is_in_its_form(accept: bool) -> None:
-    text = written(schema()) + "\n"
+    text = formatted(schema()) + "\n"
     if accept:
         SCHEMA.write_text(text, "utf-8", newline="\n")
     assert SCHEMA.read_text("utf-8") == text

@@ -25,9 +25,9 @@ from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
 from laid_out import MADE_UP, SPECS, newest
 
-REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
-MADE = ["gadget", "gizmo", "glider-x", "widget"]
-DEVICES = [*((SPECS, device) for device in REAL), *((MADE_UP, device) for device in MADE)]
+REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
+INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "widget"]
+DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((MADE_UP, device) for device in INVENTED_DEVICES)]
 TRIES = 60
 NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}
 
@@ -56,9 +56,9 @@ def answers(program: Path, lines: list[str]) -> Iterator[tuple[int, str | None]]
         yield int(status), again if second == "0" else None
 
 
-def given(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
-    """The values without those that nobody gives: reserved, constant and measuring fields."""
-    values_given = {}
+def values_to_encode(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
+    """The values that an encoder takes: those of reserved, constant and measuring fields are left out."""
+    result = {}
     for field in record.fields:
         constant = field.value is not None and field.value.const is not None
         if constant or field.field.measures or field.field.reserved:
@@ -66,9 +66,11 @@ def given(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
         value = values[field.name]
         if field.record is not None:
             inner = field.record
-            value = [given(inner, item) for item in value] if field.is_list else given(inner, value)
-        values_given[field.name] = value
-    return values_given
+            value = (
+                [values_to_encode(inner, item) for item in value] if field.is_list else values_to_encode(inner, value)
+            )
+        result[field.name] = value
+    return result
 
 
 def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[int, str | None]:
@@ -78,7 +80,7 @@ def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[i
     except CodecError as error:
         return NUMBERS[error.reason], None
     try:
-        return 0, encoded(record, given(record, values), layout.device).hex()
+        return 0, encoded(record, values_to_encode(record, values), layout.device).hex()
     except CodecError:
         return 0, None
 

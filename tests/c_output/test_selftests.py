@@ -26,8 +26,8 @@ HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}
 
 
-def written(folder: Path, header: str) -> Path:
-    """The self-test of a header, with the header beside it."""
+def write_selftest(folder: Path, header: str) -> Path:
+    """Writes the self-test of a header and the header beside it; returns the path of the self-test."""
     source = header.replace(".h", "_selftest.c")
     for path in (header, source):
         (folder / path).write_text(TEXTS[path], encoding="utf-8", newline="\n")
@@ -41,7 +41,7 @@ def written(folder: Path, header: str) -> Path:
 def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     header: str, compiler: str, tmp_path: Path
 ) -> None:
-    program = compiled(compiler, written(tmp_path, header), tmp_path / "selftest")
+    program = compiled(compiler, write_selftest(tmp_path, header), tmp_path / "selftest")
     result = subprocess.run([str(program)], capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stdout
     assert result.stdout.endswith(" passed, 0 failed\n")
@@ -61,7 +61,7 @@ def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     ],
 )
 def test_a_self_test_fails_when_the_header_is_wrong(name: str, right: str, wrong: str, tmp_path: Path) -> None:
-    source = written(tmp_path, f"{name}.h")
+    source = write_selftest(tmp_path, f"{name}.h")
     header = tmp_path / f"{name}.h"
     text, times = re.subn(re.escape(right), wrong, header.read_text("utf-8"), count=1)
     assert times == 1
@@ -71,7 +71,7 @@ def test_a_self_test_fails_when_the_header_is_wrong(name: str, right: str, wrong
 
 
 def test_a_machine_without_double_gets_none(tmp_path: Path) -> None:
-    source = written(tmp_path, "glider_x_v1_1.h")
+    source = write_selftest(tmp_path, "glider_x_v1_1.h")
     assert compiled("gcc", source, tmp_path / "selftest.o", "-DGLIDER_X_WITHOUT_DOUBLE", "-ffreestanding", "-c")
     command = [require_tool("gcc"), "-E", "-P", "-DGLIDER_X_WITHOUT_DOUBLE", str(tmp_path / "glider_x_v1_1.h")]
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
@@ -89,6 +89,6 @@ def test_two_versions_of_a_device_cannot_be_included_together(tmp_path: Path) ->
 
 
 def test_the_wide_table_gives_the_same_check(tmp_path: Path) -> None:
-    source = written(tmp_path, "tc100_v2_0.h")
+    source = write_selftest(tmp_path, "tc100_v2_0.h")
     program = compiled("gcc", source, tmp_path / "selftest", "-DTC100_WIDE_CRC_TABLE")
     assert subprocess.run([str(program)], capture_output=True, check=False).returncode == 0
