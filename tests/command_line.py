@@ -15,10 +15,10 @@ from fieldspec.cli import main
 from fieldspec.commands import compiled
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
-MADE_UP = Path(__file__).resolve().parent / "specs"
+TEST_SPECS = Path(__file__).resolve().parent / "specs"
 
 
-class Ran(NamedTuple):
+class RunResult(NamedTuple):
     """What a run has left."""
 
     code: int
@@ -37,10 +37,10 @@ class CommandLine:
         self.capsys, self.monkeypatch, self.folder = capsys, monkeypatch, folder
         monkeypatch.setattr(compiled, "layout", _layout)
 
-    def __call__(self, *arguments: str, stdin: bytes = b"") -> Ran:
+    def __call__(self, *arguments: str, stdin: bytes = b"") -> RunResult:
         self.monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BufferedReader(io.BytesIO(stdin))))
         code = main([*arguments, "--specs", str(self.folder)])
-        return Ran(code, *self.capsys.readouterr())
+        return RunResult(code, *self.capsys.readouterr())
 
     def json(self, *arguments: str, stdin: bytes = b"") -> Any:
         """The data that a verb prints as JSON."""

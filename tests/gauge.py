@@ -157,6 +157,6 @@ def numbers(section: Section) -> list[int]:
     return [*(figure.number for figure in section.figures[:4]), section.figures[0].whole or 0]
 
 
-def said(section: Section) -> list[str]:
+def finding_texts(section: Section) -> list[str]:
     """The findings as `rule: message`."""
     return [f"{finding.code}: {finding.message}" for finding in section.findings]

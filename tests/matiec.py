@@ -15,7 +15,7 @@ import tarfile
 from functools import cache
 from pathlib import Path
 
-from tools_available import require_tool, without
+from external_tools import require_tool, without
 
 VARIABLE = "MATIEC"
 STEPS = (["autoreconf", "-i"], ["./configure"], ["make", "-j4"])

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from fieldspec.pipeline import checked
-from reading import project
+from spec_files import project
 
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "add-a-device.md"

@@ -27,7 +27,7 @@ from fieldspec.model.fact import Citation, Claim, Place, Report, Standard
 from fieldspec.model.value import PRIMITIVES, ParameterPart, Primitive, Ranges, Sentinel, Value
 from fieldspec.reading.project import read
 from fieldspec.source import SourceFile, Span
-from reading import gadget
+from spec_files import gadget
 
 TEST_SPECS = Path(__file__).parent / "specs"
 

@@ -12,7 +12,7 @@ import pytest
 
 from fieldspec import classes
 
-BOTH = pytest.mark.parametrize("made_by", [classes, dataclasses], ids=["ours", "standard"])
+BOTH = pytest.mark.parametrize("module", [classes, dataclasses], ids=["ours", "standard"])
 
 
 def point(module: ModuleType) -> type:

@@ -17,8 +17,8 @@ from fieldspec.lists.comparison import compared
 from fieldspec.lists.item import items
 from fieldspec.lists.listing import listing
 from fieldspec.lists.text_sheet import text_sheet
-from laid_out import newest
-from reading import DEVICE
+from layouts import newest
+from spec_files import DEVICE
 
 SPEC = """
 registers:

@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.explain.readings import FrameOptions, read
 from fieldspec.model.texts import Example
-from laid_out import newest
+from layouts import newest
 
-EXAMPLES = newest(MADE_UP, "widget").device.examples
+EXAMPLES = newest(TEST_SPECS, "widget").device.examples
 READ = "01 03 10 00 00 02 C0 CB"
 ANSWER = "01 03 04 12 34 FF FF BF 35"
 WRITE = "01 06 20 00 00 05 42 09"
@@ -23,7 +23,7 @@ STOPPED = "00 06 20 00 41 67"
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 def decoded(run: CommandLine, *arguments: str) -> Any:
@@ -240,7 +240,7 @@ def test_json_has_every_key_of_every_row_and_null_for_what_is_absent(run: Comman
 def test_json_holds_numbers_that_json_does_not_have_as_text(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     fields = ["station=1", "word=1", "wide=1", "ratio=nan", "turned=1", "values=1"]
     frame = run("encode", "gizmo", "mix", *fields).out
     assert row(run.json("decode", "gizmo", frame), "ratio")["number"] == "nan"
@@ -252,7 +252,7 @@ LAZY = {"construct", "jinja2", "rich", "shtab", "fieldspec.checks.table", "field
 def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:
     code = (
         "import sys; from fieldspec.cli import main; "
-        f"main(['decode', 'widget', '{READ}', '--specs', {str(MADE_UP)!r}]); print(*sys.modules)"
+        f"main(['decode', 'widget', '{READ}', '--specs', {str(TEST_SPECS)!r}]); print(*sys.modules)"
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, encoding="utf-8")
     assert LAZY & set(ran.stdout.splitlines()[-1].split()) == set()
@@ -260,7 +260,7 @@ def test_decoding_a_frame_imports_nothing_that_it_does_not_use() -> None:
 
 @pytest.mark.parametrize("name", ["widget", "ck10", "esc11", "hiwin-e", "tc100"])
 def test_a_frame_of_an_example_is_explained_as_an_example(name: str) -> None:
-    layout = newest(MADE_UP if name == "widget" else SPECS, name)
+    layout = newest(TEST_SPECS if name == "widget" else SPECS, name)
     good = [example for example in layout.device.examples.values() if not example.refused]
     readings = {(e.frame, e.link, e.direction, e.message, e.error) for e in good}
     for example in good:

@@ -15,10 +15,10 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import TEST_SPECS, CommandLine
 from fieldspec.commands.decode import LONGEST_LINE, FramePrinter, Log
 from fieldspec.explain.readings import FrameOptions
-from laid_out import newest
+from layouts import newest
 
 READ = "01 03 10 00 00 02 C0 CB"
 ANSWER = "01 03 04 12 34 FF FF BF 35"
@@ -34,7 +34,7 @@ REFUSED = "01 FF 01 A0 30"
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 def explained(run: CommandLine, *lines: str) -> list[Any]:
@@ -177,7 +177,7 @@ def test_the_exit_code_tells_whether_anything_was_wrong(run: CommandLine, log: b
 
 
 def test_notes_and_errata_are_printed_once_in_a_log(run: CommandLine) -> None:
-    frame = newest(MADE_UP, "widget").device.examples["nest-request"].frame
+    frame = newest(TEST_SPECS, "widget").device.examples["nest-request"].frame
     result = run("decode", "widget", stdin=f"{frame.hex()}\n".encode() * 3)
     assert result.out.count("note on nest.alarms[1]: alarm does not list 30583.") == 1
 
@@ -225,7 +225,7 @@ class Weighed(io.BytesIO):
 
 
 def test_memory_does_not_grow_with_the_log() -> None:
-    layout = newest(MADE_UP, "widget")
+    layout = newest(TEST_SPECS, "widget")
     log = Weighed(f"{READ}\n{ANSWER}\n".encode() * 60, (20, 120))
     with open(os.devnull, "w", encoding="utf-8") as nothing, redirect_stdout(nothing):
         tracemalloc.start()
@@ -236,7 +236,18 @@ def test_memory_does_not_grow_with_the_log() -> None:
 
 
 def test_each_frame_is_printed_as_soon_as_it_is_read() -> None:
-    command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(MADE_UP), "--format", "json"]
+    command = [
+        sys.executable,
+        "-m",
+        "fieldspec",
+        "decode",
+        "widget",
+        "-",
+        "--specs",
+        str(TEST_SPECS),
+        "--format",
+        "json",
+    ]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdin is not None
         assert process.stdout is not None
@@ -251,7 +262,7 @@ def test_each_frame_is_printed_as_soon_as_it_is_read() -> None:
 def test_whoever_has_seen_enough_may_close_the_pipe(tmp_path: Path) -> None:
     log = tmp_path / "log.txt"
     log.write_bytes(f"{READ}\n{ANSWER}\n".encode() * 2000)
-    command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(MADE_UP)]
+    command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(TEST_SPECS)]
     with log.open("rb") as stdin:
         process = subprocess.Popen(command, stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert process.stdout is not None

@@ -10,9 +10,9 @@ from typing import Any
 import html5lib
 import pytest
 
-from command_line import MADE_UP, SPECS
+from command_line import SPECS, TEST_SPECS
+from external_tools import require_tool
 from fieldspec.cli import main
-from tools_available import require_tool
 
 DEVICE = f'''device:
   id: gadget
@@ -305,7 +305,7 @@ def test_without_git_there_are_no_revisions(run: Run, repository: Path, monkeypa
 
 
 def test_the_made_up_devices_do_not_differ_from_themselves(run: Run) -> None:
-    assert run(str(MADE_UP), str(MADE_UP), "--fail-on", "any") == 0
+    assert run(str(TEST_SPECS), str(TEST_SPECS), "--fail-on", "any") == 0
 
 
 def test_a_rule_of_changes_is_explained(capsys: pytest.CaptureFixture[str]) -> None:

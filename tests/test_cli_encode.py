@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.model.texts import Example
-from laid_out import newest
+from layouts import newest
 
-WIDGET = newest(MADE_UP, "widget")
+WIDGET = newest(TEST_SPECS, "widget")
 READ = ["read_registers", "station=1", "address=0x1000", "word_count=2"]
 WRITE = ["write_registers", "station=16", "address=0x2001"]
 PACKET = ["--link", "packet", "address=7", "sequence=1"]
@@ -16,7 +16,7 @@ PACKET = ["--link", "packet", "address=7", "sequence=1"]
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 @pytest.fixture

@@ -13,12 +13,12 @@ from pathlib import Path
 import openpyxl
 import pytest
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.lists.export import COLUMNS, as_csv, as_json, as_xlsx
 from fieldspec.lists.item import Item, items
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.lists.workbook import workbook_sheet
-from laid_out import newest
+from layouts import newest
 
 DEVICES = sorted(path.parent.name for path in SPECS.glob("*/device.yaml"))
 FORMS = ("csv", "xlsx", "json")
@@ -65,7 +65,7 @@ def test_an_export_does_not_differ_from_its_device(device: str, form: str, run: 
 def test_an_export_of_a_made_up_device_does_not_differ_from_it(
     device: str, form: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     path = tmp_path / f"list.{form}"
     assert run("export", device, "--to", form, "--out", str(path)).code == 0
     ran = run("compare", device, str(path))

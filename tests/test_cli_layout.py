@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from rich.console import Console
 
-from command_line import MADE_UP, SPECS, CommandLine
+from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.commands import output
 from fieldspec.plc.layout.memory import MEMORIES
-from laid_out import newest
+from layouts import newest
 
 
 @pytest.fixture
@@ -78,8 +78,8 @@ def test_what_is_not_known_is_said_with_what_there_is(
 def test_every_record_of_the_made_up_devices_has_a_layout_in_every_memory(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, device: str
 ) -> None:
-    run = CommandLine(capsys, monkeypatch, MADE_UP)
-    layout = newest(MADE_UP, device)
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    layout = newest(TEST_SPECS, device)
     data = [side for message in layout.messages.values() for side in (message.request, message.response)]
     for record in (*layout.records.values(), *(record for record in data if record.fields)):
         for target in MEMORIES:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import TEST_SPECS, CommandLine
 from fieldspec.render.blocks import drawn
 from fieldspec.render.item import handles, items
-from laid_out import newest
+from layouts import newest
 
-WIDGET = newest(MADE_UP, "widget")
+WIDGET = newest(TEST_SPECS, "widget")
 HANDLES = [
     (device, handle)
     for device in ("widget", "glider-x")
-    for handle in sorted({handle for item in items(newest(MADE_UP, device)) for handle in handles(item) if handle})
+    for handle in sorted({handle for item in items(newest(TEST_SPECS, device)) for handle in handles(item) if handle})
 ]
 
 STATUS = """\
@@ -43,7 +43,7 @@ WIDE = """\
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 @pytest.mark.parametrize(("name", "drawing"), [("status", STATUS), ("wide_status", WIDE)])

@@ -9,9 +9,9 @@ import pytest
 
 from fieldspec.commands.decode import LONGEST_LINE
 from fieldspec.explain.log import LogLine, Unreadable, log_line
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 
-LINKS = [link.link for link in newest(MADE_UP, "widget").links.values()]
+LINKS = [link.link for link in newest(TEST_SPECS, "widget").links.values()]
 BYTES = bytes.fromhex("01 06 20 1E 00 03 A2 0D")
 CHARACTERS = b":010310000002EA\r\n"
 

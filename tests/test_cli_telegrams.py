@@ -8,14 +8,14 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, CommandLine
+from command_line import TEST_SPECS, CommandLine
 from fieldspec.cli import main
 from fieldspec.commands.device_help import suggest
 from fieldspec.model.texts import Example
-from laid_out import newest
+from layouts import newest
 from test_cli_encode import arguments_of
 
-EXAMPLES = newest(MADE_UP, "glider-x").device.examples
+EXAMPLES = newest(TEST_SPECS, "glider-x").device.examples
 RECEIVED = "F0 03 20 00 00 00"
 POSITION = "04 01 FF FF FF FE 00 00 05 DC 20 00 00 00"
 READ = "07 01 00 01 23 17 00 00"
@@ -24,7 +24,7 @@ ANSWER = "07 01 00 06 01 0B B8"
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> CommandLine:
-    return CommandLine(capsys, monkeypatch, MADE_UP)
+    return CommandLine(capsys, monkeypatch, TEST_SPECS)
 
 
 def decoded(run: CommandLine, *arguments: str) -> Any:
@@ -47,7 +47,7 @@ def test_every_example_is_explained_by_its_message_and_direction(run: CommandLin
 
 @pytest.mark.parametrize("example", [e for e in EXAMPLES.values() if not e.error], ids=lambda example: example.id)
 def test_every_example_is_written_from_its_values(run: CommandLine, example: Example) -> None:
-    link = newest(MADE_UP, "glider-x").device.links[example.link]
+    link = newest(TEST_SPECS, "glider-x").device.links[example.link]
     options = [f"--{link.message_name}", example.message, "--direction", link.direction_name(example.direction)]
     values = {name: value for name, value in example.values.items() if name != "order"}
     result = run("encode", "glider-x", *options, *arguments_of(values))
@@ -305,7 +305,7 @@ def test_the_help_has_the_words_of_the_device(
 ) -> None:
     monkeypatch.setenv("COLUMNS", "400")
     with pytest.raises(SystemExit) as left:
-        main([verb, "glider-x", "--specs", str(MADE_UP), "--help"])
+        main([verb, "glider-x", "--specs", str(TEST_SPECS), "--help"])
     assert left.value.code == 0
     assert "On cyclic, --telegram is one of 3, 11, 70; --direction is received or sent." in capsys.readouterr().out
 
@@ -322,7 +322,7 @@ def test_the_help_needs_no_device(words: list[str], capsys: pytest.CaptureFixtur
 def test_shells_offer_the_words_of_the_devices(
     shell: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("FIELDSPEC_SPECS", str(MADE_UP))
+    monkeypatch.setenv("FIELDSPEC_SPECS", str(TEST_SPECS))
     assert main(["completion", shell]) == 0
     script = capsys.readouterr().out
     for word in ("telegram", "received", "request"):
@@ -338,7 +338,7 @@ def test_shells_offer_the_verbs_where_there_are_no_specs(
 
 
 def test_shells_offer_an_option_for_messages_to_the_verbs_that_take_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("FIELDSPEC_SPECS", str(MADE_UP))
+    monkeypatch.setenv("FIELDSPEC_SPECS", str(TEST_SPECS))
     parser = argparse.ArgumentParser()
     verbs = parser.add_subparsers()
     for name in ("check", "decode", "encode"):

@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 import pytest
 
-from command_line import MADE_UP, SPECS
+from command_line import SPECS, TEST_SPECS
 from fieldspec.cli import main
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import device_layout
 from fieldspec.reading.project import read
-from laid_out import layouts
+from layouts import layouts
 
 OVERLAY = """
 overlay: {id: "1.2", line: firmware, based_on: "1.1", doc: Turns faster.}
@@ -44,7 +44,7 @@ def ran(capsys: pytest.CaptureFixture[str], folder: Path, *words: str) -> Done:
 def folder(tmp_path: Path) -> Path:
     """The made-up devices, one of them with a version that is a file."""
     specs = tmp_path / "specs"
-    shutil.copytree(MADE_UP, specs)
+    shutil.copytree(TEST_SPECS, specs)
     (specs / "glider-x/versions").mkdir()
     (specs / "glider-x/versions/1.2.yaml").write_text(OVERLAY, "utf-8")
     return specs
@@ -63,10 +63,10 @@ def test_versions_are_listed_by_line_with_what_depends_on_them(
 
 
 def test_a_device_without_versions_has_one(capsys: pytest.CaptureFixture[str]) -> None:
-    assert ran(capsys, MADE_UP, "versions", "gadget").out.startswith("Gadget has one version, 1: ")
+    assert ran(capsys, TEST_SPECS, "versions", "gadget").out.startswith("Gadget has one version, 1: ")
 
 
-@pytest.mark.parametrize("root", [MADE_UP, SPECS], ids=["made up", "real"])
+@pytest.mark.parametrize("root", [TEST_SPECS, SPECS], ids=["made up", "real"])
 def test_a_resolved_spec_is_the_device_at_that_version(
     capsys: pytest.CaptureFixture[str], root: Path, tmp_path: Path
 ) -> None:
@@ -125,7 +125,7 @@ def test_a_matrix_of_everything_has_the_facts_that_are_the_same(
 
 
 def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixture[str]) -> None:
-    page = ran(capsys, MADE_UP, "matrix", "hostile", "--all", "--format", "html").out
+    page = ran(capsys, TEST_SPECS, "matrix", "hostile", "--all", "--format", "html").out
     assert page.startswith("<!doctype html>")
     assert "</script>" not in page
 
@@ -142,6 +142,6 @@ def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixt
     ],
 )
 def test_what_is_not_there_is_wrong_use(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], text: str) -> None:
-    done = ran(capsys, MADE_UP, *words)
+    done = ran(capsys, TEST_SPECS, *words)
     assert done.code == 2
     assert text in done.err

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from command_line import MADE_UP, SPECS
+from command_line import SPECS, TEST_SPECS
 from fieldspec.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.classes import attributes, replace
 from fieldspec.cli import main
@@ -30,7 +30,7 @@ BROKEN = sorted(
     for check in LAYOUT_CONDITIONS
     for file in Path(__file__).parent.joinpath("cases", check).glob("failing*/device.yaml")
 )
-DEVICES = [(folder, device) for folder in (SPECS, MADE_UP) for device in sources.devices(folder)]
+DEVICES = [(folder, device) for folder in (SPECS, TEST_SPECS) for device in sources.devices(folder)]
 
 
 @pytest.fixture
@@ -43,7 +43,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Specs that a test may change."""
-    shutil.copytree(MADE_UP, tmp_path / "specs")
+    shutil.copytree(TEST_SPECS, tmp_path / "specs")
     return tmp_path / "specs"
 
 
@@ -109,10 +109,10 @@ def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alik
 
 
 def test_the_second_call_reads_no_spec(cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     first = capsys.readouterr().out
     unread(monkeypatch)
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     assert capsys.readouterr().out == first
     assert len(list(cache.iterdir())) == 1
 
@@ -128,11 +128,11 @@ def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys
 
 
 def test_with_another_compiler_a_spec_is_read_again(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     monkeypatch.setattr(caching, "state", lambda: "another")
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        show(MADE_UP)
+        show(TEST_SPECS)
 
 
 def test_the_state_of_the_compiler_changes_with_each_of_its_files(
@@ -152,12 +152,12 @@ def test_the_state_of_the_compiler_changes_with_each_of_its_files(
 def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
     cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert show(MADE_UP, "--no-cache") == 0
+    assert show(TEST_SPECS, "--no-cache") == 0
     assert not cache.exists()
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        show(MADE_UP, "--no-cache")
+        show(TEST_SPECS, "--no-cache")
 
 
 @pytest.mark.parametrize(
@@ -175,12 +175,12 @@ def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
 def test_a_compiled_device_that_is_not_whole_is_as_none(
     cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]
 ) -> None:
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     before = capsys.readouterr().out
     (file,) = cache.iterdir()
     whole = file.read_bytes()
     file.write_bytes(spoilt(whole))
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     assert capsys.readouterr().out == before
     assert file.read_bytes() == whole
 
@@ -190,14 +190,14 @@ def test_a_compiled_device_that_is_not_whole_is_as_none(
 def test_a_compiled_device_that_others_can_write_to_is_as_none(
     cache: Path, monkeypatch: pytest.MonkeyPatch, mode: int
 ) -> None:
-    assert show(MADE_UP) == 0
+    assert show(TEST_SPECS) == 0
     (file,) = cache.iterdir()
     assert file.stat().st_mode & 0o777 == 0o600
     assert cache.stat().st_mode & 0o777 == 0o700
     file.chmod(mode)
     unread(monkeypatch)
     with pytest.raises(AssertionError, match="a spec is read"):
-        show(MADE_UP)
+        show(TEST_SPECS)
 
 
 def test_findings_are_kept_of_no_device(cache: Path, folder: Path) -> None:
@@ -225,7 +225,7 @@ def test_a_compiled_device_is_taken_without_what_reads_specs(cache: Path) -> Non
         "import sys; from fieldspec.cli import main; main(sys.argv[1:]); "
         "print({'yaml', 'jsonschema_rs', 'construct', 'fieldspec.commands.specs'} & {*sys.modules})"
     )
-    command = [sys.executable, "-c", code, "show", "widget", "--specs", str(MADE_UP)]
+    command = [sys.executable, "-c", code, "show", "widget", "--specs", str(TEST_SPECS)]
     first, second = (subprocess.run(command, capture_output=True, encoding="utf-8", check=True) for _ in range(2))
     assert "yaml" in first.stdout.splitlines()[-1]
     assert second.stdout.splitlines()[-1] == "set()"

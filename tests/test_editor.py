@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from external_tools import require_tool
 from fieldspec.schema import described, schema
 from language_server import LanguageServer
-from tools_available import require_tool
 
 ROOT = Path(__file__).parent.parent
 SPECS = sorted([*(ROOT / "specs").rglob("*.yaml"), *(ROOT / "tests" / "specs").rglob("*.yaml")])

@@ -16,7 +16,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.frames import ALGORITHMS, Decoded
-from laid_out import MADE_UP, all_layouts, newest
+from layouts import TEST_SPECS, all_layouts, newest
 
 LAYOUTS = all_layouts()
 EXAMPLES = [
@@ -24,9 +24,9 @@ EXAMPLES = [
     for layout in LAYOUTS
     for example in layout.device.examples.values()
 ]
-WIDGET = newest(MADE_UP, "widget")
-GIZMO = newest(MADE_UP, "gizmo")
-GLIDER = newest(MADE_UP, "glider-x")
+WIDGET = newest(TEST_SPECS, "widget")
+GIZMO = newest(TEST_SPECS, "gizmo")
+GLIDER = newest(TEST_SPECS, "glider-x")
 
 
 def of_example(layout: DeviceLayout, example: Example, frame: bytes | None = None) -> Explanation:
@@ -387,14 +387,14 @@ def test_two_frames_in_a_row_are_told_apart_by_length_and_check() -> None:
 
 
 def test_registers_of_the_space_that_the_message_reads_are_explained() -> None:
-    meter = newest(MADE_UP, "meter")
+    meter = newest(TEST_SPECS, "meter")
     assert [register.path for register in of("voltage", meter).registers] == ["voltage"]
     assert [register.path for register in of("station", meter).registers] == ["station"]
     assert of("read-coils", meter).registers == ()
 
 
 def test_a_float_is_judged_by_its_range_and_a_nan_is_named() -> None:
-    probe = newest(MADE_UP, "probe")
+    probe = newest(TEST_SPECS, "probe")
     absent = row(explained(probe, "packet", "request", bytes.fromhex("01 00 00 C0 7F 40")), "limit")
     assert (absent.value, absent.verdict, [meaning.name for meaning in absent.meanings]) == ("", "", ["no_limit"])
     beyond = row(explained(probe, "packet", "request", bytes.fromhex("01 00 80 96 43 5A")), "limit")

@@ -12,7 +12,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RegisterLayout
 from fieldspec.model.value import Kind, Value
 from fieldspec.reference.records import decoded_value, value_construct
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 from made_python import made
 
 BLOCKS = [

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import fieldspec
-from tools_available import require_tool
+from external_tools import require_tool
 
 if sys.version_info >= (3, 11):
     import tomllib

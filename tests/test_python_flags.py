@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 from made_python import codec_error, made
 
-WIDGET = made(newest(MADE_UP, "widget"))
+WIDGET = made(newest(TEST_SPECS, "widget"))
 CodecError = codec_error()
 
 

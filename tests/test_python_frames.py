@@ -14,7 +14,7 @@ from fieldspec.layout.frame import CHECKSUMS, PartLayout
 from fieldspec.layout.values import body_of, raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, DeviceCodec, codec
-from laid_out import all_layouts
+from layouts import all_layouts
 from made_python import built, class_of, codec_error, link_of, made, only_stored, outcome, raw, raws, record_class
 from random_values import values_of
 

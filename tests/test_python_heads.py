@@ -10,15 +10,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from drive_variants import drive_variant
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import CHECKSUMS
 from fieldspec.reference import DeviceCodec, codec
-from laid_out import MADE_UP, newest
+from layouts import TEST_SPECS, newest
 from made_python import built, codec_error, made, outcome, package
 from random_values import values_of
-from varied import varied
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
+GLIDER = made(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
 BODY = "      - {name: body, role: body}\n    response: *head"
 WIDE = ("{name: axis, type: u8, const: 0}", "{name: axis, type: u16, const: 0x1234}")
@@ -38,7 +38,7 @@ MADE: dict[str, tuple[tuple[str, str], ...]] = {
 @cache
 def made_of(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
     """The made-up drive with another channel, and its reference codec."""
-    layout, module = varied(f"head_{name}", MADE[name])
+    layout, module = drive_variant(f"head_{name}", MADE[name])
     return layout, module, codec(layout)
 
 

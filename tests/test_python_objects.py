@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 
 from fieldspec.backends.python.quantities import in_unit, quantity, ratio
 from fieldspec.layout.frame import CHECKSUMS
-from laid_out import MADE_UP, SPECS, layouts, newest
+from layouts import SPECS, TEST_SPECS, layouts, newest
 from made_python import codec_error, made, package, runtime
 
-WIDGET, ESC11, TC100 = made(newest(MADE_UP, "widget")), made(newest(SPECS, "esc11")), made(newest(SPECS, "tc100"))
+WIDGET, ESC11, TC100 = made(newest(TEST_SPECS, "widget")), made(newest(SPECS, "esc11")), made(newest(SPECS, "tc100"))
 CodecError = codec_error()
 PACKAGE = package()
 
@@ -52,12 +52,12 @@ def test_a_closed_enum_refuses_a_value_that_it_does_not_list() -> None:
 
 
 def test_a_version_has_the_members_of_its_own() -> None:
-    old = made(layouts(MADE_UP)["widget"][0])
+    old = made(layouts(TEST_SPECS)["widget"][0])
     assert not hasattr(old.Alarm, "OVER_VOLTAGE")
     assert WIDGET.Alarm.OVER_VOLTAGE == 0x100
 
 
-GLIDER = made(newest(MADE_UP, "glider-x"))
+GLIDER = made(newest(TEST_SPECS, "glider-x"))
 
 
 def test_a_code_is_found_by_what_is_displayed_and_by_its_other_number() -> None:
@@ -253,7 +253,7 @@ def test_a_scale_is_written_as_whole_numbers(
     assert quantity(value) == text or not value.scaled
 
 
-SCALED = next(iter(newest(MADE_UP, "widget").records["corner"].fields)).value
+SCALED = next(iter(newest(TEST_SPECS, "widget").records["corner"].fields)).value
 
 
 @given(st.integers(-1000, 1000))

@@ -9,10 +9,10 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import any_spec
+import random_specs
 from fieldspec.reading import yaml_reader
 from fieldspec.reading.project import Project, read
-from reading import DEVICE, codes
+from spec_files import DEVICE, codes
 
 ROOT = Path(__file__).parent.parent
 FOLDERS = [ROOT / "specs", ROOT / "tests" / "specs"]
@@ -121,7 +121,7 @@ def test_any_spec_whose_words_are_changed_is_read(path: Path, data: st.DataObjec
 def test_any_spec_that_fits_the_schema_is_read() -> None:
     built = 0
     for seed in range(SEEDS):
-        text = any_spec.spec(seed)
+        text = random_specs.spec(seed)
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         project = read_whole(files)
         assert set(codes(project.findings)) <= {"version_unknown", "version_twice", "references_resolve"}, (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-import any_spec
+import random_specs
 from fieldspec.reading.building.device import built
 from fieldspec.reading.nodes import Mapping, Node, Sequence
 from fieldspec.reading.project import read
@@ -66,7 +66,7 @@ def watched(node: Node, part: Schema, name: str, declared: set[Key], asked: set[
 def test_every_key_is_asked_for() -> None:
     declared: set[Key] = set()
     asked: set[Key] = set()
-    for text in (RARE, *map(any_spec.spec, range(SEEDS))):
+    for text in (RARE, *map(random_specs.spec, range(SEEDS))):
         files = {"gadget/device.yaml": text.encode(), "protocols/wire.yaml": PROTOCOL}
         for spec in read(files).devices.values():
             for version in spec.versions():

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from reading import DEVICE
+from spec_files import DEVICE
 
 LINES = 100_000
 SECONDS = 120

@@ -6,7 +6,7 @@ import pytest
 
 from fieldspec.model.device import Device
 from fieldspec.reading.project import Project, read
-from reading import DEVICE, codes, pointed_at, unmarked
+from spec_files import DEVICE, codes, pointed_at, unmarked
 
 BASE = """
 versions:

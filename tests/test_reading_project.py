@@ -8,7 +8,7 @@ import pytest
 
 from fieldspec.model.device import Device
 from fieldspec.reading.project import read
-from reading import DEVICE, MANUAL, codes, gadget, pointed_at, project, unmarked
+from spec_files import DEVICE, MANUAL, codes, gadget, pointed_at, project, unmarked
 
 WIRE = """
 protocol: {id: wire, title: A protocol}

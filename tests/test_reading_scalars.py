@@ -13,7 +13,7 @@ from fieldspec.reading.project import read
 from fieldspec.reading.scalars import typed
 from fieldspec.reading.yaml_reader import decoded, key_span, parsed
 from fieldspec.render.text import rendered
-from reading import DEVICE, pointed_at, project, unmarked
+from spec_files import DEVICE, pointed_at, project, unmarked
 
 WRONG = object()
 """The scalar is refused where this kind is wanted."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.model.device import Device
-from reading import DEVICE, codes, gadget, pointed_at, project, unmarked
+from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 
 LINES = """
 versions:

@@ -10,7 +10,7 @@ import yaml
 from fieldspec.reading import yaml_reader
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.reading.yaml_reader import DEEPEST_TREE, decoded, key_span, parsed
-from reading import codes, pointed_at, unmarked
+from spec_files import codes, pointed_at, unmarked
 
 DEEP = "[" * (DEEPEST_TREE + 1) + "«[»" + "]" * (DEEPEST_TREE + 2)
 LAUGHS = "a: &a [x, x, x, x, x, x, x, x, x, x]\n" + "".join(

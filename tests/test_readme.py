@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tools_available import require_tool
+from external_tools import require_tool
 
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = (ROOT / "README.md").read_text("utf-8")

@@ -12,7 +12,7 @@ from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import raw_values
 from fieldspec.model.texts import Example
 from fieldspec.reference import CodecError, codec
-from laid_out import MADE_UP, SPECS, all_layouts, newest
+from layouts import SPECS, TEST_SPECS, all_layouts, newest
 
 EXAMPLES = [
     pytest.param(layout, example, id=f"{layout.device.id}-{layout.device.version}-{example.id}")
@@ -30,7 +30,7 @@ PDU = {
 """What the other stack calls the fields of our messages."""
 
 JUDGED = [param for param in EXAMPLES if param.values[0].device.id in ("tc100", "ck10") and param.values[1].message]
-GLIDER = newest(MADE_UP, "glider-x")
+GLIDER = newest(TEST_SPECS, "glider-x")
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
@@ -103,7 +103,7 @@ def test_a_frame_that_is_cut_short_is_refused(cut: int) -> None:
 
 
 def test_the_made_up_devices_are_laid_out() -> None:
-    assert MADE_UP.is_dir()
+    assert TEST_SPECS.is_dir()
     assert {layout.device.id for layout in all_layouts()} >= {"tc100", "esc11", "ck10", "hiwin-e", "widget", "glider-x"}
 
 

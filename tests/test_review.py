@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 import yaml
 
+from external_tools import require_tool
 from fieldspec.cli import parser
-from tools_available import require_tool
 
 ROOT = Path(__file__).parent.parent
 HOOKS: list[dict[str, Any]] = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))

@@ -16,10 +16,10 @@ from pymodbus.pdu import DecodePDU
 from fieldspec.backends.vectors.backend import files
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.reference import CodecError, codec
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 FORMAT = Path(__file__).parent.parent / "docs" / "vectors.md"
-VERSIONS = {name: versions for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+VERSIONS = {name: versions for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 
 
 @cache
@@ -33,7 +33,7 @@ def document(device: str) -> dict[str, Any]:
     return held
 
 
-def laid_at(device: str, version: str) -> DeviceLayout:
+def layout_at(device: str, version: str) -> DeviceLayout:
     return next(laid for laid in VERSIONS[device] if laid.device.version == version)
 
 
@@ -99,7 +99,7 @@ def test_the_format_is_documented() -> None:
 @pytest.mark.parametrize(("device", "vector"), TAKEN)
 def test_the_reference_decodes_the_right_bytes_to_the_values(device: str, vector: dict[str, Any]) -> None:
     for version in vector["versions"]:
-        link = codec(laid_at(device, version)).links[vector["link"]]
+        link = codec(layout_at(device, version)).links[vector["link"]]
         found = link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
         assert vector["values"] == as_json({**found.head, **found.values})
         assert vector["error"] == found.error
@@ -107,7 +107,7 @@ def test_the_reference_decodes_the_right_bytes_to_the_values(device: str, vector
 
 @pytest.mark.parametrize(("device", "vector"), [param for param in VECTORS if param.values[1]["refused"]])
 def test_the_reference_refuses_what_must_be_refused(device: str, vector: dict[str, Any]) -> None:
-    link = codec(laid_at(device, vector["versions"][-1])).links[vector["link"]]
+    link = codec(layout_at(device, vector["versions"][-1])).links[vector["link"]]
     with pytest.raises(CodecError) as caught:
         link.decode(bytes.fromhex(vector["right"]), vector["direction"], vector["message"] or "")
     assert (caught.value.reason, vector["values"]) == (vector["refused"], None)
@@ -165,7 +165,7 @@ CYCLIC = [
 def test_process_data_are_the_words_of_their_values_where_the_manual_prints_them(
     device: str, vector: dict[str, Any]
 ) -> None:
-    message = laid_at(device, vector["versions"][0]).device.messages[vector["message"]]
+    message = layout_at(device, vector["versions"][0]).device.messages[vector["message"]]
     fields = message.request.fields if vector["direction"] == "request" else message.response.fields
     words: dict[int, int] = {}
     for field in fields:
@@ -195,7 +195,7 @@ def test_the_verdict_says_whether_print_and_right_bytes_differ(device: str, vect
 
 @pytest.mark.parametrize(("device", "vector"), VECTORS)
 def test_characters_are_those_of_the_right_bytes(device: str, vector: dict[str, Any]) -> None:
-    link = laid_at(device, vector["versions"][0]).links[vector["link"]].link
+    link = layout_at(device, vector["versions"][0]).links[vector["link"]].link
     if link.encoding == "hex_ascii":
         assert vector["characters"].encode("ascii") == bytes.fromhex(vector["right"])
     else:

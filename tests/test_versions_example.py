@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import pytest
 import yaml
 
-from tools_available import require_tool
+from external_tools import require_tool
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "versions.md"
@@ -39,7 +39,7 @@ def runs(block: str) -> Iterator[tuple[str, str]]:
         yield command, output
 
 
-class Ran(NamedTuple):
+class RunResult(NamedTuple):
     """What a command has left."""
 
     code: int
@@ -56,11 +56,11 @@ class Project:
         self.differing: list[tuple[str, str, str]] = []
         self.codes: list[tuple[str, int]] = []
 
-    def run(self, command: str) -> Ran:
+    def run(self, command: str) -> RunResult:
         words = [sys.executable, "-m", "fieldspec", *shlex.split(command)]
         done = subprocess.run(words, cwd=self.folder, capture_output=True, encoding="utf-8")
         assert done.stderr == ""
-        return Ran(done.returncode, done.stdout)
+        return RunResult(done.returncode, done.stdout)
 
     def follow(self, before: str, kind: str, block: str) -> None:
         """Does what a block of the page says."""

@@ -10,7 +10,7 @@ from fieldspec import checks
 from fieldspec.layout.device import device_layout
 from fieldspec.model.device import Device
 from fieldspec.reading.project import Project, read
-from laid_out import SPECS
+from layouts import SPECS
 
 
 @cache

@@ -9,11 +9,11 @@ from functools import cache
 
 from fieldspec.backends.kv.backend import files
 from fieldspec.names import stem
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 Row = dict[str, str]
 
-ROOTS = {name: root for root in (SPECS, MADE_UP) for name in layouts(root)}
+ROOTS = {name: root for root in (SPECS, TEST_SPECS) for name in layouts(root)}
 
 
 @cache

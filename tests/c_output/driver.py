@@ -72,11 +72,12 @@ def source(layout: DeviceLayout) -> str:
     for name, record in records(layout).items():
         decode, encode = naming.function("record", name, "decode"), naming.function("record", name, "encode")
         has_members = bool(members(record))
+        argument = "&value, " if has_members else ""
         cases.append(
             f'if (strcmp(name, "{name}") == 0) {{'
             + (f" {naming.type('record', name)} value; memset(&value, 0, sizeof value);" if has_members else "")
             + f" status = (int){decode}(data, (size_t)size{', &value' if has_members else ''});"
-            + f" if (status == 0) second = (int){encode}({'&value, ' if has_members else ''}again, sizeof again, &length); }}"
+            + f" if (status == 0) second = (int){encode}({argument}again, sizeof again, &length); }}"
         )
     for link in layout.links.values():
         wrapped = link.link.encoding == "hex_ascii" or link.link.start or link.link.end

@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SECONDS = 60

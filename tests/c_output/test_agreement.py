@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import require_tool
+from compilers import require_tool
 from driver import records, settled, source
 
 from fieldspec.backends.c.backend import files
@@ -23,11 +23,11 @@ from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.value import Kind
 from fieldspec.reference import CodecError, codec
 from fieldspec.reference.records import decoded, encoded
-from laid_out import MADE_UP, SPECS, newest
+from layouts import SPECS, TEST_SPECS, newest
 
 REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
 INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "widget"]
-DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((MADE_UP, device) for device in INVENTED_DEVICES)]
+DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((TEST_SPECS, device) for device in INVENTED_DEVICES)]
 TRIES = 60
 NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}
 
@@ -177,7 +177,7 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
 
 
 def test_a_name_that_would_be_there_twice_gets_a_number() -> None:
-    naming = settled(newest(MADE_UP, "widget"))
+    naming = settled(newest(TEST_SPECS, "widget"))
     first, second = naming.macro("enum", "a_b", "c"), naming.macro("enum", "a", "b_c")
     assert [first, second] == ["WIDGET_A_B_C", "WIDGET_A_B_C_2"]
     assert naming.macro("enum", "a_b", "c") == first

@@ -14,15 +14,15 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import STRICT, require_tool
+from compilers import STRICT, require_tool
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
 from fieldspec.names import Name
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
 BARE = Path(__file__).parent / "bare"
-DEVICES = {name: versions[-1] for root in (SPECS, MADE_UP) for name, versions in layouts(root).items()}
+DEVICES = {name: versions[-1] for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 TEXTS = {name: files([layout]) for name, layout in DEVICES.items()}
 STEMS = {name: stem(name, layout.device.version) for name, layout in DEVICES.items()}
 
@@ -87,7 +87,7 @@ def run_again(machine: Machine, folder: Path, source: Path, *more: str) -> subpr
 
 # Made-up devices have what real ones have not: floats, swapped words, choices. One machine of each kind is enough.
 CASES = [(device, machine) for device in layouts(SPECS) for machine in MACHINES]
-CASES += [(device, machine) for device in layouts(MADE_UP) for machine in ("big-endian, 32 bits", "int of 16 bits")]
+CASES += [(device, machine) for device in layouts(TEST_SPECS) for machine in ("big-endian, 32 bits", "int of 16 bits")]
 
 
 @pytest.mark.parametrize(("device", "machine"), CASES)

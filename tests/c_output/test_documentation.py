@@ -11,10 +11,10 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import compiled
+from compilers import compiled
 
 from fieldspec.backends.c.backend import files
-from laid_out import SPECS, newest
+from layouts import SPECS, newest
 
 TEXT = (Path(__file__).resolve().parent.parent.parent / "docs" / "c.md").read_text("utf-8")
 PROGRAMS = re.findall(r"```c\n(.*?)```", TEXT, re.DOTALL)

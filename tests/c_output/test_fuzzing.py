@@ -11,16 +11,16 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import STRICT, require_tool
+from compilers import STRICT, require_tool
 from fuzz import built, command
 
+from external_tools import without
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
-from laid_out import MADE_UP, SPECS, newest
-from tools_available import without
+from layouts import SPECS, TEST_SPECS, newest
 
 DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]
-DEVICES += [(MADE_UP, name) for name in ("gadget", "glider-x", "widget")]
+DEVICES += [(TEST_SPECS, name) for name in ("gadget", "glider-x", "widget")]
 SECONDS = 1
 
 
@@ -62,7 +62,7 @@ def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None
         (SPECS, "tc100", "if (size < 3u)", "if (size < 1u)", "SUMMARY"),
         (SPECS, "tc100", "tc100_store_u16_be(out + 6, ", "tc100_store_u16_be(out + 8, ", "deadly signal"),
         (SPECS, "esc11", "if (capacity < ", "if (capacity + 1u < ", "SUMMARY"),
-        (MADE_UP, "glider-x", "if (!(count > ", "if ((count != count) && !(count > ", "outside the range"),
+        (TEST_SPECS, "glider-x", "if (!(count > ", "if ((count != count) && !(count > ", "outside the range"),
     ],
 )
 def test_a_fuzzer_finds_what_is_wrong(

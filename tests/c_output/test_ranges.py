@@ -14,9 +14,9 @@ from fieldspec.backends.c.backend import header
 from fieldspec.backends.c.naming import Naming
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.value import Kind, Value
-from laid_out import MADE_UP, SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts
 
-NEWEST = [versions[-1] for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
+NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
 
 
 def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:

@@ -10,10 +10,10 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import compiled
+from compilers import compiled
 
 from fieldspec.backends.c.backend import files
-from laid_out import SPECS, layouts
+from layouts import SPECS, layouts
 
 VERSIONS = layouts(SPECS)["esc11"]
 PROGRAM = """

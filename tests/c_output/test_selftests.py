@@ -11,16 +11,16 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compiling import COMPILERS, compiled, require_tool
+from compilers import COMPILERS, compiled, require_tool
 
 from fieldspec.backends.c.backend import files
 from fieldspec.backends.c.naming import stem
 from fieldspec.reading.project import read
-from laid_out import MADE_UP, SPECS, laid_at, layouts
+from layouts import SPECS, TEST_SPECS, layout_at, layouts
 
 KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_bytes()}).devices["knot-1"]
-VERSIONS = [versions for root in (SPECS, MADE_UP) for versions in layouts(root).values()]
-VERSIONS.append([laid_at(KNOT, version) for version in KNOT.versions()])
+VERSIONS = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
+VERSIONS.append([layout_at(KNOT, version) for version in KNOT.versions()])
 TEXTS = {path: text for versions in VERSIONS for path, text in files(versions).items()}
 HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(".h", "_selftest.c") in TEXTS)
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}

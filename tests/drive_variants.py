@@ -8,15 +8,15 @@ from types import ModuleType
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.reading.project import read
-from laid_out import MADE_UP
+from layouts import TEST_SPECS
 from made_python import made_apart
 
 NAME = "glider-x/device.yaml"
 
 
-def varied(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout, ModuleType]:
+def drive_variant(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout, ModuleType]:
     """The drive without its examples, with what is old in each change replaced by what is new."""
-    text = (MADE_UP / NAME).read_text(encoding="utf-8")
+    text = (TEST_SPECS / NAME).read_text(encoding="utf-8")
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)

@@ -1,4 +1,4 @@
-"""Kills builds at random moments, and judges what they leave: `python tests/kills.py [BUILDS] [SEED]`."""
+"""Kills builds at random moments, and judges what they leave: `python tests/interruptions.py [BUILDS] [SEED]`."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kills import Place, soak
+from interruptions import Place, soak
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="builds in processes on Linux alone")
 
