@@ -78,16 +78,16 @@ def covered(device: str, manual: ManualIndex | None = None) -> Section:
 @cache
 def planned(device: str) -> tuple[Plan, Cited]:
     """How its manual is read, and what cites each line."""
-    reading_plan, findings = plan(spec(device), len(recorded(device).lines))
-    assert reading_plan is not None
-    assert findings == []
-    return reading_plan, cited(spec(device), layouts(device), facts(device))
+    made, found = plan(spec(device), len(recorded(device).lines))
+    assert made is not None
+    assert found == []
+    return made, cited(spec(device), layouts(device), facts(device))
 
 
-def accounts_of(device: str, manual: Aligned, cited: Cited | None = None) -> Accounts:
+def counted(device: str, manual: Aligned, told: Cited | None = None) -> Accounts:
     """What is accounted for in a text of its manual."""
-    reading_plan, known = planned(device)
-    return accounts(manual, reading_plan, cited or known)
+    made, known = planned(device)
+    return accounts(manual, made, told or known)
 
 
 def judgement(device: str, manual: Aligned) -> Judged:
@@ -108,10 +108,10 @@ def test_the_documentation_gives_the_numbers_of_the_manuals(accept: bool) -> Non
     page = PAGE.read_text("utf-8")
     fresh = page
     for device in DEVICES:
-        places, corrected, left_out, unaccounted, needed, _, accounted = covered(device).figures
+        places, corrected, left_out, unaccounted, needed, _, held = covered(device).figures
         cells = [places.whole, places.number, corrected.number, left_out.number, unaccounted.number]
-        fractions = [f"{figure.number} of {figure.whole}" for figure in (needed, accounted)]
-        row = f"| `{device}` | {' | '.join(map(str, [*cells, *fractions]))} |"
+        shares = [f"{one.number} of {one.whole}" for one in (needed, held)]
+        row = f"| `{device}` | {' | '.join(map(str, [*cells, *shares]))} |"
         fresh = re.sub(rf"^\| `{device}` \|(?: \d+ \|){{5}} \d+ of .*", row, fresh, flags=re.MULTILINE)
     if accept:
         PAGE.write_text(fresh, "utf-8", newline="\n")
@@ -121,7 +121,7 @@ def test_the_documentation_gives_the_numbers_of_the_manuals(accept: bool) -> Non
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_most_facts_would_be_missed(device: str) -> None:
-    needed = accounts_of(device, unmoved(recorded(device))).needed
+    needed = counted(device, unmoved(recorded(device))).needed
     numbered = judgement(device, unmoved(recorded(device))).numbered
     assert len(needed & numbered.keys()) >= LEAST_NEEDED[device] * len(numbered)
 
@@ -130,14 +130,14 @@ def test_most_facts_would_be_missed(device: str) -> None:
 def test_a_fact_that_is_gone_is_noticed(device: str) -> None:
     known = planned(device)[1]
     manual = unmoved(recorded(device))
-    needed = sorted(accounts_of(device, manual).needed)
+    needed = sorted(counted(device, manual).needed)
     for gone in random.Random(1).sample(needed, 12):
-        old_by_line = {
-            line: OnLine([row for row in on_line.facts if not f"{row['path']}/".startswith(f"{gone}/")], on_line.errata)
-            for line, on_line in known.by_line.items()
+        told = {
+            line: OnLine([row for row in held.facts if not f"{row['path']}/".startswith(f"{gone}/")], held.errata)
+            for line, held in known.by_line.items()
         }
-        left = accounts_of(device, manual, Cited(old_by_line, known.lines, known.elided))
-        assert OPEN in {candidate.status for candidate in left.candidates}, gone
+        left = counted(device, manual, Cited(told, known.lines, known.elided))
+        assert OPEN in {one.status for one in left.candidates}, gone
 
 
 @pytest.mark.parametrize("device", DEVICES)
@@ -158,43 +158,41 @@ def test_the_text_itself_says_the_same(device: str) -> None:
 def test_lines_that_are_inserted_and_removed_move_the_citations_along(device: str) -> None:
     chosen = random.Random(device)
     lines = recorded(device).lines
-    unmoved = [number for number, digest in enumerate(recorded(device).digests) if digest or chosen.random() > 0.5]
+    kept = [number for number, digest in enumerate(recorded(device).digests) if digest or chosen.random() > 0.5]
     shifted = []
-    for number in unmoved:
+    for number in kept:
         shifted += ["inserted in another edition"] if chosen.random() < 0.02 else []
         shifted.append(number)
     other = ManualIndex(
         hashlib.sha256(b"another").hexdigest(),
-        [recorded(device).digests[number] if isinstance(number, int) else "0000abcd" for number in shifted],
-        [lines[number] if isinstance(number, int) else "…" for number in shifted],
+        [recorded(device).digests[one] if isinstance(one, int) else "0000abcd" for one in shifted],
+        [lines[one] if isinstance(one, int) else "…" for one in shifted],
         recorded(device).file,
         recorded(device).offset,
     )
     section = covered(device, other)
     assert [finding.message for finding in section.findings] == []
-    assert any("(100 %)" in text for text in section.says)
+    assert any("(100 %)" in said for said in section.says)
 
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_line_that_is_changed_fails_what_it_alone_is_cited_for(device: str) -> None:
-    reading_plan, known = planned(device)
+    made, known = planned(device)
     index = recorded(device)
     alone = sorted(
         (line, str(row["path"]))
-        for line, on_line in known.by_line.items()
-        for row in on_line.facts
+        for line, held in known.by_line.items()
+        for row in held.facts
         if row["kind"] in ("register", "bit", "enum_value", "parameter")
         and re.fullmatch(rf"\S+ L{line}", str(row["sources"]))
-        and not any(
-            fnmatchcase(str(row["path"]), like) for unprinted in reading_plan.unprinted for like in unprinted.facts
-        )
+        and not any(fnmatchcase(str(row["path"]), like) for one in made.unprinted for like in one.facts)
     )
     for number, path in random.Random(device).sample(alone, 8):
         texts = [line if at != number else "…" for at, line in enumerate(index.lines, 1)]
         digests = [digest if at != number else "0000abcd" for at, digest in enumerate(index.digests, 1)]
         other = ManualIndex("0" * 64, digests, texts, index.file, index.offset)
         failing = judgement(device, aligned(index, other)).missing
-        assert any(f"{path}/".startswith(f"{missing.path}/") for missing in failing), path
+        assert any(f"{path}/".startswith(f"{one.path}/") for one in failing), path
 
 
 @pytest.mark.parametrize("device", DEVICES)

@@ -106,11 +106,12 @@ def is_wrong(name: str) -> bool:
 
 
 def folder(path: Path) -> str:
-    """The folder under which a file is counted: that of the compiler, or the first one below the root."""
+    """The folder under which a file is counted: that of the compiler, a folder of tests, or the first one below the root."""
     if PACKAGE in path.parents:
         parts = path.relative_to(PACKAGE).parts
         return "/".join(parts[:2] if parts[0] == "backends" and len(parts) > 2 else parts[:1])
-    return path.relative_to(ROOT).parts[0]
+    parts = path.relative_to(ROOT).parts[:-1]
+    return "/".join(parts[:2] if parts[0] == "tests" else parts[:1])
 
 
 def python_files() -> list[Path]:

@@ -15,18 +15,27 @@ GIVE_FINDINGS = ("because", "Diagnostic", "finding", "refuse", "_refuse")
 
 
 def codes(path: Path) -> Iterator[str]:
-    """The codes of the findings that a module gives: the texts that reach the first argument of those calls."""
+    """The codes of the findings of a module: the texts that reach the first argument of a call in `GIVE_FINDINGS`."""
     tree = ast.parse(path.read_text("utf-8"))
     assigned: dict[str, list[ast.expr]] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             assigned.setdefault(node.targets[0].id, []).append(node.value)
+    others = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and not takes_code(node)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and node.args and called(node) in GIVE_FINDINGS:
-            yield from texts(node.args[0], assigned)
+            if not (isinstance(node.func, ast.Name) and node.func.id in others):
+                yield from texts(node.args[0], assigned)
+
+
+def takes_code(function: ast.FunctionDef) -> bool:
+    """Whether the first argument of a function is the code of a rule; a function of the same name may be another."""
+    names = [argument.arg for argument in function.args.args if argument.arg not in ("self", "cls")]
+    return names[:1] == ["code"]
 
 
 def called(node: ast.Call) -> str:
+    """The name of the function that is called, without what it is an attribute of."""
     return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
 
 
