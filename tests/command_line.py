@@ -19,7 +19,7 @@ TEST_SPECS = Path(__file__).resolve().parent / "specs"
 
 
 class RunResult(NamedTuple):
-    """What a run has left."""
+    """The exit code and the output of a run."""
 
     code: int
     out: str
@@ -31,7 +31,7 @@ class RunResult(NamedTuple):
 
 
 class CommandLine:
-    """Runs verbs on the specs of a folder. A layout is read once, however many verbs use it."""
+    """Runs verbs on the specs of a folder. Each layout is read once and shared by all runs."""
 
     def __init__(self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
         self.capsys, self.monkeypatch, self.folder = capsys, monkeypatch, folder

@@ -1,4 +1,4 @@
-"""The made-up drive with some lines of its spec changed, and the Python module of that."""
+"""Variants of the made-up drive: some lines of its spec are changed, and the Python module is generated from it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NAME = "glider-x/device.yaml"
 
 
 def drive_variant(name: str, changes: Sequence[tuple[str, str]]) -> tuple[DeviceLayout, ModuleType]:
-    """The drive without its examples, with what is old in each change replaced by what is new."""
+    """The layout and the Python module of the drive without its examples; a change is an old text and a new one."""
     text = (TEST_SPECS / NAME).read_text(encoding="utf-8")
     for old, new in changes:
         assert old in text

@@ -30,7 +30,7 @@ class Fault:
     only: tuple[str, ...] = CHANGING
 
     def strike(self, call: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
-        """Does what happens in place of an operation."""
+        """Carries out the fault in place of an operation."""
         if self.half and call.__name__ == "write":
             call(arguments[0], arguments[1][: len(arguments[1]) // 2])
         if self.error is None:
@@ -83,7 +83,7 @@ class Operations:
 
 @contextmanager
 def operations(fault: Fault | None = None, at: int = 0) -> Iterator[Operations]:
-    """Counts operations, with a fault at one of them."""
+    """Counts operations and raises a fault at one of them."""
     counter = Operations(fault, at)
     with pytest.MonkeyPatch.context() as patch:
         for name in CHANGING:
@@ -92,7 +92,7 @@ def operations(fault: Fault | None = None, at: int = 0) -> Iterator[Operations]:
 
 
 def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
-    """Does some work in a process of its own, with a fault at an operation; whether there were so many operations."""
+    """Does some work in a process of its own, with a fault at operation `at`; returns whether the work got that far."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:

@@ -1,4 +1,4 @@
-"""Layouts of specs, for the tests of what is made from them."""
+"""Layouts of the real and the made-up specs, for the tests of outputs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def layouts(root: Path) -> dict[str, list[DeviceLayout]]:
 
 
 def layout_at(spec: DeviceSpec, version: str) -> DeviceLayout:
-    """The layout of a device at a version, whose spec must be in order."""
+    """The layout of a device at a version. Raises AssertionError if the spec has errors."""
     device, findings = spec.at(version)
     assert not has_errors(findings), findings[0].message
     return device_layout(device)

@@ -23,7 +23,7 @@ STEPS = (["autoreconf", "-i"], ["./configure"], ["make", "-j4"])
 
 @cache
 def matiec() -> Path:
-    """The folder with `iec2c` and `lib`. Without it the test is skipped, or fails in CI."""
+    """The folder with `iec2c` and `lib`. If it is missing, the test is skipped, or fails in CI."""
     text = os.environ.get(VARIABLE, "")
     place = Path(text)
     if not text or not place.exists():

@@ -26,7 +26,7 @@ def scalar(value: int | str | bool, near: Node) -> Scalar:
 
 
 def at(node: Node, way: Way) -> Node:
-    """The node at the end of a way."""
+    """The node at the end of a path."""
     for step in way:
         node = node.values[str(step)] if isinstance(node, Mapping) else node.items[int(step)]  # type: ignore[union-attr]
     return node
@@ -62,7 +62,7 @@ def _put(node: Node, way: Way, new: Node | None) -> Node:
 
 
 def mappings(node: Node, way: Way = ()) -> Iterator[tuple[Way, Mapping]]:
-    """All mappings below a node, with the ways to them."""
+    """All mappings below a node, with their paths."""
     if isinstance(node, Mapping):
         yield way, node
     for step, inner in children(node):
@@ -73,7 +73,7 @@ def mappings(node: Node, way: Way = ()) -> Iterator[tuple[Way, Mapping]]:
 def of(
     tree: Mapping, *sections: str, keys: Sequence[str] = (), without: Sequence[str] = ()
 ) -> list[tuple[Way, Mapping]]:
-    """The mappings of some sections that have some keys and lack others, at any depth."""
+    """The mappings of some sections, at any depth, that have all of `keys` and none of `without`."""
     return [
         (way, node)
         for way, node in mappings(tree)
@@ -94,7 +94,7 @@ def values(tree: Mapping) -> list[tuple[Way, Mapping]]:
 
 
 def counts(tree: Mapping) -> list[tuple[Way, Mapping]]:
-    """Those of them that hold whole numbers, and take nothing from elsewhere."""
+    """Those that hold whole numbers and refer to nothing else."""
     return [(way, node) for way, node in values(tree) if text(node, "type") in NUMBERS and "role" not in node.values]
 
 
@@ -152,7 +152,7 @@ def fields(tree: Mapping) -> list[tuple[Way, Mapping]]:
 
 
 def inserted(tree: Mapping, chance: random.Random) -> Mapping | None:
-    """A field is put before another one."""
+    """A field is inserted before another one."""
     one = picked(fields(tree), chance)
     if one is None:
         return None
@@ -167,7 +167,7 @@ def inserted(tree: Mapping, chance: random.Random) -> Mapping | None:
 
 
 def swapped(tree: Mapping, chance: random.Random) -> Mapping | None:
-    """Two fields that follow each other change places."""
+    """Two adjacent fields change places."""
     known = {way for way, _ in fields(tree)}
     pairs = [way for way in known if (*way[:-1], int(way[-1]) + 1) in known]
     if not pairs:
@@ -213,7 +213,7 @@ def rows(tree: Mapping) -> list[tuple[Way, Mapping]]:
 
 
 def lone_rows(tree: Mapping) -> list[tuple[Way, Mapping]]:
-    """Registers that share their address with no other one."""
+    """Registers whose address no other register has."""
     candidates = rows(tree)
     used = [number(node, "at") for _, node in candidates]
     return [(way, node) for way, node in candidates if used.count(number(node, "at")) == 1]
@@ -246,7 +246,7 @@ def more(key: str, most: int = 9) -> Callable[[Mapping, random.Random], int]:
 
 
 def measured(tree: Mapping, chance: random.Random) -> Mapping | None:
-    """A field measures the bytes where it measured the items, or the other way round."""
+    """A field that counts items counts bytes, or the other way round."""
     place = picked([(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"], chance)
     if place is None:
         return None

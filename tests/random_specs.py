@@ -1,4 +1,4 @@
-"""Random specs that fit the schema: legal in form, senseless in content."""
+"""Random specs that fit the schema: valid in form, without sense in content."""
 
 from __future__ import annotations
 

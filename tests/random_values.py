@@ -1,4 +1,4 @@
-"""Random raw values and random bytes for records: mostly right ones, and some beside every limit."""
+"""Random raw values and random bytes for records: mostly valid ones, and some just outside every limit."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
 
 
 def values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[dict[str, Any]]:
-    """Values of all fields but constants, measures and reserved ones."""
-    # By identity: layouts are made once, and comparing them takes longer than a test.
+    """Values of all fields except constants, counting fields and reserved ones."""
+    # Compared by identity: layouts are computed once, and comparing them takes longer than a test.
     key = id(layout), id(record)
     if key not in _VALUES:
         _VALUES[key] = _values_of(layout, record)

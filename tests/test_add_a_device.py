@@ -1,4 +1,4 @@
-"""The page that shows how to add a device tells the truth: its device is checked and built as it says."""
+"""The page on adding a device is true: its device is checked and built as the page says."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PAGE = ROOT / "docs" / "add-a-device.md"
 RUN = "$ fieldspec "
 
 WRONG, RIGHT = "default: 120, source", "default: 20, source"
-"""The row as the manual prints it, and as it is when the erratum is there."""
+"""The row as the manual prints it, and as it is with the erratum."""
 
 
 def code_blocks(kind: str, text: str) -> list[str]:
@@ -28,21 +28,21 @@ def code_blocks(kind: str, text: str) -> list[str]:
 
 
 def files() -> dict[str, str]:
-    """The files of the page by the paths that stand above them."""
+    """The files on the page, by the paths above them."""
     blocks = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
     assert len(blocks) == 5
     return dict(blocks)
 
 
 def run(command: str, folder: Path) -> str:
-    """What a command prints in a folder."""
+    """The output of a command in a folder."""
     words = command.removeprefix(RUN).split()
     ran = subprocess.run([sys.executable, "-m", "fieldspec", *words], cwd=folder, capture_output=True, encoding="utf-8")
     assert ran.stderr == ""
     return ran.stdout
 
 
-def test_the_frames_of_its_own_are_right() -> None:
+def test_the_frames_of_the_page_are_right() -> None:
     (frames,) = (
         text for text in code_blocks("yaml", PAGE.read_text("utf-8")) if text.startswith("links:\n  - name: bus")
     )
@@ -51,7 +51,7 @@ def test_the_frames_of_its_own_are_right() -> None:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """The folder of a project with the device as it is before the erratum is written."""
+    """A project with the device as it is without the erratum."""
     shutil.copytree(ROOT / "specs" / "protocols", tmp_path / "specs" / "protocols")
     (tmp_path / "specs" / "lifter").mkdir()
     for path, text in files().items():
@@ -62,7 +62,7 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def mended(folder: Path) -> Path:
-    """The same with the erratum, and with the row put right."""
+    """The same project with the erratum and the corrected row."""
     registers = folder / "specs" / "lifter" / "registers.yaml"
     text = registers.read_text("utf-8")
     assert WRONG in text

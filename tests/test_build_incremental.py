@@ -1,4 +1,4 @@
-"""A build makes only what is not fresh any more, and what it keeps is what it would make."""
+"""A build makes only what is out of date, and what it reuses is equal to what it would make."""
 
 from __future__ import annotations
 

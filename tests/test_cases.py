@@ -39,7 +39,7 @@ def name(folder: Path) -> str:
 
 
 def audited(folder: Path, spec: DeviceSpec) -> list[Diagnostic]:
-    """What an audit finds in the comparison with the manual and in the reviews; or, where there is one, in a dump."""
+    """The findings of an audit: from the manual and the reviews, or from a dump where the case has one."""
     versions = layouts(spec)
     path, manual = folder / "dump.csv", folder / "manual.txt"
     if path.exists():

@@ -25,7 +25,7 @@ PAGE = Path(__file__).parent.parent / "docs" / "changes.md"
 
 @cache
 def devices(folder: Path) -> tuple[Device, Device]:
-    """The two sides of a folder."""
+    """The old and the new device of a folder."""
     device_models = []
     for side in ("old", "new"):
         files = {"gadget/device.yaml": CASES / "device.yaml", "gadget/common.yaml": folder / "common.yaml"}

@@ -1,4 +1,4 @@
-"""Nothing of the model can be forgotten by the diff.
+"""The diff overlooks no attribute of the model.
 
 Every attribute of every class of the model is changed, in every kind of place where the class stands: some rule has to
 notice it, or the attribute is listed here with the reason why none does.
@@ -31,7 +31,7 @@ from spec_files import gadget
 
 TEST_SPECS = Path(__file__).parent / "specs"
 
-# What the made-up devices have not.
+# Features that the made-up devices lack.
 MORE = """
 registers:
   - group: all
@@ -115,7 +115,7 @@ Position = tuple[Device, str, Any, tuple[Any, ...]]
 
 
 def walk(holder: Any, item: Any, path: tuple[Any, ...]) -> Iterator[tuple[str, Any, tuple[Any, ...]]]:
-    """All dataclasses below one, with the name of the class that holds each, and the way to it."""
+    """All dataclasses below one, each with the name of the class that contains it and the path to it."""
     if dataclasses.is_dataclass(item) and not isinstance(item, type | Primitive):
         yield type(holder).__name__, item, path
         for field in dataclasses.fields(item):
@@ -140,7 +140,7 @@ def positions() -> dict[tuple[str, type], list[Position]]:
 
 
 def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
-    """A copy of a device where something else stands at the end of a way."""
+    """A copy of a device with another value at the end of a path."""
     if not path:
         return value
     step, *rest = path
@@ -152,7 +152,7 @@ def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
 
 
 def others(value: Any, hint: Any) -> Iterator[Any]:
-    """Other values than one of an attribute."""
+    """Values of an attribute that differ from its current one."""
     if isinstance(value, bool):
         yield not value
     elif isinstance(value, int | Decimal):
@@ -190,7 +190,7 @@ def others(value: Any, hint: Any) -> Iterator[Any]:
 
 
 def values_of_type(hint: Any) -> Iterator[Any]:
-    """Values of a type where there was nothing."""
+    """Values of a type for an attribute that has none."""
     for inner in typing.get_args(hint) if isinstance(hint, types.UnionType) else (hint,):
         if inner in (int, Decimal, bool):
             yield inner(1)
@@ -215,7 +215,7 @@ NEVER_ABSENT = {
     ]
     for _, noun in positions()
 }
-"""Attributes that are never without their dataclass, whose own attributes are changed."""
+"""Attributes that always have a dataclass as their value; the attributes of that dataclass are changed."""
 
 CASES = [
     pytest.param(holder, noun, field.name, id=f"{holder}/{noun.__name__}.{field.name}")
@@ -226,7 +226,7 @@ CASES = [
 
 
 def noticed(holder: str, noun: type, attribute: str) -> set[str]:
-    """The rules that notice another value of an attribute, wherever the class stands."""
+    """The rules that notice another value of an attribute, wherever the class occurs."""
     hint = typing.get_type_hints(noun)[attribute]
     rules: set[str] = set()
     for device, _, item, path in positions()[holder, noun]:
@@ -263,7 +263,7 @@ def test_a_device_does_not_differ_from_itself() -> None:
     assert [changes(device, device) for device in devices()] == [[] for _ in devices()]
 
 
-def test_values_are_held_by_every_noun_that_has_one() -> None:
+def test_values_occur_in_every_class_that_may_have_one() -> None:
     assert {holder for holder, noun in positions() if noun is Value} == {
         "Case",
         "Field",

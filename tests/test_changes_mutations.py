@@ -1,4 +1,4 @@
-"""The diff notices every random change that a device on the wire would notice, and never takes a text for one."""
+"""The diff notices every random change that is visible on the wire, and never takes a change of text for one."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def own_identity(name: str) -> str | None:
 
 
 def identity(device: Device) -> str | None:
-    """The identity of a layout; None of a device that cannot be laid out any more."""
+    """The identity of the layout of a device; None if the device has no valid layout."""
     try:
         return device_layout(device).identity
     except (AssertionError, KeyError, IndexError, ValueError):
@@ -75,7 +75,7 @@ def mutated(name: str, number: int) -> list[Mapping]:
 
 
 @pytest.mark.parametrize(("name", "number"), cases(), ids=lambda param: str(param))
-def test_every_change_on_the_wire_is_noticed_and_called_by_its_rule(name: str, number: int) -> None:
+def test_every_change_on_the_wire_is_noticed_by_its_rule(name: str, number: int) -> None:
     rule = MUTATIONS[number][0]
     for tree in mutated(name, number):
         new = built(tree, trees()[name][1])[0]
@@ -95,7 +95,7 @@ def test_there_are_enough_mutations_of_every_kind() -> None:
 
 @pytest.mark.parametrize("name", trees())
 @pytest.mark.parametrize("seed", range(8))
-def test_other_words_are_never_called_breaking(name: str, seed: int) -> None:
+def test_changes_of_text_are_never_called_breaking(name: str, seed: int) -> None:
     tree, version = trees()[name]
     chance = random.Random(seed)
     renamed = [

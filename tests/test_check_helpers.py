@@ -1,4 +1,4 @@
-"""The arithmetic of addresses and ranges that checks share agrees with plain sets of numbers."""
+"""The arithmetic of addresses and ranges in the checks agrees with sets of numbers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def numbers(pairs: tuple[tuple[int, int], ...] | list[tuple[int, int]]) -> set[i
 
 
 @given(intervals, st.lists(small))
-def test_missing_values_are_those_of_the_range_that_nobody_has(
+def test_missing_values_are_those_of_the_range_that_are_not_taken(
     pairs: tuple[tuple[int, int], ...], have: list[int]
 ) -> None:
     assert numbers(missing(Ranges(pairs), have)) == numbers(pairs) - set(have)

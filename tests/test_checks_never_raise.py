@@ -84,7 +84,7 @@ def changed(node: Node, chance: random.Random, spare: list[Node]) -> Node:
 
 
 def replaced(node: Node, chance: random.Random, spare: list[Node]) -> Node:
-    """Something else than the node: a number, a word, or another node of the same kind."""
+    """A replacement of a node: a number, a word, or another node of the same kind."""
     if not isinstance(node, Scalar) or chance.random() < 0.4:
         others = [other for other in chance.sample(spare, min(40, len(spare))) if type(other) is type(node)]
         return chance.choice(others) if others else node
@@ -102,7 +102,7 @@ def every(node: Node) -> list[Node]:
 
 
 @pytest.mark.parametrize("seed", range(64))
-def test_checks_never_raise_and_what_passes_can_be_laid_out(seed: int) -> None:
+def test_checks_never_raise_and_what_passes_has_a_layout(seed: int) -> None:
     chance = random.Random(seed)
     tree = trees()[seed % len(trees())] if seed % 4 else chance.choice(trees()[:6])
     spare = every(tree)

@@ -1,4 +1,4 @@
-"""Classes of data behave as those of `dataclasses` do; each test runs on both."""
+"""Our data classes behave like those of `dataclasses`; each test runs on both."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def counter(module: ModuleType) -> type:
 
 
 @BOTH
-def test_attributes_are_given_by_place_by_name_and_by_default(module: ModuleType) -> None:
+def test_attributes_are_passed_by_position_by_name_and_by_default(module: ModuleType) -> None:
     Point = point(module)
     points = (Point(1), Point(1, 2), Point(y=2, x=1), Point(1, 2, [3]))
     assert [(instance.x, instance.y, instance.near) for instance in points] == [
@@ -76,7 +76,7 @@ def test_what_the_constructor_does_not_take_is_refused(module: ModuleType, argum
 
 
 @BOTH
-def test_objects_are_equal_where_their_classes_and_what_is_compared_are(module: ModuleType) -> None:
+def test_objects_are_equal_if_their_classes_and_compared_attributes_are(module: ModuleType) -> None:
     Point = point(module)
     assert Point(1, 2, [3]) == Point(1, 2, [4])
     assert hash(Point(1, 2, [3])) == hash(Point(1, 2, [4]))
@@ -138,7 +138,7 @@ def test_copies_differ_in_what_is_changed_only(module: ModuleType) -> None:
 
 
 @BOTH
-def test_objects_match_patterns_by_place(module: ModuleType) -> None:
+def test_objects_match_patterns_by_position(module: ModuleType) -> None:
     Point = point(module)
     match Point(1, 2):
         case Point(x, y):
@@ -147,16 +147,16 @@ def test_objects_match_patterns_by_place(module: ModuleType) -> None:
 
 @classes.dataclass(frozen=True, slots=True)
 class Note:
-    """A class that other processes find."""
+    """A class at the top level of a module, so that it can be pickled."""
 
     text: str
 
 
-def test_objects_go_to_other_processes() -> None:
+def test_objects_can_be_pickled() -> None:
     assert pickle.loads(pickle.dumps(Note("a"))) == Note("a")
 
 
-def test_the_standard_library_takes_them_for_its_own() -> None:
+def test_the_standard_library_accepts_them_as_dataclasses() -> None:
     Point = point(classes)
     assert dataclasses.is_dataclass(Point)
     assert [field.name for field in dataclasses.fields(Point)] == list(classes.attributes(Point)) == ["x", "y", "near"]

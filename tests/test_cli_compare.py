@@ -1,4 +1,4 @@
-"""A device beside someone else's list: every way to write addresses, what differs, and what only one side has."""
+"""A device is compared with someone else's list: every form of address, what differs, and what only one of them has."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def test_a_list_is_understood(text: str, run: CommandLine) -> None:
         ("0x0010,,,,", []),
     ],
 )
-def test_what_differs_is_told(row: str, what: list[tuple[str, str]], run: CommandLine) -> None:
+def test_differences_are_reported(row: str, what: list[tuple[str, str]], run: CommandLine) -> None:
     assert summary(against(run, HEAD + row))[1] == what
 
 
@@ -132,7 +132,7 @@ def test_what_differs_is_told(row: str, what: list[tuple[str, str]], run: Comman
         ("Count", "2", ["count"]),
     ],
 )
-def test_numbers_that_differ_are_told(heads: str, cells: str, what: list[str], run: CommandLine) -> None:
+def test_numbers_that_differ_are_reported(heads: str, cells: str, what: list[str], run: CommandLine) -> None:
     assert [text for _, text in summary(against(run, f"Address,{heads}\n0x10,{cells}\n"))[1]] == what
 
 
@@ -141,7 +141,7 @@ def test_what_is_ignored_is_no_difference(run: CommandLine) -> None:
     assert summary(against(run, text, "--ignore", "name,words"))[1] == []
 
 
-def test_what_only_the_list_has_is_told_with_what_is_there(run: CommandLine) -> None:
+def test_an_address_that_only_the_list_has_is_reported_with_what_the_device_has_there(run: CommandLine) -> None:
     result = against(run, HEAD + "\n".join([*ROWS, "0x0012,Pos high,1,,", "0x0999,Ghost,1,,", "0x0010,Speed,1,,"]))
     assert [(entry["address"], entry["remark"]) for entry in result["only_in_list"]] == [
         (0x12, "inside position"),
@@ -150,7 +150,7 @@ def test_what_only_the_list_has_is_told_with_what_is_there(run: CommandLine) -> 
     ]
 
 
-def test_elements_of_a_table_that_the_list_leaves_out_are_told_together(run: CommandLine) -> None:
+def test_elements_of_a_table_that_the_list_omits_are_reported_together(run: CommandLine) -> None:
     rows = [*ROWS, *POINTS, "0x0110,Target,2,INT,"]
     missing = summary(against(run, HEAD + "\n".join(rows)))[3]
     assert missing == ["points.target 1", "points.target 3", "points.mode 1..3"]

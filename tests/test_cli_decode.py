@@ -153,7 +153,7 @@ def test_a_response_that_does_not_fit_its_request_is_wrong(
     assert message in result.lines
 
 
-def test_a_wrong_check_says_what_it_should_be(run: CommandLine) -> None:
+def test_a_wrong_checksum_is_shown_with_the_right_one(run: CommandLine) -> None:
     assert "wrong: crc at byte 6: should be C0 CB" in run("decode", "widget", "01 03 10 00 00 02 C0 CC").lines
 
 
@@ -170,7 +170,7 @@ def test_a_frame_of_characters_shows_them_beside_their_bytes(run: CommandLine) -
     assert any(line.split()[:4] == ["5", "1000", "10", "00"] for line in result.lines)
 
 
-def test_plain_elements_of_a_list_share_a_line(run: CommandLine) -> None:
+def test_elements_of_a_list_without_labels_share_a_line(run: CommandLine) -> None:
     result = run("decode", "widget", "00 0B 07 01 22 00 03 01 02 03 3E")
     assert any("data[0..2]" in line and "1 2 3" in line for line in result.lines)
 
@@ -218,7 +218,7 @@ def test_wrong_use_says_what_is_wrong(run: CommandLine, arguments: list[str], me
     assert message in result.err
 
 
-def test_a_version_is_decoded_by_what_holds_for_it(run: CommandLine) -> None:
+def test_a_version_is_decoded_by_its_own_facts(run: CommandLine) -> None:
     frame = "00 09 00 09 33 02 FF FF 45"
     assert run("decode", "widget@2.0", frame, "--direction", "request").code == 0
     old = run("decode", "widget@before-2.0", frame, "--direction", "request")
@@ -237,7 +237,7 @@ def test_json_has_every_key_of_every_row_and_null_for_what_is_absent(run: Comman
     assert meaning == {"name": "level=high", "label": None, "text": None, "bits": "4..5"}
 
 
-def test_json_holds_numbers_that_json_does_not_have_as_text(
+def test_json_writes_numbers_that_json_lacks_as_text(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)

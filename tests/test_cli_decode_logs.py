@@ -1,4 +1,4 @@
-"""`fieldspec decode` explains logs line by line: a response with the request before it, and what it cannot read."""
+"""`fieldspec decode` explains each line of a log, each response with the request before it, and reports unreadable lines."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def explained(run: CommandLine, *lines: str) -> list[Any]:
     ],
     ids=lambda case: " / ".join(case) if isinstance(case[0], str) else "",
 )
-def test_each_frame_is_read_by_what_stands_before_it(
+def test_each_frame_is_read_by_the_frames_before_it(
     run: CommandLine, log: list[str], expected: list[tuple[int, str, str, str]]
 ) -> None:
     summaries = [
@@ -129,7 +129,7 @@ def test_each_frame_is_read_by_what_stands_before_it(
         ),
     ],
 )
-def test_a_frame_without_a_code_answers_only_what_is_a_request_for_sure(
+def test_a_frame_without_a_code_answers_only_a_certain_request(
     run: CommandLine, log: list[str], expected: list[tuple[str, str, str]]
 ) -> None:
     result = run("decode", "glider-x", "-", "--format", "json", stdin="\n".join(log).encode())
@@ -189,13 +189,13 @@ def test_logs_of_windows_shells_are_read(run: CommandLine, encoding: str) -> Non
     assert sum(line.startswith("line ") for line in result.lines) == 2
 
 
-def test_bytes_that_are_no_text_are_reported(run: CommandLine) -> None:
+def test_bytes_that_are_not_text_are_reported(run: CommandLine) -> None:
     result = run("decode", "widget", stdin=b"\x01\x06\xff\xfe\xe9\n" + READ.encode())
     assert result.err.startswith("fieldspec: line 1: ")
     assert "line 2: " in result.out
 
 
-def test_a_line_without_end_is_reported_and_the_next_one_is_read(run: CommandLine) -> None:
+def test_an_overlong_line_is_reported_and_the_next_one_is_read(run: CommandLine) -> None:
     result = run("decode", "widget", stdin=b"01 " * LONGEST_LINE + b"\n" + READ.encode())
     assert result.err == f"fieldspec: line 1: it has {LONGEST_LINE} characters or more\n"
     assert result.lines[0].startswith("line 2: ")
@@ -209,7 +209,7 @@ def test_a_named_request_answers_every_line(run: CommandLine) -> None:
 
 
 class Weighed(io.BytesIO):
-    """A log that weighs what is kept when two of its lines are asked for."""
+    """A log that measures the memory in use when two of its lines are read."""
 
     def __init__(self, log: bytes, lines: tuple[int, int]) -> None:
         super().__init__(log)
@@ -219,7 +219,7 @@ class Weighed(io.BytesIO):
     def readline(self, size: int | None = -1, /) -> bytes:
         self.number += 1
         if self.number in self.lines:
-            gc.collect()  # which empties the interpreter's own stores, too
+            gc.collect()  # this empties the caches of the interpreter, too
             self.weights.append(tracemalloc.get_traced_memory()[0])
         return super().readline(size)
 
@@ -259,7 +259,7 @@ def test_each_frame_is_printed_as_soon_as_it_is_read() -> None:
     assert process.returncode == 0
 
 
-def test_whoever_has_seen_enough_may_close_the_pipe(tmp_path: Path) -> None:
+def test_the_reader_of_the_output_may_close_the_pipe(tmp_path: Path) -> None:
     log = tmp_path / "log.txt"
     log.write_bytes(f"{READ}\n{ANSWER}\n".encode() * 2000)
     command = [sys.executable, "-m", "fieldspec", "decode", "widget", "-", "--specs", str(TEST_SPECS)]

@@ -38,7 +38,7 @@ changes:
 
 
 class Run:
-    """Runs `fieldspec diff` and keeps what it has printed."""
+    """Runs `fieldspec diff` and keeps its output."""
 
     def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
         self.capsys = capsys
@@ -50,7 +50,7 @@ class Run:
         return code
 
     def json(self, *arguments: str) -> Any:
-        """The data that are printed as JSON."""
+        """The data of the JSON output."""
         assert self(*arguments, "--format", "json") == 0
         return json.loads(self.out)
 
@@ -99,7 +99,7 @@ def rules(data: Any) -> list[tuple[str, str, str]]:
 
 
 @pytest.mark.parametrize(("fail_on", "code"), [("breaking", 0), ("behaviour", 1), ("any", 1), ("", 0)])
-def test_two_versions_fail_on_what_is_asked_for(run: Run, fail_on: str, code: int) -> None:
+def test_a_comparison_fails_on_the_class_of_change_that_is_asked_for(run: Run, fail_on: str, code: int) -> None:
     options = ["--fail-on", fail_on] if fail_on else []
     assert run("tc100@before-2.0", "tc100@2.0", "--specs", str(SPECS), *options) == code
     assert "reserved_changed: acceleration_time was reserved" in run.out
@@ -173,7 +173,7 @@ def test_a_revision_is_compared_with_a_version(run: Run, repository: Path) -> No
     assert rules(data) == [("register_moved", "wire", "registers/speed")]
 
 
-def test_files_of_a_revision_bear_its_name_except_in_reviews(run: Run, repository: Path) -> None:
+def test_paths_of_files_name_their_revision_except_in_reviews(run: Run, repository: Path) -> None:
     (change,) = run.json("released", "HEAD")[0]["changes"]
     assert change["before"]["file"] == "released:specs/gadget/registers.yaml"
     run("released", "HEAD", "--format", "github")
@@ -201,7 +201,7 @@ def test_an_accepted_change_hurts_nobody(run: Run, tmp_path: Path) -> None:
     assert run.out == ""
 
 
-def test_what_the_old_side_has_accepted_already_counts_no_more(run: Run, tmp_path: Path) -> None:
+def test_a_change_that_the_old_version_accepts_no_longer_counts(run: Run, tmp_path: Path) -> None:
     old = write(tmp_path / "old", REGISTERS + ACCEPTS)
     assert run(str(old), str(write(tmp_path / "new", MOVED + ACCEPTS)), "--fail-on", "breaking") == 1
     assert run(str(old), str(write(tmp_path / "same", REGISTERS + ACCEPTS)), "--fail-on", "any") == 0
@@ -224,7 +224,7 @@ def test_accepting_what_has_not_happened_is_an_error(run: Run, tmp_path: Path, a
     assert "accepts_used" in run.out
 
 
-def test_an_overlay_accepts_what_its_version_brings(run: Run, tmp_path: Path) -> None:
+def test_an_overlay_accepts_the_changes_of_its_version(run: Run, tmp_path: Path) -> None:
     specs = write(tmp_path / "specs", f"registers:\n{SPEED}")
     (specs / "gadget/versions").mkdir()
     (specs / "gadget/versions/2.1.yaml").write_text(OVERLAY + ACCEPTS, "utf-8")
@@ -237,7 +237,7 @@ def test_an_overlay_accepts_what_its_version_brings(run: Run, tmp_path: Path) ->
 
 
 def refused(run: Run, *arguments: str) -> str:
-    """The one line that says why a comparison is not possible."""
+    """The one line of output that says why a comparison is not possible."""
     assert run(*arguments) == 2
     assert run.out == ""
     (line,) = run.err.splitlines()

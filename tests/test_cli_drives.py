@@ -30,7 +30,7 @@ def test_process_data_of_a_real_drive_explain_themselves(run: CommandLine) -> No
         ("01 01 00 01 10 00 FF FF 00 00", "01 81 00 01 44 01 00 00", "parameter_number_not_allowed"),
     ],
 )
-def test_values_of_a_real_drive_are_those_of_the_parameter_that_was_asked_for(
+def test_values_of_a_real_drive_are_read_as_the_requested_parameter(
     run: CommandLine, request_frame: str, answer: str, message: str
 ) -> None:
     result = run("decode", "hiwin-e", answer, "--request", request_frame)
@@ -56,7 +56,7 @@ def test_a_telegram_of_a_real_drive_is_written_from_names_and_units(run: Command
         ("commanded_speed", "reference * raw / 0x40000000"),
     ],
 )
-def test_items_of_a_real_drive_are_found_by_what_they_are_called(run: CommandLine, text: str, message: str) -> None:
+def test_items_of_a_real_drive_are_found_by_their_names(run: CommandLine, text: str, message: str) -> None:
     result = run("show", "hiwin-e", text)
     assert (result.code, result.err) == (0, "")
     assert message in result.out

@@ -1,4 +1,4 @@
-"""`fieldspec encode` writes the frame of a message, and says what keeps it from doing so."""
+"""`fieldspec encode` writes the frame of a message, or says why it cannot."""
 
 from __future__ import annotations
 
@@ -65,13 +65,13 @@ def test_values_are_taken_in_every_spelling(run: CommandLine, arguments: list[st
     assert run("encode", "widget", *arguments).lines == [frame]
 
 
-def test_a_frame_of_characters_is_shown_as_both(run: CommandLine) -> None:
+def test_a_frame_of_characters_is_shown_as_text_and_bytes(run: CommandLine) -> None:
     result = run("encode", "widget", *READ, "--link", "ascii")
     assert result.lines == ["3A 30 31 30 33 31 30 30 30 30 30 30 32 45 41 0D 0A", r":010310000002EA\r\n"]
     assert run("encode", "widget", *READ, "--link", "ascii", "--format", "hex").lines == result.lines[:1]
 
 
-def test_json_holds_the_frame_and_what_it_is(run: CommandLine) -> None:
+def test_json_has_the_frame_and_its_message(run: CommandLine) -> None:
     assert run.json("encode", "widget", *READ, "--link", "ascii") == {
         "device": "widget",
         "version": "2.0",
@@ -158,7 +158,9 @@ def test_a_value_beyond_its_parameter_or_register_is_refused(
         (["write_register", "address=model_id", "value=1"], "model_id at 0x0834 can only be read"),
     ],
 )
-def test_what_can_only_be_read_is_not_written(run_on_devices: CommandLine, arguments: list[str], message: str) -> None:
+def test_a_value_that_is_read_only_is_not_written(
+    run_on_devices: CommandLine, arguments: list[str], message: str
+) -> None:
     result = run_on_devices("encode", "ck10", *arguments, "station=1")
     assert (result.code, result.out) == (2, "")
     assert message in result.err
@@ -212,7 +214,7 @@ def test_a_register_of_another_space_is_refused(run: CommandLine) -> None:
     assert result.lines == ["01 04 00 00 00 01 31 CA"]
 
 
-def test_what_can_only_be_read_is_read_and_echoed(run_on_devices: CommandLine) -> None:
+def test_a_value_that_is_read_only_may_be_requested_and_returned(run_on_devices: CommandLine) -> None:
     run = run_on_devices
     assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
     echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]

@@ -32,7 +32,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def hostile_items() -> list[Item]:
-    """Registers whose words are what spreadsheets, CSV and YAML take for something else."""
+    """Registers with texts that spreadsheets, CSV and YAML interpret."""
     return [
         Item(
             space="registers",
@@ -102,7 +102,7 @@ def test_no_cell_of_a_workbook_is_a_formula() -> None:
     assert all(cell.quotePrefix for cell in cells if str(cell.value).startswith(("=", "+", "-", "@")))
 
 
-def test_hostile_texts_come_back_as_they_were_but_for_control_characters() -> None:
+def test_hostile_texts_come_back_unchanged_except_for_control_characters() -> None:
     sheet_items = hostile_items()
     column = COLUMNS.index("printed_name")
     wanted = [" ".join(text.split()) for text in HOSTILE]
@@ -135,7 +135,7 @@ def test_a_long_number_keeps_its_digits_in_a_workbook() -> None:
         ("full_count_limit", {"address": 0x108, "unit": "pulse", "max": 100000, "printed_name": "FullCountValue"}),
     ],
 )
-def test_a_row_says_where_and_what(name: str, cells: dict[str, object], run: CommandLine) -> None:
+def test_a_row_has_the_facts_of_its_register(name: str, cells: dict[str, object], run: CommandLine) -> None:
     (row,) = (row for row in json.loads(run("export", "tc100", "--to", "json").out) if row["name"] == name)
     assert {key: row[key] for key in cells} == cells
 

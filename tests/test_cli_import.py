@@ -35,7 +35,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp
 
 
 def rows(text: str) -> list[dict[str, object]]:
-    """The registers of a spec that is made from a list, which passes the check with warnings at most."""
+    """The registers of a spec that is created from a list; it passes the check, with warnings at most."""
     spec = skeleton("gadget", ORIGIN, listing(text_sheet(text.encode()), {}).rows("hex"))
     findings = checked(load({"gadget/device.yaml": spec.encode()}))
     assert [(finding.code, finding.severity) for finding in findings] == [("facts_verified", Severity.WARNING)], (
@@ -69,7 +69,7 @@ def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLi
 
 
 @pytest.mark.parametrize("device", ["ck10", "tc100"])
-def test_what_is_imported_from_an_export_does_not_differ_from_it(
+def test_an_imported_export_does_not_differ_from_its_device(
     device: str, run: CommandLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "list.xlsx"
@@ -143,7 +143,7 @@ def test_equal_names_are_told_apart_by_the_address() -> None:
     assert [row["name"] for row in group_rows] == ["speed", "speed_0011", "speed_0012", "speed_0013"]
 
 
-def test_rows_out_of_order_stay_as_they_are_listed() -> None:
+def test_rows_out_of_order_keep_their_order() -> None:
     assert [row["at"] for row in rows("Address,Name\n0x20,a b\n0x10,c d\n")] == [0x20, 0x10]
 
 
@@ -165,7 +165,7 @@ def test_a_list_that_contradicts_itself_is_refused(text: str, message: str, run:
     assert not path.parent.exists()
 
 
-def test_an_import_writes_over_nothing(run: CommandLine) -> None:
+def test_an_import_overwrites_nothing(run: CommandLine) -> None:
     path = run.folder / "lifter.yaml"
     path.write_text("mine", "utf-8")
     ran = run("import", "-", "--to", str(path), stdin=TABLE.encode())
@@ -182,7 +182,7 @@ def test_an_import_writes_over_nothing(run: CommandLine) -> None:
         (("--base", "decimal", "--offset", "40000"), [1, 2]),
     ],
 )
-def test_references_are_read_as_such_unless_an_option_says_otherwise(
+def test_modbus_references_are_read_as_such_unless_an_option_says_otherwise(
     options: tuple[str, ...], addresses: list[int], run: CommandLine
 ) -> None:
     ran = run("import", "-", "--to", "-", *options, stdin=b"Address,Name\n40001,a b\n40002,c d\n")
@@ -210,5 +210,5 @@ def test_any_cells_give_a_spec_that_passes_or_a_refusal(cells: list[tuple[object
     assert [finding.code for finding in wrong if finding.code != "addresses_within_space"] == []
 
 
-def test_a_name_is_none_where_there_is_no_word() -> None:
+def test_a_text_without_a_word_gives_no_name() -> None:
     assert snake("…") == ""

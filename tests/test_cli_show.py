@@ -1,4 +1,4 @@
-"""`fieldspec show` shows a device, or every item that a text means, with its bits drawn."""
+"""`fieldspec show` shows a device, or every item that a text may mean, with a drawing of its bits."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 
 @pytest.mark.parametrize(("name", "drawing"), [("status", STATUS), ("wide_status", WIDE)])
-def test_a_word_is_drawn_with_a_box_a_bit(name: str, drawing: str) -> None:
+def test_a_word_is_drawn_with_a_box_for_each_bit(name: str, drawing: str) -> None:
     assert list(drawn(WIDGET.device.flags[name])) == drawing.split("\n")
 
 
-def test_a_device_is_shown_with_all_that_it_has(run: CommandLine) -> None:
+def test_a_device_is_shown_with_all_its_items(run: CommandLine) -> None:
     result = run("show", "widget")
     assert (result.code, result.err) == (0, "")
     assert result.lines[0].startswith("Widget (Nobody), version 2.0, identity ")
@@ -150,14 +150,14 @@ def test_an_item_is_shown_by_name_print_label_address_or_code(run: CommandLine, 
         ("read_parameter", ["+2 bool8 x 1..8 values, format boolean", "u16 x 1..8 values, format unsigned16 or word"]),
     ],
 )
-def test_what_telegrams_and_parameters_are_called_means_them(run: CommandLine, text: str, lines: list[str]) -> None:
+def test_telegrams_and_parameters_are_found_by_their_names(run: CommandLine, text: str, lines: list[str]) -> None:
     result = run("show", "glider-x", text)
     assert result.code == 0
     visible = [" ".join(line.split()) for line in result.lines]
     assert [line for line in lines if line not in visible] == []
 
 
-def test_the_overview_has_the_words_of_the_device(run: CommandLine) -> None:
+def test_the_overview_uses_the_terms_of_the_device(run: CommandLine) -> None:
     lines = [" ".join(line.split()) for line in run("show", "glider-x").lines]
     for line in (
         "cyclic Process data telegram received / sent",
@@ -192,7 +192,7 @@ def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
         (["show"], "the following arguments are required"),
     ],
 )
-def test_what_there_is_not_is_wrong_use(run: CommandLine, arguments: list[str], message: str) -> None:
+def test_an_unknown_item_or_device_is_wrong_use(run: CommandLine, arguments: list[str], message: str) -> None:
     result = run(*arguments)
     assert (result.code, result.out) == (2, "")
     assert message in result.err

@@ -1,4 +1,4 @@
-"""Bytes are read in every common spelling, and out of the lines of logs."""
+"""Bytes are read in every common notation, also within lines of logs."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ RESPONSES = [
         *((text, "response") for text in RESPONSES),
     ],
 )
-def test_bytes_are_read_however_they_are_spelled(text: str, direction: str) -> None:
+def test_bytes_are_read_in_every_notation(text: str, direction: str) -> None:
     assert log_line(text, LINKS) == LogLine(BYTES, direction)
 
 
@@ -129,7 +129,7 @@ def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
         (": 0103100000 02EA", "CR LF"),
     ],
 )
-def test_an_end_mark_that_the_text_lacks_is_added_and_said(text: str, lacks: str) -> None:
+def test_a_missing_end_delimiter_is_added_and_reported(text: str, lacks: str) -> None:
     line = log_line(text, LINKS)
     assert line == LogLine(CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",))
 
@@ -143,7 +143,7 @@ def test_blank_lines_and_comments_hold_no_frame(text: str) -> None:
     ("text", "direction"),
     [("RX:", "response"), ("> 2026/01/31 12:00:01.000123  length=8 from=0 to=7", "request")],
 )
-def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: str) -> None:
+def test_a_line_may_state_only_the_direction_of_the_next_one(text: str, direction: str) -> None:
     assert log_line(text, LINKS) == LogLine(b"", direction)
 
 
@@ -158,7 +158,7 @@ def test_a_line_may_say_only_which_way_the_next_one_goes(text: str, direction: s
         ("0x", "there are no bytes in it"),
     ],
 )
-def test_what_cannot_be_read_is_said(text: str, why: str) -> None:
+def test_an_unreadable_line_is_reported(text: str, why: str) -> None:
     with pytest.raises(Unreadable) as refused:
         log_line(text, LINKS)
     assert str(refused.value) == why
@@ -167,7 +167,7 @@ def test_what_cannot_be_read_is_said(text: str, why: str) -> None:
 @pytest.mark.parametrize(
     "piece", ["tx ", "[ ", "01 ", " ", "\\r", "(", ":", "01:", "<01>", "> ", "12:00:01 ", "0", "#", "=", "x:"]
 )
-def test_no_line_takes_long(piece: str) -> None:
+def test_every_line_is_read_quickly(piece: str) -> None:
     line = (piece * LONGEST_LINE)[: LONGEST_LINE - 1]
     start = time.process_time()
     for text in (line, f"{line}!", f":{line}", f"01 {line}?"):

@@ -1,4 +1,4 @@
-"""`decode` and `encode` take the words that a device has for its messages and directions, and explain process data."""
+"""`decode` and `encode` use a device's own terms for messages and directions, and explain process data."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def decoded(run: CommandLine, *arguments: str) -> Any:
 
 
 def cells(run: CommandLine, *arguments: str) -> list[str]:
-    """The lines of an explanation, blanks being one."""
+    """The lines of an explanation, with runs of blanks replaced by one."""
     return [" ".join(line.split()) for line in run("decode", "glider-x", *arguments).lines]
 
 
@@ -68,13 +68,13 @@ def test_every_example_is_written_from_its_values(run: CommandLine, example: Exa
     ],
     ids=" ".join,
 )
-def test_a_telegram_is_named_in_the_words_of_the_device(run: CommandLine, options: list[str]) -> None:
+def test_a_telegram_is_named_in_the_terms_of_the_device(run: CommandLine, options: list[str]) -> None:
     data = decoded(run, RECEIVED, *options)
     assert (data["link"], data["direction"], data["direction_name"]) == ("cyclic", "request", "received")
     assert (data["message"], data["chosen"], data["wrong"]) == ("telegram_3", "only", False)
 
 
-def test_the_title_has_the_words_of_the_device(run: CommandLine) -> None:
+def test_the_title_uses_the_terms_of_the_device(run: CommandLine) -> None:
     result = run("decode", "glider-x", RECEIVED, "--telegram", "3", "--direction", "sent")
     assert result.lines[0] == "telegram_3 sent, cyclic, Glider X 1.1: Speed"
 
@@ -96,7 +96,7 @@ def test_frames_without_a_code_are_told_apart_by_length(run: CommandLine) -> Non
     )
 
 
-def test_a_frame_that_no_message_is_as_long_as_says_how_long_they_are(run: CommandLine) -> None:
+def test_a_frame_of_no_known_length_is_reported_with_the_known_lengths(run: CommandLine) -> None:
     result = run("decode", "glider-x", "F0 03 20", "--link", "cyclic", "--direction", "received")
     assert result.code == 1
     assert result.lines[2] == (
@@ -136,7 +136,7 @@ def test_a_frame_of_another_length_than_the_telegram_is_wrong(run: CommandLine) 
     ],
     ids=lambda part: part if isinstance(part, str) else " ".join(part),
 )
-def test_what_the_device_does_not_have_is_wrong_use(run: CommandLine, arguments: list[str], message: str) -> None:
+def test_an_unknown_telegram_or_direction_is_wrong_use(run: CommandLine, arguments: list[str], message: str) -> None:
     result = run("decode", "glider-x", RECEIVED, *arguments)
     assert (result.code, result.out) == (2, "")
     assert message in result.err
@@ -154,7 +154,7 @@ def test_a_telegram_of_a_later_version_is_unknown_to_an_earlier_one(run: Command
     assert (result.code, result.err) == (2, "fieldspec: there is no telegram 70; there are 3, 11\n")
 
 
-def test_words_values_and_what_they_are_a_share_of_are_explained(run: CommandLine) -> None:
+def test_words_values_and_their_reference_values_are_explained(run: CommandLine) -> None:
     rows = cells(run, POSITION, "--telegram", "11", "--direction", "received")
     assert "0 04 01 control CTL 0x0401 bit 0 on 2 L27" in rows
     assert "bits 9..10 path=negative" in rows
@@ -163,7 +163,7 @@ def test_words_values_and_what_they_are_a_share_of_are_explained(run: CommandLin
     assert "10 20 00 torque_reduction MRED 8192 50 % output_torque: 50 % of Pt42A 2 L30" in rows
 
 
-def test_the_state_that_a_word_shows_is_named(run: CommandLine) -> None:
+def test_the_state_in_a_status_word_is_named(run: CommandLine) -> None:
     assert "state: inhibited (S1)" in run("decode", "glider-x", "00 40 00 00 00 00", "--direction", "sent").out
     assert "state: running (S2)" in run("decode", "glider-x", "00 03 00 00 00 00", "--direction", "sent").out
     assert "state" not in run("decode", "glider-x", "00 01 00 00 00 00", "--direction", "sent").out
@@ -223,7 +223,7 @@ def test_a_value_that_its_format_does_not_have_stays_wrong(run: CommandLine) -> 
     assert "wrong: values[0] at byte 5: should be 0 or 1" in result.lines
 
 
-def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: CommandLine) -> None:
+def test_values_of_unknown_type_stay_undecoded(run: CommandLine) -> None:
     result = run("decode", "glider-x", "07 01 00 03 01 00 00", "--link", "channel", "--direction", "response")
     assert result.code == 1
     assert "wrong: format at byte 3: should be one of 1, 2, 4, 6, 8, 66" in result.lines
@@ -234,7 +234,7 @@ def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: Command
     ("line", "chosen"),
     [(f"TX: {RECEIVED}", "mark"), (f"received: {RECEIVED}", "likeliest"), (f"Sent: {RECEIVED}", "likeliest")],
 )
-def test_a_word_of_a_log_that_the_device_uses_the_other_way_round_says_nothing(
+def test_a_direction_in_a_log_that_the_device_uses_the_other_way_round_is_ignored(
     run: CommandLine, line: str, chosen: str
 ) -> None:
     (log_line,) = run("decode", "glider-x", "-", "--format", "json", stdin=line.encode()).lines
@@ -266,7 +266,7 @@ def test_a_telegram_is_written_from_names_and_units(
     assert result.lines == [frame if isinstance(frame, str) else frame.frame.hex(" ").upper()]
 
 
-def test_a_share_that_is_no_whole_count_is_rounded_and_said(run: CommandLine) -> None:
+def test_a_percentage_that_is_no_whole_count_is_rounded_with_a_note(run: CommandLine) -> None:
     result = run("encode", "glider-x", "3", "control=0", "speed_setpoint=10 %")
     assert (result.code, result.lines) == (0, ["00 00 06 66 66 66"])
     assert result.err == (
@@ -300,7 +300,7 @@ def test_what_cannot_be_written_is_wrong_use(run: CommandLine, arguments: list[s
 
 
 @pytest.mark.parametrize("verb", ["decode", "encode"])
-def test_the_help_has_the_words_of_the_device(
+def test_the_help_uses_the_terms_of_the_device(
     verb: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", "400")
@@ -319,7 +319,7 @@ def test_the_help_needs_no_device(words: list[str], capsys: pytest.CaptureFixtur
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
-def test_shells_offer_the_words_of_the_devices(
+def test_shells_offer_the_terms_of_the_devices(
     shell: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("FIELDSPEC_SPECS", str(TEST_SPECS))

@@ -1,4 +1,4 @@
-"""The verbs that look at versions: which there are, what one of them says and from where, and how they differ."""
+"""The verbs about versions: which there are, what one of them states and which file says so, and how they differ."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ adds:
 
 
 class Done(NamedTuple):
-    """What a run has left."""
+    """The exit code and the output of a run."""
 
     code: int
     out: str
@@ -50,7 +50,7 @@ def folder(tmp_path: Path) -> Path:
     return specs
 
 
-def test_versions_are_listed_by_line_with_what_depends_on_them(
+def test_versions_are_listed_by_line_with_the_facts_that_depend_on_them(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     done = ran(capsys, folder, "versions", "glider-x")
@@ -124,7 +124,7 @@ def test_a_matrix_of_everything_has_the_facts_that_are_the_same(
     assert "registers/resolution," in done.out
 
 
-def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_html_matrix_escapes_hostile_texts(capsys: pytest.CaptureFixture[str]) -> None:
     page = ran(capsys, TEST_SPECS, "matrix", "hostile", "--all", "--format", "html").out
     assert page.startswith("<!doctype html>")
     assert "</script>" not in page
@@ -141,7 +141,9 @@ def test_a_matrix_as_a_page_has_hostile_texts_escaped(capsys: pytest.CaptureFixt
         (("matrix", "glider-x@1.0"), "the matrix is of all versions; leave out @1.0"),
     ],
 )
-def test_what_is_not_there_is_wrong_use(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], text: str) -> None:
+def test_an_unknown_device_or_version_is_wrong_use(
+    capsys: pytest.CaptureFixture[str], words: tuple[str, ...], text: str
+) -> None:
     done = ran(capsys, TEST_SPECS, *words)
     assert done.code == 2
     assert text in done.err

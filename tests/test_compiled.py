@@ -1,4 +1,4 @@
-"""Compiled devices are kept from one call to the next, and are what the specs say."""
+"""Compiled devices are cached from one call to the next, and agree with the specs."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def unread(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
-    """Whether two objects are of the same class and hold the same, through everything that they hold."""
+    """Whether two objects are of the same class and have equal contents, at any depth."""
     if left is other or (id(left), id(other)) in met:
         return True
     met.add((id(left), id(other)))
@@ -80,7 +80,7 @@ def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
 
 
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
-def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) -> None:
+def test_a_layout_read_from_the_cache_is_equal_to_the_original(folder: Path, device: str) -> None:
     files = sources.files(folder, frozenset([device]))
     spec = project.read(files, frozenset([device])).devices[device]
     for version in {spec.versions()[0], spec.versions()[-1]}:
@@ -89,7 +89,7 @@ def test_a_thawed_layout_holds_all_that_was_frozen(folder: Path, device: str) ->
         assert alike(thawed, layout, set())
 
 
-def test_an_object_that_nobody_has_looked_at_is_equal_to_another_and_hashed_alike() -> None:
+def test_an_object_that_is_not_yet_unpacked_is_equal_to_another_and_has_the_same_hash() -> None:
     citations = [(3, 17), (4, 20)]
     original = [Citation("8.2", (lines,)) for lines in citations]
     content = layout_json.to_json(Claim(Place("x", NOWHERE, {}), tuple(original), {}))
@@ -149,9 +149,7 @@ def test_the_state_of_the_compiler_changes_with_each_of_its_files(
     assert len(states) == 4
 
 
-def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
-    cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_the_cache_nothing_is_read_from_it_or_stored(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert show(TEST_SPECS, "--no-cache") == 0
     assert not cache.exists()
     assert show(TEST_SPECS) == 0
@@ -172,9 +170,7 @@ def test_without_the_cache_nothing_is_looked_at_and_nothing_is_kept(
     ],
     ids=["empty", "half written", "changed by hand", "not text", "no lines", "naming what it must not"],
 )
-def test_a_compiled_device_that_is_not_whole_is_as_none(
-    cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]
-) -> None:
+def test_an_incomplete_compiled_device_is_ignored(cache: Path, capsys: Any, spoilt: Callable[[bytes], bytes]) -> None:
     assert show(TEST_SPECS) == 0
     before = capsys.readouterr().out
     (file,) = cache.iterdir()
@@ -187,7 +183,7 @@ def test_a_compiled_device_that_is_not_whole_is_as_none(
 
 @pytest.mark.skipif(os.name != "posix", reason="this system has no such rights")
 @pytest.mark.parametrize("mode", [0o620, 0o602])
-def test_a_compiled_device_that_others_can_write_to_is_as_none(
+def test_a_compiled_device_that_others_can_write_to_is_ignored(
     cache: Path, monkeypatch: pytest.MonkeyPatch, mode: int
 ) -> None:
     assert show(TEST_SPECS) == 0
@@ -200,14 +196,14 @@ def test_a_compiled_device_that_others_can_write_to_is_as_none(
         show(TEST_SPECS)
 
 
-def test_findings_are_kept_of_no_device(cache: Path, folder: Path) -> None:
+def test_a_device_with_findings_is_not_cached(cache: Path, folder: Path) -> None:
     for path in folder.glob("widget/*.yaml"):
         path.write_text(path.read_text("utf-8").replace("type: u16", "type: u17"), "utf-8", newline="\n")
     assert show(folder) == 2
     assert not cache.exists()
 
 
-def test_places_are_shown_as_they_are_found_from_here(
+def test_paths_are_shown_relative_to_the_current_folder(
     cache: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def path() -> str:
@@ -220,7 +216,7 @@ def test_places_are_shown_as_they_are_found_from_here(
     assert near == f"specs/{path()}"
 
 
-def test_a_compiled_device_is_taken_without_what_reads_specs(cache: Path) -> None:
+def test_a_compiled_device_is_loaded_without_the_modules_that_read_specs(cache: Path) -> None:
     code = (
         "import sys; from fieldspec.cli import main; main(sys.argv[1:]); "
         "print({'yaml', 'jsonschema_rs', 'construct', 'fieldspec.commands.specs'} & {*sys.modules})"
@@ -232,7 +228,7 @@ def test_a_compiled_device_is_taken_without_what_reads_specs(cache: Path) -> Non
 
 
 @pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
-def test_a_device_that_cannot_be_laid_out_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
+def test_a_device_without_a_valid_layout_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
     match = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)
     assert match is not None
     shutil.copytree(case, tmp_path / "specs" / match[1])

@@ -46,7 +46,7 @@ sys.exit(main())
 
 
 def built(folder: Path, setting: Mapping[str, str]) -> dict[str, bytes]:
-    """All outputs of a device, built in a folder of its own."""
+    """All outputs of a device, built in their own folder."""
     for device in DEVICES:
         shutil.copytree(SPECS / device, folder / "specs" / device)
     environment = {**os.environ, "FIELDSPEC_CACHE": str(folder / "cache"), **setting}

@@ -18,9 +18,9 @@ REAL = [path for path in SPECS if path.is_relative_to(ROOT / "specs")]
 MODELINE = re.compile(r"# yaml-language-server: \$schema=(\S+)\n")
 CURSOR = "¦"
 PROPERTY = 10
-"""The kind of a completion that is a key."""
+"""The kind of completion for a key."""
 
-# Where the cursor is, whose keys are completed there, and which of them are there already.
+# The cursor, the definition whose keys are completed there, and those of them that are already present.
 KEYS = {
     "file": (f"{CURSOR}\n", "", ()),
     "device": (f"device:\n  {CURSOR}\n", "device", ()),

@@ -46,7 +46,7 @@ def row(explanation: Explanation, path: str) -> ExplanationRow:
 
 
 def sent(explanation: Explanation) -> bytes:
-    """The bytes of all rows, as they are sent, where each row starts at the end of the one before it."""
+    """The bytes of all rows as they are sent. Each row must start at the end of the one before it."""
     data = b""
     for row in explanation.rows:
         assert row.offset == len(data)
@@ -56,7 +56,7 @@ def sent(explanation: Explanation) -> bytes:
 
 
 def same(left: object, other: object) -> bool:
-    """Equal, where not-a-number equals itself."""
+    """Whether two values are equal, with not-a-number equal to itself."""
     if isinstance(left, dict) and isinstance(other, dict):
         return list(left) == list(other) and all(same(left[key], other[key]) for key in left)
     if isinstance(left, list) and isinstance(other, list):
@@ -105,13 +105,13 @@ def test_every_beginning_of_an_example_is_explained(layout: DeviceLayout, exampl
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
-def test_examples_with_bytes_behind_them_are_explained(layout: DeviceLayout, example: Example) -> None:
+def test_examples_with_trailing_bytes_are_explained(layout: DeviceLayout, example: Example) -> None:
     for behind in (b"\0", b"0", example.frame):
         assert_agrees(layout, example, example.frame + behind)
 
 
 def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
-    """A frame with the check that its bytes ask for, where it has marks and room for one."""
+    """A frame with the checksum of its bytes, if it has its delimiters and room for a checksum."""
     link = layout.links[example.link]
     check = link.frame(example.direction).check
     try:
@@ -169,7 +169,7 @@ def test_a_number_is_exact_where_it_is_short_and_else_shows_that_it_is_rounded(n
     assert decimal_text(Decimal(number)) == text
 
 
-def test_a_value_is_given_raw_and_exactly_in_its_unit() -> None:
+def test_a_value_is_shown_raw_and_exactly_in_its_unit() -> None:
     field_row = row(of("nest-request"), "nest.origin.x")
     assert (field_row.number, field_row.value) == (-1000, "-100.0 mm")
 
@@ -190,7 +190,7 @@ def test_set_bits_and_fields_of_bits_are_named() -> None:
     assert (field_row.number, named) == (0x8024, [("2", "brake"), ("4..5", "level=high"), ("15", "reserved_15")])
 
 
-def test_bits_without_a_name_are_not_passed_over() -> None:
+def test_bits_without_a_name_are_shown() -> None:
     field_row = row(explained(WIDGET, "packet", "response", bytes.fromhex("00 06 20 00 24 4A"), "stop"), "status")
     assert [(meaning.bits, meaning.text) for meaning in field_row.meanings] == [
         ("2", "not listed"),
@@ -203,21 +203,21 @@ def test_offsets_of_characters_count_characters() -> None:
     assert (field_row.offset, field_row.length, field_row.characters, field_row.raw) == (9, 4, "0002", b"\0\2")
 
 
-def test_a_right_check_is_called_right() -> None:
+def test_a_right_checksum_is_called_right() -> None:
     assert row(of("read-request"), "crc").verdict == "right"
 
 
-def test_a_wrong_check_says_what_it_should_be() -> None:
+def test_a_wrong_checksum_is_shown_with_the_right_one() -> None:
     field_row = row(of("wrong-crc"), "crc")
     assert (field_row.verdict, field_row.reason) == ("wrong: should be C0 CB", "wrong_check")
 
 
-def test_a_wrong_length_says_what_it_should_be() -> None:
+def test_a_wrong_length_is_shown_with_the_right_one() -> None:
     field_row = row(of("wrong-length"), "length")
     assert (field_row.verdict, field_row.reason) == ("wrong: should be 6", "wrong_length")
 
 
-def test_a_wrong_mark_says_what_it_should_be() -> None:
+def test_a_wrong_delimiter_is_shown_with_the_right_one() -> None:
     field_row = row(explained(WIDGET, "ascii", "request", b":010310000002EA\n\n"), "end")
     assert (field_row.verdict, field_row.reason) == ("wrong: should be 0D 0A", "wrong_mark")
 
@@ -233,12 +233,12 @@ def test_characters_that_are_not_hexadecimal_end_the_explanation() -> None:
     ]
 
 
-def test_a_value_out_of_its_range_is_pointed_out_and_taken() -> None:
+def test_a_value_out_of_its_range_is_decoded_with_a_remark() -> None:
     explanation = explained(WIDGET, "packet", "request", bytes.fromhex("00 07 07 01 23 06 38"))
     assert (row(explanation, "count").verdict, explanation.reasons) == ("wrong: should be 0..5", ())
 
 
-def test_a_station_out_of_range_is_pointed_out() -> None:
+def test_a_unit_address_out_of_range_has_a_remark() -> None:
     field_row = row(explained(WIDGET, "packet", "request", bytes.fromhex("00 06 08 00 20 2E")), "address")
     assert field_row.verdict == "wrong: should be 0..7, 32..39"
 
@@ -247,7 +247,7 @@ def test_a_broadcast_is_named() -> None:
     assert row(of("write-to-all"), "station").meanings[0].name == "broadcast"
 
 
-def test_a_refusal_names_the_request_that_is_refused() -> None:
+def test_an_exception_response_names_its_request() -> None:
     explanation = of("read-refused")
     assert (explanation.message, explanation.error, row(explanation, "function").number) == (
         "read_registers",
@@ -273,7 +273,7 @@ def test_a_number_of_a_parameter_names_it_and_its_value_is_read_as_it() -> None:
     assert row(explanation, "value").source == "; ".join(source.text() for source in parameter.sources)
 
 
-def test_a_response_that_does_not_repeat_its_request_is_pointed_out() -> None:
+def test_a_response_that_does_not_repeat_its_request_has_a_remark() -> None:
     asked = WIDGET.device.examples["write-request"].frame
     answer = bytes.fromhex("10 10 20 02 00 02 E8 89")
     explanation = explained(WIDGET, "rtu", "response", answer, request=asked)
@@ -294,7 +294,7 @@ def test_a_response_holds_the_registers_that_its_request_asks_for() -> None:
     assert explained(WIDGET, "rtu", "response", explanation.frame).registers == ()
 
 
-def test_the_bytes_of_registers_lie_where_their_rows_say() -> None:
+def test_the_bytes_of_registers_are_at_the_offsets_of_their_rows() -> None:
     explanations = [of_example(layout, example) for layout in LAYOUTS for example in layout.device.examples.values()]
     rows_with_bytes = [
         (explanation.frame, row) for explanation in explanations for row in explanation.registers if row.raw
@@ -315,7 +315,7 @@ def test_registers_of_a_table_are_named_by_element_and_field() -> None:
     assert [(row.path, row.value) for row in rows] == [("points[2].mode", ""), ("points[2].position", "2.50 mm")]
 
 
-def test_a_register_of_which_a_frame_holds_a_part_is_named_without_a_value() -> None:
+def test_a_register_that_is_only_partly_in_a_frame_is_named_without_a_value() -> None:
     request = encode(GIZMO, "packet", "read", {"station": 1, "address": 2})
     (row,) = explained(GIZMO, "packet", "request", request).registers
     assert (row.path, row.number, row.notes) == ("place", None, ("The frame holds a part of its words.",))
@@ -327,7 +327,7 @@ def test_words_that_no_register_has_are_shown() -> None:
     assert (row.address, row.words, row.path) == (99, 1, "")
 
 
-def test_errata_are_named_at_the_fact_that_they_touch() -> None:
+def test_errata_are_named_at_the_fact_that_they_concern() -> None:
     named = 0
     for layout in LAYOUTS:
         explained_ones = [of_example(layout, example) for example in layout.device.examples.values()]
@@ -352,7 +352,7 @@ def test_a_frame_that_is_equal_in_both_directions_is_ambiguous() -> None:
     ]
 
 
-def test_a_frame_with_a_wrong_check_is_not_recognised_but_closest_to_what_it_was() -> None:
+def test_a_frame_with_a_wrong_checksum_is_not_recognised_but_has_a_closest_reading() -> None:
     frame = WIDGET.device.examples["wrong-crc"].frame
     assert recognised(WIDGET, frame) == []
     assert closest(WIDGET, frame) == [("rtu", "request", "read_registers", False)]
@@ -378,7 +378,7 @@ def test_elements_have_the_size_that_their_format_says() -> None:
     assert [row.number for row in explanation.rows if row.path.startswith("values[")] == [-1, 1]
 
 
-def test_two_frames_in_a_row_are_told_apart_by_length_and_check() -> None:
+def test_two_frames_in_a_row_are_one_frame_of_wrong_length() -> None:
     frame = WIDGET.device.examples["stop-request"].frame
     explanation = explained(WIDGET, "packet", "request", frame + frame)
     assert explanation.message == "stop"

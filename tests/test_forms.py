@@ -1,4 +1,4 @@
-"""Findings in every form, and the verbs of the command line with their exit codes."""
+"""Findings in every format, and the verbs of the command line with their exit codes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ FINDINGS = [
 BARE = [Diagnostic("other_rule", 'a </script> & \x00 "quoted"', Span(FILE, 33, 36))]
 
 
-def test_a_caret_stands_under_the_culprit_behind_wide_characters() -> None:
+def test_the_caret_is_under_the_culprit_after_wide_characters() -> None:
     rendered = text.rendered(FINDINGS).splitlines()
     line, marks = rendered[1], rendered[2]
     before = line.split("servo")[0]
@@ -44,7 +44,7 @@ def test_the_text_names_rule_place_label_and_help() -> None:
         assert part in rendered
 
 
-def test_plain_text_has_no_escape_sequences_and_coloured_text_has() -> None:
+def test_only_coloured_text_has_escape_sequences() -> None:
     assert "\x1b" not in text.rendered([*FINDINGS, *BARE])
     assert "\x1b" in text.rendered(FINDINGS, coloured=True)
 
@@ -120,13 +120,13 @@ def test_a_verb_exits_with_its_code(arguments: list[str], code: int, capsys: pyt
 
 
 @pytest.mark.parametrize("arguments", [["--version"], ["--help"], ["decode", "--help"]], ids=" ".join)
-def test_help_and_version_are_fine(arguments: list[str]) -> None:
+def test_help_and_version_exit_with_code_0(arguments: list[str]) -> None:
     result = subprocess.run([sys.executable, "-m", "fieldspec", *arguments], capture_output=True, check=False)
     assert (result.returncode, result.stderr) == (0, b"")
     assert result.stdout
 
 
-def test_no_verb_and_an_unknown_one_are_wrong_use(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_and_an_unknown_verb_are_wrong_use(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 2
     assert main(["no-such-verb"]) == 2
     assert capsys.readouterr().out == ""

@@ -106,7 +106,7 @@ def is_wrong(name: str) -> bool:
 
 
 def folder(path: Path) -> str:
-    """The folder under which a file is counted: that of the compiler, a folder of tests, or the first one below the root."""
+    """The folder under which a file is counted: that of the compiler, of tests, or the first one below the root."""
     if PACKAGE in path.parents:
         parts = path.relative_to(PACKAGE).parts
         return "/".join(parts[:2] if parts[0] == "backends" and len(parts) > 2 else parts[:1])

@@ -1,4 +1,4 @@
-"""A device at rest answers every block of registers that one request may read, and each value of it is decoded."""
+"""An idle device answers every block of registers that one request may read, and each of the values is decoded."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ BLOCKS = [
 
 
 def resting(layout: DeviceLayout, register: RegisterLayout) -> Any:
-    """What a register answers at rest: 0 where writing starts something, else its initial value, or the least legal."""
+    """The value of an idle register: 0 if writing it starts something, else its initial or lowest legal value."""
     value = register.register.value
     if value.type.kind in (Kind.TEXT, Kind.BYTES):
         return bytes(value.size)
@@ -44,7 +44,7 @@ def _least(layout: DeviceLayout, value: Value) -> int:
 
 
 def within(layout: DeviceLayout, block: PollBlock) -> list[tuple[RegisterLayout, bytes]]:
-    """The registers that begin in a block, each element of several, with what they answer."""
+    """The registers that begin in a block, element by element, with the bytes of their values."""
     registers = []
     for register in layout.registers:
         for number in range(register.count):
@@ -71,6 +71,6 @@ def test_every_register_of_an_idle_device_is_decoded(layout: DeviceLayout, block
         assert getattr(value, "raw", value) == wanted, placed.name
 
 
-def test_what_starts_something_is_among_what_is_read() -> None:
+def test_registers_that_start_something_are_among_those_read() -> None:
     started = [register.name for param in BLOCKS for register, _ in within(*param.values) if register.register.trigger]  # type: ignore[arg-type]
     assert {"start_move", "start_homing", "stop", "run_point_table", "save_all_parameters"} <= set(started)

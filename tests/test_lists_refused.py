@@ -1,4 +1,4 @@
-"""A file that is no list is refused with one line that says what to do, exit code 2, and nothing is written."""
+"""A file that is no list is refused with one line that says what to do and exit code 2; nothing is written."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Workbooks that programs import: openpyxl reads what was packed, and parsers of XML take every part."""
+"""Workbooks that programs import: openpyxl reads the packed values, and XML parsers accept every part."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_a_cell_shows_its_text_or_its_number_and_is_no_formula(number: int, cont
     assert bool(cell.quotePrefix) is (isinstance(content, str) and content.startswith(("=", "+", "-", "@")))
 
 
-def test_all_sheets_and_columns_are_there() -> None:
+def test_all_sheets_and_columns_are_present() -> None:
     workbook = openpyxl.load_workbook(io.BytesIO(packed(BOOK)))
     assert workbook.sheetnames == ["First", "Second sheet"]
     assert workbook["First"].dimensions == f"A1:B{len(CELLS)}"
@@ -52,13 +52,13 @@ def test_all_sheets_and_columns_are_there() -> None:
     assert workbook["Second sheet"]["AD1"].value == "column 29"
 
 
-def test_a_workbook_says_its_properties() -> None:
+def test_a_workbook_has_its_properties() -> None:
     properties = openpyxl.load_workbook(io.BytesIO(packed(BOOK))).custom_doc_props  # type: ignore[attr-defined]
     assert {name: properties[name].value for name in properties.names} == BOOK.properties
 
 
 @pytest.mark.parametrize("book", [BOOK, Workbook(BOOK.sheets[1:])])
-def test_every_part_is_xml_and_every_part_that_is_named_is_there(book: Workbook) -> None:
+def test_every_part_is_xml_and_every_named_part_exists(book: Workbook) -> None:
     with zipfile.ZipFile(io.BytesIO(packed(book))) as archive:
         parts = {name: ElementTree.fromstring(archive.read(name)) for name in archive.namelist()}
     declared_parts = {element.get("PartName", "").lstrip("/") for element in parts["[Content_Types].xml"]} - {""}
@@ -71,7 +71,7 @@ def test_every_part_is_xml_and_every_part_that_is_named_is_there(book: Workbook)
     } | {"xl/workbook.xml"}
 
 
-def test_a_text_is_kept_once_however_often_it_is_used() -> None:
+def test_a_text_is_stored_once_however_often_it_is_used() -> None:
     book = Workbook((Worksheet("Sheet", (("same", "same"), ("same", "other"))),))
     with zipfile.ZipFile(io.BytesIO(packed(book))) as archive:
         texts = archive.read("xl/sharedStrings.xml").decode()

@@ -1,4 +1,4 @@
-"""The project's own files are in order."""
+"""The files of the project itself: pins, documentation, package."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ IN_WHEEL = {
 
 
 def normalised(requirement: str) -> str:
-    """The name of the package that a requirement asks for, in the one spelling that registries compare."""
+    """The name of the package in a requirement, normalized as registries do."""
     match = re.match(r"[\w.-]+", requirement)
     assert match, requirement
     return re.sub(r"[-_.]+", "-", match[0]).lower()
@@ -91,7 +91,7 @@ def test_version_is_written_once() -> None:
     assert version("fieldspec") == fieldspec.__version__
 
 
-def test_wheel_holds_the_compiler_the_specs_and_the_codecs(tmp_path: Path) -> None:
+def test_wheel_contains_the_compiler_the_specs_and_the_codecs(tmp_path: Path) -> None:
     build = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(tmp_path)]
     subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
     (wheel,) = tmp_path.glob("*.whl")

@@ -21,7 +21,7 @@ PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 SEEDS = 400
 PARSERS = [yaml.Loader, *([yaml._yaml.CParser] if yaml.__with_libyaml__ else [])]
 
-# What YAML gives a meaning to, and words of the language.
+# Characters with a meaning in YAML, and words of the language.
 MARKS = [*"-:,[]{}#&*!|>'\"%@`?~ \n\t\r\x85\u2028\ufeff", ": ", "- ", "\n  ", "---\n", "...\n", "&a ", "*a", "!!int "]
 ESCAPES = ['"\\x', '"\\u', '"\\U0011', "%YAML 1.1\n", "%TAG ! x\n", "!<", "!%FF ", "<<: *a"]
 KEYS = [
@@ -41,7 +41,7 @@ WORDS = st.sampled_from([*MARKS, *ESCAPES, *KEYS])
 
 
 def read_whole(files: dict[str, bytes]) -> Project:
-    """Reads files and every version of their devices; whatever is found can be shown."""
+    """Reads files and every version of their devices; all findings must be printable."""
     project = read(files)
     findings = list(project.findings)
     for spec in project.devices.values():

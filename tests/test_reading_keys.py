@@ -1,4 +1,4 @@
-"""No key of the language is passed over: each one that the schema allows is asked for when the model is built."""
+"""No key of the language is overlooked: building the model reads each one that the schema allows."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from fieldspec.reading.project import read
 from fieldspec.schema import Schema, resolved, schema
 
 SEEDS = 150
-# What random specs hardly ever ask for: the default length of parameters, which only texts have.
+# Random specs hardly ever need it: the default length of parameters, which only texts have.
 RARE = """
 device: {id: gadget, name: G, vendor: V, manual: {title: T, file: f, sha256: "%s", lines: 1}}
 parameters: [{name: a, defaults: {type: text, length: 4}, rows: [{number: 1, name: b}]}]
@@ -31,7 +31,7 @@ Key = tuple[str, str]
 
 
 class Watched(dict[str, Node]):
-    """The values of a mapping, which note the keys that are asked for."""
+    """The values of a mapping; they record the keys that are read."""
 
     def __init__(self, values: dict[str, Node], name: str, asked: set[Key]) -> None:
         super().__init__(values)
@@ -47,7 +47,7 @@ class Watched(dict[str, Node]):
 
 
 def watched(node: Node, part: Schema, name: str, declared: set[Key], asked: set[Key]) -> Node:
-    """The tree with watched mappings; the keys that it has are added to `given`."""
+    """The tree with watched mappings; its keys are added to `declared`."""
     name = part.get("$ref", name).removeprefix("#/$defs/")
     part = resolved(part)
     if isinstance(node, Sequence):
@@ -63,7 +63,7 @@ def watched(node: Node, part: Schema, name: str, declared: set[Key], asked: set[
     return Mapping(node.file, node.start, node.end, Watched(values, name, asked), node.keys)
 
 
-def test_every_key_is_asked_for() -> None:
+def test_every_key_is_read() -> None:
     declared: set[Key] = set()
     asked: set[Key] = set()
     for text in (RARE, *map(random_specs.spec, range(SEEDS))):
@@ -74,7 +74,7 @@ def test_every_key_is_asked_for() -> None:
                 assert isinstance(tree, Mapping)
                 built(tree, version)
     assert len(declared) > 350
-    # What another place or somebody else says is taken key by key, whatever the keys are.
+    # Restatements and reports are read key by key, whatever the keys are.
     passed_over = {
         (name, key)
         for name, key in declared - asked

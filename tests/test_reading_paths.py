@@ -1,4 +1,4 @@
-"""Paths lead to facts, also to rows within groups, and change nothing but what they lead to."""
+"""Paths lead to facts, also to rows within groups; a change affects only the fact at the end of its path."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_a_path_leads_to_one_fact(path: str) -> None:
 
 
 @pytest.mark.parametrize("path", PLACES)
-def test_a_change_touches_one_fact_alone(path: str) -> None:
+def test_a_change_affects_one_fact_alone(path: str) -> None:
     node = tree()
     before = repr(exact(node))
     changed_node = changed(node, path, other)
@@ -84,5 +84,5 @@ def test_a_path_that_leads_nowhere_finds_and_changes_nothing(path: str) -> None:
     assert changed(node, path, other) is None
 
 
-def test_a_change_that_is_refused_gives_nothing() -> None:
+def test_a_change_that_is_refused_returns_none() -> None:
     assert changed(tree(), "registers/place/range", lambda node: None) is None

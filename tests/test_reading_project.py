@@ -1,4 +1,4 @@
-"""Files are joined to devices, protocols are laid under them, and rows take what their groups have in common."""
+"""Files are merged into devices with their protocols, and rows take the defaults of their groups."""
 
 from __future__ import annotations
 
@@ -53,14 +53,14 @@ def test_lists_of_several_files_are_joined_in_the_order_of_their_names() -> None
     assert [note.name for note in model.notes] == ["n"]
 
 
-def test_files_that_are_no_specs_are_passed_over() -> None:
+def test_files_that_are_no_specs_are_skipped() -> None:
     files = {"gadget/device.yaml": DEVICE, "gadget/notes.txt": "\t", "README.md": "\t", "gadget/old/a.yaml": "\t"}
     read_from = read({path: text.encode() for path, text in files.items()})
     assert codes(read_from.findings) == []
     assert list(read_from.devices) == ["gadget"]
 
 
-def test_a_section_that_is_no_list_stands_in_one_file() -> None:
+def test_a_section_that_is_no_list_is_in_one_file() -> None:
     clean, start, _ = unmarked(f"«device»: {{id: gadget, name: Other, vendor: Maker, manual: {MANUAL}}}\n")
     (finding,) = project("", gadget_other=clean).findings
     assert (finding.code, finding.span.file.path, finding.span.start) == ("section_twice", "gadget/other.yaml", start)
@@ -108,7 +108,7 @@ def test_only_the_devices_that_are_asked_for_are_read() -> None:
         ("«protocol»: {id: gadget, title: No}\n", {}, "unknown_key"),
     ],
 )
-def test_a_wrong_use_is_found_where_it_is(text: str, others: dict[str, str], code: str) -> None:
+def test_a_wrong_use_of_a_protocol_is_a_finding_at_its_place(text: str, others: dict[str, str], code: str) -> None:
     clean, start, end = unmarked(DEVICE + text)
     (finding,) = project(clean.removeprefix(DEVICE), **others).findings
     assert (finding.code, finding.span.start, finding.span.end) == (code, start, end)
@@ -173,7 +173,7 @@ links: [{name: rtu, doc: Laid over.}]
     assert (model.links["rtu"].doc, model.links["rtu"].encoding) == ("Laid over.", "binary")
 
 
-def test_what_a_device_says_is_laid_over_its_protocol_by_name_and_deeply() -> None:
+def test_facts_of_a_device_override_those_of_its_protocol_by_name_and_at_any_depth() -> None:
     model = device(
         """
 uses: [{protocol: wire}]
@@ -210,7 +210,7 @@ enums:
     ]
 
 
-def test_a_finding_in_what_comes_from_a_protocol_points_into_the_protocol() -> None:
+def test_a_finding_about_a_fact_of_a_protocol_points_into_the_protocol() -> None:
     wire = "protocol: {id: wire, title: P}\nrecords: [{name: a, fields: [{name: b, scale: 0, type: u8}]}]\n"
     spec = gadget("uses: [{protocol: wire}]\n", protocols_wire=wire)
     (finding,) = spec.at("1")[1]
@@ -263,7 +263,7 @@ def test_reasons_of_a_row_are_added_to_those_of_its_group() -> None:
     assert sorted(far.inferred) == ["access", "unit"]
 
 
-def test_a_section_of_a_group_stands_in_for_those_of_its_rows() -> None:
+def test_a_section_of_a_group_applies_to_its_rows() -> None:
     near, far = device(ROWS).groups[0].registers
     assert [source.text() for source in (*near.sources, *far.sources)] == ["8.2 L5", "9 L6"]
 
@@ -275,7 +275,7 @@ def test_a_row_has_no_source_where_only_its_group_has_one() -> None:
     assert group.registers[0].sources == ()
 
 
-def test_what_is_inside_a_fact_has_its_source() -> None:
+def test_parts_of_a_fact_have_its_source() -> None:
     model = device(
         "enums: [{name: a, source: 1 L2, members: [{name: b, value: 1}, {name: c, value: 2, source: 3 L4}]}]\n"
     )
@@ -311,7 +311,7 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
         ),
     ],
 )
-def test_what_a_schema_cannot_say_is_found_when_the_model_is_built(text: str, code: str) -> None:
+def test_errors_that_a_schema_cannot_express_are_found_when_the_model_is_built(text: str, code: str) -> None:
     clean, start, _ = unmarked(DEVICE + text)
     findings = gadget(clean.removeprefix(DEVICE)).at("1")[1]
     assert (findings[0].code, findings[0].span.start) == (code, start)

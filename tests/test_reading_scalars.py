@@ -1,4 +1,4 @@
-"""Scalars are text until the schema types them, and what does not fit is a finding that points to it."""
+"""Scalars are text until the schema gives them a type; one that does not fit is a finding that points to it."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def scalars(node: Node) -> list[Scalar]:
 
 
 @pytest.mark.parametrize(("scalar", "kind", "meant"), CASES)
-def test_a_scalar_means_what_its_place_wants(scalar: str, kind: str, meant: ScalarValue) -> None:
+def test_the_type_of_a_scalar_depends_on_its_place(scalar: str, kind: str, meant: ScalarValue) -> None:
     text, code = PLACES[kind]
     clean, start, end = unmarked(text.replace("«»", f"«{scalar}»"))
     file, _ = decoded("a.yaml", clean.encode())
@@ -193,7 +193,7 @@ def test_the_caret_is_under_the_culprit(code: str, text: str, help: str, before:
     assert marks.count("^") == cell_len(clean[start:end].splitlines()[0])
 
 
-def test_every_finding_of_every_file_is_given_in_one_run() -> None:
+def test_all_findings_of_all_files_are_reported_in_one_run() -> None:
     findings = project(
         "registrs: []\n", gadget_b="enums: 5\n", gadget_a="a: 1\na: 2\n", protocols_wire="protocol: 1\n"
     ).findings

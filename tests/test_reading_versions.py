@@ -106,7 +106,7 @@ def bounded(fact: str, bounds: str) -> str:
 
 
 @pytest.mark.parametrize(("bounds", "versions"), BOUNDS.items(), ids=BOUNDS)
-def test_a_fact_holds_for_the_versions_within_its_bounds(bounds: str, versions: list[str]) -> None:
+def test_a_fact_is_valid_for_the_versions_within_its_bounds(bounds: str, versions: list[str]) -> None:
     devices_by_version = devices(bounded("limits: [{name: x, BOUNDS}]", bounds))
     assert [version for version, device in devices_by_version.items() if device.limits] == versions
 
@@ -122,7 +122,7 @@ def test_facts_of_every_kind_have_versions(kind: str) -> None:
     }
 
 
-def test_one_name_may_stand_for_different_things_in_different_versions() -> None:
+def test_a_name_may_have_different_meanings_in_different_versions() -> None:
     devices_by_version = devices(
         LINES
         + """
@@ -147,7 +147,7 @@ def test_a_device_none_of_whose_lines_builds_has_one_version_with_all_facts() ->
     assert (device.version, [limit.name for limit in device.limits]) == ("1", ["x", "y"])
 
 
-def test_a_version_keeps_what_is_known_of_it() -> None:
+def test_a_version_has_its_own_documentation() -> None:
     member = "{id: '1', title: One, doc: First., inferred: So., source: 1 L2}"
     (line,) = devices(f"versions: [{{line: a, builds: true, members: [{member}]}}]\n")["1"].lines
     (version,) = line.versions
@@ -200,7 +200,7 @@ def test_a_label_at_an_unquoted_version_says_what_is_wrong() -> None:
     assert (finding.code, finding.span.start, pointed_at(finding.span)) == ("version_unknown", start, "1.50")
 
 
-def test_a_line_is_like_one_that_has_outputs() -> None:
+def test_a_line_may_only_be_like_one_that_has_outputs() -> None:
     text = """
 versions:
   - {line: one, builds: true, members: [{id: "1.0"}]}

@@ -120,7 +120,7 @@ def test_utf16_without_a_mark_has_a_finding() -> None:
     assert (finding.code, finding.span.start) == ("yaml_syntax", 1)
 
 
-def test_a_wrong_byte_is_found_behind_wide_characters() -> None:
+def test_a_wrong_byte_is_located_after_wide_characters() -> None:
     (finding,) = slips("a: 伺服".encode() + b"\xff")
     assert (finding.code, finding.span.position()) == ("not_utf8", (1, 6))
 
@@ -162,14 +162,14 @@ def test_the_deepest_tree_is_read() -> None:
 
 
 @pytest.mark.usefixtures("parser")
-def test_an_alias_is_what_it_names() -> None:
+def test_an_alias_has_the_value_of_its_anchor() -> None:
     node = node_of("a: &x {b: [1, 2]}\nc: *x\nd: [*x, *x]\n")
     assert isinstance(node, Mapping)
     assert node.values["a"] == node.values["c"]
 
 
 @pytest.mark.usefixtures("parser")
-def test_an_alias_is_a_node_of_its_own_as_the_schema_may_want_something_else_of_it() -> None:
+def test_an_alias_is_its_own_node_as_the_schema_may_give_it_another_type() -> None:
     node = node_of("a: &x {b: [1, 2]}\nc: *x\n")
     assert isinstance(node, Mapping)
     assert node.values["a"] is not node.values["c"]
@@ -197,7 +197,7 @@ def test_a_key_has_its_place(text: str) -> None:
     assert (span.start, span.end) == (start, end)
 
 
-def test_a_key_from_another_mapping_has_the_place_where_it_stands() -> None:
+def test_a_merged_key_has_the_place_where_it_is_written() -> None:
     node, other = node_of("a: 1\n"), node_of("x: 1\nb: 2\n")
     assert isinstance(node, Mapping)
     assert isinstance(other, Mapping)

@@ -27,14 +27,14 @@ PDU = {
     "values": "registers",
     "exception_code": "exception_code",
 }
-"""What the other stack calls the fields of our messages."""
+"""The names of the fields of our messages in the other stack."""
 
 JUDGED = [param for param in EXAMPLES if param.values[0].device.id in ("tc100", "ck10") and param.values[1].message]
 GLIDER = newest(TEST_SPECS, "glider-x")
 
 
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
-def test_an_example_decodes_to_its_meaning_or_is_refused_as_it_says(layout: DeviceLayout, example: Example) -> None:
+def test_an_example_decodes_to_its_values_or_is_refused_with_its_reason(layout: DeviceLayout, example: Example) -> None:
     link = codec(layout).links[example.link]
     if example.refused:
         with pytest.raises(CodecError) as caught:
@@ -102,7 +102,7 @@ def test_a_frame_that_is_cut_short_is_refused(cut: int) -> None:
     assert caught.value.reason in ("incomplete", "wrong_length")
 
 
-def test_the_made_up_devices_are_laid_out() -> None:
+def test_the_made_up_devices_have_layouts() -> None:
     assert TEST_SPECS.is_dir()
     assert {layout.device.id for layout in all_layouts()} >= {"tc100", "esc11", "ck10", "hiwin-e", "widget", "glider-x"}
 

@@ -1,4 +1,4 @@
-"""A name that a target reserves is written in another way there, and in no way that another name has."""
+"""A name that a target reserves is escaped there, and the escaped name is never the name of something else."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The files for pre-commit and for GitHub call what is there, and do what they say."""
+"""The files for pre-commit and for GitHub use existing verbs and options, and do what they describe."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_a_hook_calls_a_verb_with_options_that_it_has(hook: dict[str, Any]) -> N
     assert not hook["pass_filenames"]
 
 
-def test_there_is_a_hook_for_each_thing_that_can_be_wrong_before_a_commit() -> None:
+def test_every_verb_that_judges_files_before_a_commit_has_a_hook() -> None:
     assert [hook["id"] for hook in HOOKS] == ["fieldspec-check", "fieldspec-build", "fieldspec-diff"]
     assert all(re.search(hook["files"], "specs/tc100/device.yaml") for hook in HOOKS)
     assert not any(re.search(hook["files"], "README.md") for hook in HOOKS)
@@ -45,10 +45,10 @@ def test_the_action_is_a_composite_one_whose_steps_say_their_shell() -> None:
     assert all(step["shell"] == "bash" and step["run"] for step in steps)
     passed = re.findall(r"\$\{\{ inputs\.([\w-]+) \}\}", (ROOT / "action.yml").read_text("utf-8"))
     assert set(passed) == set(ACTION["inputs"])
-    assert not any("${{" in step["run"] for step in steps)  # texts of others get into a shell by its variables only
+    assert not any("${{" in step["run"] for step in steps)  # texts of others reach a shell only through its variables
 
 
-def test_every_input_says_what_it_is_and_what_it_is_by_default() -> None:
+def test_every_input_has_a_description_and_a_default() -> None:
     assert all(option["description"] and "default" in option for option in ACTION["inputs"].values())
 
 
@@ -104,7 +104,7 @@ def repository(tmp_path: Path) -> Repository:
     return Repository(tmp_path)
 
 
-def test_nothing_is_said_of_what_is_as_it_was(repository: Repository) -> None:
+def test_nothing_is_reported_where_nothing_has_changed(repository: Repository) -> None:
     done = repository.review(BASE="HEAD", SARIF="out")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     for name in ("check", "diff"):
@@ -125,7 +125,7 @@ def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> Non
     assert "renamed" in summary.read_text("utf-8")
 
 
-def test_no_change_fails_where_none_is_asked_for(repository: Repository) -> None:
+def test_no_change_fails_the_review_unless_an_option_says_so(repository: Repository) -> None:
     repository.change("position_correction_speed_limit", "correction_speed_limit")
     assert repository.review(BASE="HEAD", FAIL_ON="none").returncode == 0
     assert repository.review(BASE="HEAD", FAIL_ON="any").returncode == 1
@@ -136,7 +136,7 @@ def test_without_a_base_the_specs_are_checked_and_nothing_is_compared(repository
     assert (done.returncode, done.stdout) == (0, "there is nothing to compare with\n")
 
 
-def test_a_base_that_does_not_exist_is_said_and_fails(repository: Repository) -> None:
+def test_a_base_that_does_not_exist_is_reported_and_fails(repository: Repository) -> None:
     done = repository.review(BASE="nowhere")
     assert done.returncode == 2
     assert "nowhere" in done.stderr

@@ -1,4 +1,4 @@
-"""The schema of the language is valid, complete and in its form, and two libraries agree on what it says."""
+"""The schema of the language is valid, complete and formatted, and two libraries agree on its meaning."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ MUTATIONS = 40
 
 
 def formatted(value: Any, indent: int = 0, before: int = 0) -> str:
-    """JSON whose every value stands on one line where it fits, else with its items one a line."""
+    """JSON with each value on one line where it fits, else with one item on each line."""
     line = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, dict | list) or not value:
         return line
@@ -84,7 +84,7 @@ def content(path: Path) -> object:
     return plain_data(typed(node)[0])
 
 
-def test_schema_is_in_its_form(accept: bool) -> None:
+def test_schema_is_formatted(accept: bool) -> None:
     text = formatted(schema()) + "\n"
     if accept:
         SCHEMA.write_text(text, "utf-8", newline="\n")
@@ -148,19 +148,19 @@ def containers(data: Any) -> Iterator[Any]:
 
 
 def other(value: Any, random: random.Random) -> Any:
-    """A value that is like another one, or not at all."""
+    """A value similar to another one, or a completely different one."""
     unlike = [None, True, -1, 0, 70000, 2**64, 0.5, 1e300, "", "X y", "0..", "a" * 200, [], [1], {}, {"name": "a"}]
     like = {str: [f"{value} ", f"{value}"[:-1], f"0{value}"], int: [f"{value}", -1], list: [[], {}]}
     return copy.deepcopy(random.choice([*unlike, *like.get(type(value), [])]))
 
 
 def rust(data: object) -> set[tuple[str | int, ...]]:
-    """Where the library that the reader uses finds something."""
+    """The paths at which the library of the reader finds something."""
     return {tuple(error.instance_path) for error in jsonschema_rs.Draft202012Validator(schema()).iter_errors(data)}
 
 
 def python(validator: Validator, data: object) -> set[tuple[str | int, ...]]:
-    """Where the other library finds something."""
+    """The paths at which the other library finds something."""
     return {tuple(error.absolute_path) for error in validator.iter_errors(data)}
 
 

@@ -1,4 +1,4 @@
-"""The page on versions tells the truth: its example is carried through on a copy of the specs."""
+"""The page on versions is true: its example is carried out on a copy of the specs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ EXAMPLE = TEXT.partition("\n## An example: ")[2].partition("\n## Identities\n")[
 
 CHANGING = re.compile(r":\d+:\d+|(?<=`)[0-9a-f]{16}(?=`)|^ *\d+(?= files,)|(?<=files, )\d+")
 Block = tuple[str, str, str]
-"""The last line of text above a block, what is in it, and the block."""
+"""The last line of text above a block, the language of the block, and the block."""
 
 
 def blocks(text: str) -> list[Block]:
@@ -33,21 +33,21 @@ def blocks(text: str) -> list[Block]:
 
 
 def runs(block: str) -> Iterator[tuple[str, str]]:
-    """Commands with what stands below them."""
+    """Commands with the output below them."""
     for part in block.split("$ fieldspec ")[1:]:
         command, _, output = part.partition("\n")
         yield command, output
 
 
 class RunResult(NamedTuple):
-    """What a command has left."""
+    """The exit code and the output of a command."""
 
     code: int
     out: str
 
 
 class Project:
-    """A folder with the specs, in which the example is carried through."""
+    """A folder with the specs, in which the example is carried out."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -63,7 +63,7 @@ class Project:
         return RunResult(done.returncode, done.stdout)
 
     def follow(self, before: str, kind: str, block: str) -> None:
-        """Does what a block of the page says."""
+        """Carries out a block of the page."""
         path = re.match(r"`((?:specs|generated)/[\w./-]+)`", before)
         if kind == "yaml" and path:
             file = self.folder / path[1]
@@ -98,7 +98,7 @@ class Project:
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The folder when all of the example has been done."""
+    """The folder after the whole example."""
     walkthrough = Project(tmp_path_factory.mktemp("versions"))
     for before, kind, block in blocks(EXAMPLE):
         walkthrough.follow(before, kind, block)
@@ -139,7 +139,7 @@ def test_a_command_runs(command: str) -> None:
     assert done.stdout.strip()
 
 
-def test_the_hooks_and_the_inputs_of_the_page_are_there() -> None:
+def test_the_hooks_and_the_inputs_of_the_page_exist() -> None:
     documents: list[Any] = [yaml.safe_load(block) for _, kind, block in blocks(TEXT) if kind == "yaml"]
     (hooks,) = (block["repos"][0]["hooks"] for block in documents if "repos" in block)
     known = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
@@ -150,10 +150,10 @@ def test_the_hooks_and_the_inputs_of_the_page_are_there() -> None:
     assert re.findall(r"^\| `([\w-]+)` \|", TEXT, re.MULTILINE) == list(inputs)
 
 
-def test_no_block_of_the_page_is_passed_over() -> None:
+def test_no_block_of_the_page_is_skipped() -> None:
     assert 2 * len(blocks(TEXT)) == len(re.findall(r"^```", TEXT, re.MULTILINE))
 
 
-def test_every_file_that_the_page_links_to_is_there() -> None:
+def test_every_file_that_the_page_links_to_exists() -> None:
     for path in re.findall(r"\]\(([\w-]+\.md)", TEXT):
         assert (PAGE.parent / path).exists(), path

@@ -1,4 +1,4 @@
-"""The word map of a device, read from its CSV as anybody would read it, and values taken from words by its bits."""
+"""The word map of a device, read from its CSV as any user would, and values taken from words by its bits."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def texts(device: str) -> dict[str, str]:
 
 @cache
 def word_map(device: str, version: str) -> list[Row]:
-    """The rows of a version's map but for the one with the identity."""
+    """The rows of a version's map, except for the identity."""
     text = texts(device)[f"{stem(device, version)}_words.csv"]
     assert text.startswith("\ufeff")
     return list(csv.DictReader(io.StringIO(text[1:], newline=""), strict=True))[1:]
@@ -51,7 +51,7 @@ def number(row: Row, words: Sequence[int], element: int = 0) -> int:
 
 
 def signed(row: Row, words: Sequence[int], element: int = 0) -> int:
-    """The same, with the sign that the type of the row has."""
+    """The bits of a row as a number, signed if the type of the row is."""
     value = number(row, words, element)
     size = int(row["type"].lstrip("iu") or 0) if row["type"][:1] == "i" else 0
     return value - (1 << size) if size and value >> (size - 1) else value

@@ -1,4 +1,4 @@
-"""A program for the tests: it decodes what a line says, encodes it again, and prints both verdicts."""
+"""A C program for the tests: it decodes the bytes of each input line, encodes them again, and prints both results."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ int main(void)
 
 
 def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
-    """Everything of a device that is decoded without a frame."""
+    """The records and message bodies of a device, which are decoded without a frame."""
     records = dict(layout.records)
     for message in layout.messages.values():
         records |= {data.name: data for data in (message.request, message.response)}
@@ -59,14 +59,14 @@ def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
 
 
 def settled(layout: DeviceLayout) -> Naming:
-    """The names that the header of a layout has."""
+    """The C names in the header of a layout."""
     naming = Naming(layout.device.id)
     header(layout, naming)
     return naming
 
 
 def source(layout: DeviceLayout) -> str:
-    """The text of the program."""
+    """The source of the program."""
     naming = settled(layout)
     cases = []
     for name, record in records(layout).items():

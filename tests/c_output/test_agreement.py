@@ -1,4 +1,4 @@
-"""Compiled C and the reference agree on random bytes: on what is refused and why, and on what is written again."""
+"""Compiled C and the reference agree on random bytes: what is refused and why, and what is encoded again."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def driver(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 
 def answers(program: Path, lines: list[str]) -> Iterator[tuple[int, str | None]]:
-    """For each line the status of decoding, and what was written again, None where that was refused."""
+    """For each line, the status of decoding and the bytes encoded again, None where encoding is refused."""
     text = "".join(f"{line}\n" for line in lines)
     result = subprocess.run([str(program)], input=text, capture_output=True, text=True, check=True)
     output_lines = result.stdout.splitlines()
@@ -74,7 +74,7 @@ def values_to_encode(record: RecordLayout, values: dict[str, Any]) -> dict[str, 
 
 
 def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[int, str | None]:
-    """The status of decoding as the reference has it, and what it writes again, None where it refuses that."""
+    """The status of decoding in the reference and the bytes that it encodes again, None where it refuses to."""
     try:
         values = decoded(record, data, layout.device)
     except CodecError as error:
@@ -86,7 +86,7 @@ def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[i
 
 
 def random_bytes(record: RecordLayout, dice: random.Random) -> bytes:
-    """Bytes near what a record may be: often of the right size, often small numbers, often with a right measure."""
+    """Bytes that resemble a record: often of the right size, of small numbers, with a correct length or count field."""
     form = record
     if record.selector is not None and dice.random() < 0.8:
         number = dice.choice(list(record.chosen))
@@ -176,7 +176,7 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
             assert status == NUMBERS[reason], (example.id, frame.hex(), reason, status)
 
 
-def test_a_name_that_would_be_there_twice_gets_a_number() -> None:
+def test_a_name_that_would_occur_twice_gets_a_number() -> None:
     naming = settled(newest(TEST_SPECS, "widget"))
     first, second = naming.macro("enum", "a_b", "c"), naming.macro("enum", "a", "b_c")
     assert [first, second] == ["WIDGET_A_B_C", "WIDGET_A_B_C_2"]

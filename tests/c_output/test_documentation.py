@@ -1,4 +1,4 @@
-"""The code in the documentation of the C headers compiles without a warning, and does what it says."""
+"""The code in the documentation of the C headers compiles without a warning and does what the text says."""
 
 from __future__ import annotations
 

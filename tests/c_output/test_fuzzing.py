@@ -1,4 +1,4 @@
-"""The fuzz targets: they find nothing in the headers, and find what is put there."""
+"""The fuzz targets find nothing in the headers, and find defects that are put into them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SECONDS = 1
 
 
 def clang() -> str:
-    """The compiler, if it has its fuzzer."""
+    """The path of clang; skips the test if clang has no fuzzer."""
     tool = require_tool("clang")
     folder = subprocess.run([tool, "-print-resource-dir"], capture_output=True, text=True, check=True).stdout.strip()
     return (
@@ -34,7 +34,7 @@ def clang() -> str:
 
 
 def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "", wrong: str = "") -> str:
-    """What a fuzzer says at its end, in whose header something may have been replaced first."""
+    """The last output of a fuzzer; before it runs, a text of its header may be replaced."""
     tool, layout = clang(), newest(root, device)
     name = stem(device, layout.device.version)
     for path, text in files([layout]).items():

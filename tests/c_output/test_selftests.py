@@ -88,7 +88,7 @@ def test_two_versions_of_a_device_cannot_be_included_together(tmp_path: Path) ->
         compiled("gcc", source, tmp_path / "both")
 
 
-def test_the_wide_table_gives_the_same_check(tmp_path: Path) -> None:
+def test_the_wide_table_gives_the_same_checksum(tmp_path: Path) -> None:
     source = write_selftest(tmp_path, "tc100_v2_0.h")
     program = compiled("gcc", source, tmp_path / "selftest", "-DTC100_WIDE_CRC_TABLE")
     assert subprocess.run([str(program)], capture_output=True, check=False).returncode == 0
