@@ -276,7 +276,7 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ("const_changed", setting(counts, "const", lambda node, chance: chance.randint(1, 99))),
     ("byte_order_changed", turned("byte_order")),
     ("byte_order_changed", turned("word_order")),
-    ("check_changed", setting(parts("check"), "algorithm", other_word(ALGORITHMS, "algorithm"))),
+    ("check_changed", setting(parts("checksum"), "algorithm", other_word(ALGORITHMS, "algorithm"))),
     ("framing_changed", setting(top("links", "encoding"), "encoding", other_word(("binary", "hex_ascii"), "encoding"))),
     ("framing_changed", setting(top("links"), "start", lambda node, chance: f"{chance.randint(16, 99)}")),
     ("framing_changed", setting(top("links"), "end", lambda node, chance: f"{chance.randint(16, 99)}")),

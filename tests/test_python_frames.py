@@ -204,7 +204,7 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
         data = bytearray(reference.parts(frame))
     except CodecError:
         return frame
-    length, check = shape.role("length"), shape.check
+    length, check = shape.role("length"), shape.checksum
     if len(data) < shape.head_size + shape.tail_size:
         return frame
     units = length.number(len(data)) if length is not None else None

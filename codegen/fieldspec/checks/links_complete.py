@@ -57,7 +57,7 @@ def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
     roles = Counter(part.role for part in parts)
-    for role in (*_NUMBERS, "body", "check"):
+    for role in (*_NUMBERS, "body", "checksum"):
         if roles[role] > 1 or (role == "body" and not roles[role]):
             text = f"the {direction} of {link.name} has {roles[role]} parts with the role {role}"
             help = "each role comes once, and `body` must be there"
@@ -67,7 +67,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
     names = [part.name for part in parts]
     if len(set(names)) == len(names) and roles["body"] == 1:
         for part in parts:
-            if part.role in ("length", "check"):
+            if part.role in ("length", "checksum"):
                 yield from _of_span(link, direction, part)
     roles_in_order = [part.role for part in parts]
     for role in _NUMBERS:

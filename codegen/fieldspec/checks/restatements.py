@@ -9,7 +9,7 @@ from fieldspec.checks.sizes import Sizes, sent_on
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact, PlainValue
-from fieldspec.model.link import CHECK_STARTS, Link, Part
+from fieldspec.model.link import CHECKSUM_STARTS, Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
 from fieldspec.model.texts import Limit
@@ -73,7 +73,7 @@ def _all_statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, objec
     if isinstance(fact, Parameter):
         return {**_value(device, fact.value), **_parameter(device, fact)}
     if isinstance(fact, Part):
-        return {"initial": CHECK_STARTS.get(fact.algorithm), **(_value(device, fact.value) if fact.value else {})}
+        return {"initial": CHECKSUM_STARTS.get(fact.algorithm), **(_value(device, fact.value) if fact.value else {})}
     if isinstance(fact, Signal | Case | Subindex):
         count = {"count": _length(fact.indices)} if isinstance(fact, Subindex) else {}
         return {**_value(device, fact.value), **count}

@@ -200,7 +200,7 @@ class _Frame:
 
     def _cut(self, data: bytes) -> tuple[bytes, bytes]:
         """The parts, and what follows them: the length part and the check may say that the frame ends earlier."""
-        length, check = self.shape.role("length"), self.shape.check
+        length, check = self.shape.role("length"), self.shape.checksum
         if length is None or check is None or not self.wrapped.whole:
             return data, b""
         number = whole(data[length.offset : length.offset + length.size], length.order)
@@ -233,7 +233,7 @@ class _Frame:
 
     def _part_text(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """What the bytes of a part say, with what its role adds."""
-        if part.role == "check":
+        if part.role == "checksum":
             return self._checked(part, raw)
         assert part.value is not None
         if part.reserved:

@@ -124,7 +124,7 @@ class FrameCodec:
             raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
-        part = shape.check
+        part = shape.checksum
         if part is not None:
             have, want = parts[part.name], ALGORITHMS[part.algorithm](data[part.start : part.stop])
             if have != want:
@@ -181,7 +181,7 @@ class FrameCodec:
             if units is None:
                 raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
             numbers[length.name] = units
-        check = shape.check
+        check = shape.checksum
         if check is not None:
             data = self._joined(direction, numbers, inner)
             numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
@@ -195,7 +195,7 @@ class FrameCodec:
     def _head_value(
         self, part: PartLayout, values: Mapping[str, Any], laid: MessageLayout | None, error: bool, code: int | None
     ) -> int:
-        if part.role in ("length", "check"):
+        if part.role in ("length", "checksum"):
             return 0
         if part.constant is not None:
             held = values.get(part.name, part.constant)
@@ -230,14 +230,14 @@ class FrameCodec:
 
 def _part_construct(part: PartLayout) -> construct.Construct:
     """A part as a number; a check has no value of its own."""
-    if part.role != "check":
+    if part.role != "checksum":
         return value_construct(part.value, part.order, False)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
 
 
 def _shown(part: PartLayout) -> bool:
     """Whether a part before the body belongs to what a frame says."""
-    return part.role not in ("length", "check") and not part.reserved
+    return part.role not in ("length", "checksum") and not part.reserved
 
 
 @dataclass(frozen=True, slots=True)

@@ -134,7 +134,7 @@ def _open(naming: Naming, link: LinkLayout, direction: str) -> list[str]:
     if length is not None:
         received = load(naming, part_wire(length), f"in + {length.offset}")
         body += refused(naming, _length_differs(shape, length, received, "length"), "err_wrong_length")
-    check = shape.check
+    check = shape.checksum
     if check is not None:
         held = f"{naming.own('load', access_name(check.size, check.order, False))}(in + {_at('length', check.offset)})"
         body += refused(naming, f"{_checksum(naming, check, 'in', 'length')} != {held}", "err_wrong_check")
@@ -195,10 +195,10 @@ def _close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direction: st
     tests = [f"capacity < {least}u"] if least else []
     body += refused(naming, " || ".join([*tests, f"body_length > {room}"]), "err_capacity")
     for part in shape.parts:
-        if part.role != "check":
+        if part.role != "checksum":
             body += _head(naming, layout, link, shape, part)
-    if shape.check is not None:
-        check = shape.check
+    if shape.checksum is not None:
+        check = shape.checksum
         store = naming.own("store", access_name(check.size, check.order, False))
         body.append(f"{store}(out + {_at('total', check.offset)}, {_checksum(naming, check, 'out', 'total')});")
     if marks or width == 2:

@@ -135,7 +135,7 @@ class FrameTable:
             yield (text_piece("the address of the device"),)
         elif part.role == "length":
             yield (text_piece(self._length(part, record)),)
-        elif part.role == "check":
+        elif part.role == "checksum":
             order = f"; the {END_FIRST[part.order]} byte is sent first" if part.size > 1 else ""
             yield (text_piece(f"{CHECKS[part.algorithm]} {self._covered(part)}{order}"),)
         elif part.reserved:

@@ -61,7 +61,7 @@ def code_literal(code: int | None) -> str:
 
 def head_value(part: PartLayout, code: str) -> str:
     """What a part of the head holds before its length is known."""
-    if part.role in ("length", "check"):
+    if part.role in ("length", "checksum"):
         return "0"
     held = constant(part)
     return code if part.role == "code" else number(part) if held is None else str(held)
@@ -87,7 +87,7 @@ def is_simple(frame: FrameLayout) -> bool:
 
     A length is then that of all parts. Any other frame takes the slower way, part by part.
     """
-    check, length = frame.check, frame.role("length")
+    check, length = frame.checksum, frame.role("length")
     return (
         len({part.order for part in frame.head if part.size > 1}) <= 1
         and not any(part.reserved for part in frame.head)

@@ -296,15 +296,15 @@ def _simple_arguments(frame: FrameLayout) -> list[str]:
     order = next((part.order for part in frame.head if part.size > 1), "big")
     letters = "".join(map(letter, frame.head))
     arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
-    arguments.append(literal(frame.check.algorithm if frame.check else ""))
-    if frame.check and frame.check.order == "big":
+    arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
+    if frame.checksum and frame.checksum.order == "big":
         arguments.append('check_order="big"')
     return arguments
 
 
 def _part_arguments(frame: FrameLayout) -> list[str]:
     """The arguments of `_PartFrames` that say what the parts are."""
-    check, length = frame.check, frame.role("length")
+    check, length = frame.checksum, frame.role("length")
     arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
     if check is not None:
         arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]

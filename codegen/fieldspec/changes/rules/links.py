@@ -54,7 +54,7 @@ def check_changed(both: Comparison) -> Iterator[Change]:
             yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
         old, new = _counted(pair.old), _counted(pair.new)
         if old != new:
-            check = "check" in (pair.old.role, pair.new.role)
+            check = "checksum" in (pair.old.role, pair.new.role)
             what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
             yield change(
                 "check_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {turned(what, old, new)}", old, new
@@ -66,7 +66,7 @@ def _counted(part: Part) -> str:
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
-    if part.role == "check":
+    if part.role == "checksum":
         return " ".join(words) or "all before it"
     counted = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
     return f"{counted} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else counted

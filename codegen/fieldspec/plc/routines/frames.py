@@ -80,9 +80,9 @@ def _close(world: World, link: LinkLayout) -> Routine:
     out_of_room = compared(total, ">", number(most))
     draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
     for part in shape.head:
-        if part.role != "check":
+        if part.role != "checksum":
             draft.add(_write_header_part(draft, world, link, shape, part, given, code, total, holder))
-    check = shape.check
+    check = shape.checksum
     behind = [part for part in shape.tail if part is not check]
     if behind:
         tail = draft.local("iTail")
@@ -204,7 +204,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
     counted = shape.role("length")
     if counted is not None:
         draft.refuse(_length_differs(world, shape, counted, holder, length), "wrong_length")
-    check = shape.check
+    check = shape.checksum
     if check is not None:
 
         def place(at: int) -> Expression:
@@ -217,7 +217,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
         wide = world.checksum(check.algorithm, stop, frame, place(check.start))
         draft.refuse(compared(wide, "<>", have), "wrong_check")
     for part in shape.head:
-        if part.role not in ("length", "code", "check") and not part.reserved:
+        if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = held.get(part.name)
             draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
     behind = [part for part in shape.tail if part is not check and not part.reserved]

@@ -13,7 +13,7 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
-    "check": frozenset({"algorithm", "byte_order", "covers"}),
+    "checksum": frozenset({"algorithm", "byte_order", "covers"}),
     "plain": VALUE_KEYS - {"length", "characters", "sentinels", "parameter", "default", "unit_default"} | {"reserved"},
 }
 """What can be said of a part beside what can be said of any fact, by its role."""
@@ -23,7 +23,7 @@ _HELP = {
     "const": "remove `const`, or make the part a plain one by removing its `role`",
     "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
     "counts": "give it to the part with `role: length`",
-    "covers": "give it to the part with `role: check`",
+    "covers": "give it to the part with `role: checksum`",
     "algorithm": "give or remove `algorithm`",
     "reserved": "give it to a part without a `role`",
 }
@@ -60,15 +60,15 @@ def link(entry: Entry) -> Link:
 def _part(entry: Entry) -> Part:
     role = entry.text("role") or "plain"
     algorithm = entry.text("algorithm")
-    if (role == "check") != bool(algorithm):
-        entry.refuse("wrong_form", "role", "a check, and nothing else, has an algorithm", _HELP["algorithm"])
+    if (role == "checksum") != bool(algorithm):
+        entry.refuse("wrong_form", "role", "a checksum, and nothing else, has an algorithm", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
     for key in entry.own:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
     counts, covers = entry.entry("counts"), entry.entry("covers")
-    span = counts if role == "length" else covers if role == "check" else None
+    span = counts if role == "length" else covers if role == "checksum" else None
     return Part(
         **entry.fact(),
         role=role,
