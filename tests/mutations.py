@@ -286,7 +286,7 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ),
     (
         "broadcast_changed",
-        setting(inner("links", "stations", "range"), "broadcast", lambda n, chance: chance.randint(100, 200)),
+        setting(inner("links", "unit_addresses", "range"), "broadcast", lambda n, chance: chance.randint(100, 200)),
     ),
     ("role_changed", setting(parts("length"), "role", lambda *_: "plain")),
     ("role_changed", measured),

@@ -60,7 +60,7 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     body = built(
         module, layout, body_of(layout, example.link, example.direction, example.message, example.error), values
     )
-    station = frame.role("station")
+    station = frame.role("unit_address")
     first = [values[station.name]] if station else []
     plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if given_part(part)}
     named = {name if name not in KEYWORDS else f"{name}_": held for name, held in plain.items()}
@@ -89,7 +89,7 @@ def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> di
     """The parts of the head of what was decoded, by the names of the spec, but for the code."""
     found = {}
     for part in layout.links[link].frame(direction).head:
-        if part.role == "station":
+        if part.role == "unit_address":
             found[part.name] = decoded.station
         elif given_part(part):
             name = part.name if hasattr(decoded, part.name) else f"{part.name}_"
@@ -138,8 +138,8 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
         p.name: p.value.ranges.low if p.value and p.value.ranges else 1
         for p in layout.links[link].frame(direction).head
     }
-    stations = layout.links[link].link.stations
-    station = layout.links[link].frame(direction).role("station")
+    stations = layout.links[link].link.unit_addresses
+    station = layout.links[link].frame(direction).role("unit_address")
     if stations and stations.ranges and station:
         heads[station.name] = stations.ranges.low
     try:

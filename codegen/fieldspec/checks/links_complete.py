@@ -26,7 +26,7 @@ from fieldspec.model.link import Link, Part
 from fieldspec.model.value import Kind
 
 _CODE = "links_complete"
-_NUMBERS = ("station", "code", "length")
+_NUMBERS = ("unit_address", "code", "length")
 _GREATEST_SIZE = 4
 
 
@@ -73,7 +73,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
     for role in _NUMBERS:
         if role in roles_in_order and "body" in roles_in_order[: roles_in_order.index(role)]:
             part = parts[roles_in_order.index(role)]
-            text = f"the {role} {part.name} stands behind the body"
+            text = f"the {role.replace('_', ' ')} {part.name} stands behind the body"
             yield finding(_CODE, part.place, "name", text, "what says how to read the body stands before it")
     for part in parts[roles_in_order.index("body") :] if "body" in roles_in_order else ():
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
@@ -97,10 +97,10 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
             there = label(enum.place, "name", "the enum")
             yield finding(_CODE, part.place, "enum", text, "give the enum `open: true`", there)
     elif kind.kind is not Kind.INTEGER:
-        text = f"the {part.role} {part.name} is {kind.name}, which is no number"
+        text = f"the {part.role.replace('_', ' ')} {part.name} is {kind.name}, which is no number"
         yield finding(_CODE, part.place, "type", text, "give it an integer type")
     elif kind.signed or kind.size > _GREATEST_SIZE:
-        text = f"the {part.role} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
+        text = f"the {part.role.replace('_', ' ')} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
         yield finding(_CODE, part.place, "type", text, "give it an integer type from `u8` to `u32`")
 
 

@@ -24,7 +24,7 @@ from fieldspec.model.texts import Example, Lookup
 from fieldspec.model.value import UNSPECIFIED, ParameterPart, Value
 
 _PARTS = frozenset(
-    ("causes", "elements", "error", "frame_length", "data_words", "restated", "rows", "serial", "stations")
+    ("causes", "elements", "error", "frame_length", "data_words", "restated", "rows", "serial", "unit_addresses")
 )
 """What a path may name below a fact that is none itself."""
 

@@ -108,8 +108,8 @@ def _other(device: Device, fact: Fact) -> dict[str, object]:
         if fact.low is None or fact.high is None:
             return both
         return {**both, "range": ((fact.low, fact.high),), "unit_range": ((fact.low, fact.high),)}
-    if isinstance(fact, Link) and fact.stations is not None:
-        return {"range": _merged(fact.stations.ranges)}
+    if isinstance(fact, Link) and fact.unit_addresses is not None:
+        return {"range": _merged(fact.unit_addresses.ranges)}
     return {}
 
 

@@ -247,7 +247,7 @@ class _Frame:
         self.values[part.name] = read.number
         if part.role == "code":
             return self._code(part, read)
-        if part.role == "station":
+        if part.role == "unit_address":
             return self._station(read)
         return read
 
@@ -292,7 +292,7 @@ class _Frame:
         return read.judged(False, f"{expected.message.code:02X}", "unknown_code")
 
     def _station(self, read: DecodedValue) -> DecodedValue:
-        stations = self.link.stations
+        stations = self.link.unit_addresses
         if stations is None or stations.ranges is None:
             return read
         if read.number == stations.broadcast:

@@ -214,7 +214,7 @@ def _link(link: Link) -> Iterator[FactRow]:
 
 
 def _stations(link: Link) -> Iterator[FactRow]:
-    stations = link.stations
+    stations = link.unit_addresses
     if stations is None:
         return
     path, sources = stations.place.path, stations.sources or link.sources

@@ -69,7 +69,7 @@ class PartLayout:
     @property
     def is_argument(self) -> bool:
         """Whether users give its value."""
-        return self.role in ("station", "plain") and self.constant is None
+        return self.role in ("unit_address", "plain") and self.constant is None
 
     def at(self, length: int) -> int:
         """Where it begins in a frame whose parts have so many bytes."""

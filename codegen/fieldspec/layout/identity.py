@@ -15,7 +15,7 @@ from fieldspec.model.value import Value
 
 Words = tuple[object, ...]
 
-_HASHED_ROLES = {"checksum": "check"}
+_HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
 """Words that the hash has in place of roles: another name for a role is no change on the wire."""
 
 
@@ -65,7 +65,7 @@ def _value(value: Value | None) -> Words:
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
     for laid in links.values():
         link = laid.link
-        stations = (link.stations.ranges, link.stations.broadcast) if link.stations else ()
+        stations = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
         error = (link.error.flag, link.error.record) if link.error else ()
         yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
         for frame in (laid.request, laid.response):

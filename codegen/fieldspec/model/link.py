@@ -25,7 +25,7 @@ class PartSpan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part(Fact):
-    """One part of a frame. Its role is station, code, length, body, checksum or plain.
+    """One part of a frame. Its role is unit_address, code, length, body, checksum or plain.
 
     `byte_order` is that of a checksum; it is empty where the spec leaves it to the algorithm. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
@@ -52,7 +52,7 @@ class ErrorReply:
 
 
 @dataclass(frozen=True, slots=True)
-class Stations:
+class UnitAddresses:
     """The addresses on the line."""
 
     place: Place
@@ -95,7 +95,7 @@ class Link(Fact):
     request_name: str
     response_name: str
     error: ErrorReply | None
-    stations: Stations | None
+    unit_addresses: UnitAddresses | None
     serial: Serial | None
     silence_characters: Decimal | None
     silence_milliseconds: Decimal | None

@@ -213,7 +213,7 @@ class FrameCodec:
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
         allowed = part.value.ranges
-        stations = self.link.link.stations if part.role == "station" else None
+        stations = self.link.link.unit_addresses if part.role == "unit_address" else None
         if stations is not None and stations.ranges is not None:
             allowed = stations.ranges
             if held == stations.broadcast:

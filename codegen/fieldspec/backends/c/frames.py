@@ -281,8 +281,8 @@ def _head(naming: Naming, layout: DeviceLayout, link: LinkLayout, shape: FrameLa
     if closed:
         lines += refused(naming, closed, "err_unknown_value")
     test = range_test(held.value, name)
-    stations = link.link.stations
-    if part.role == "station" and stations is not None and stations.ranges is not None:
+    stations = link.link.unit_addresses
+    if part.role == "unit_address" and stations is not None and stations.ranges is not None:
         tests = []
         for low, high in stations.ranges.intervals:
             bounds = [f"{name} >= {low}"] if low > held.value.type.low else []

@@ -131,7 +131,7 @@ class FrameTable:
             yield (code(f"0x{code_held:0{2 * part.size}X}"), text_piece(f" ({code_held})"))
         elif part.role == "code":
             yield (text_piece("the code of the message"),)
-        elif part.role == "station" and not part.part.doc:
+        elif part.role == "unit_address" and not part.part.doc:
             yield (text_piece("the address of the device"),)
         elif part.role == "length":
             yield (text_piece(self._length(part, record)),)
@@ -365,7 +365,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def _stations(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    stations = link.stations
+    stations = link.unit_addresses
     if stations is None:
         return
     if stations.ranges is not None:

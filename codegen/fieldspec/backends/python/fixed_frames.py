@@ -101,7 +101,7 @@ def fixed_frame(
     declared: list[str] = []
     if looked_up:
         written, read = (list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
-        station = frame.role("station")
+        station = frame.role("unit_address")
         if station is not None and station.size == 1:
             most, table = greatest_part(link, station), f"_STATIONS{name}"
             declared = [_begun(table, written, most)]

@@ -144,7 +144,7 @@ def link_view(
     pascal = Name.of(link.name).pascal()
     coded = any(part.role == "code" for part in link.request.head)
     carried = [one for one in exchanges if carries(link, one.message)]
-    stations = link.link.stations
+    stations = link.link.unit_addresses
     views = {
         direction: _direction(link, direction, carried, records, words, pascal, scope)
         for direction in ("request", "response")
@@ -230,7 +230,7 @@ def _direction(
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
     plain = argument_views(frame, words)
-    station = frame.role("station")
+    station = frame.role("unit_address")
     wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
     views = [_exchange(link, direction, one, frames, wrapper, plain) for one in carried]
@@ -320,7 +320,7 @@ def _exchange(
     frame = link.frame(direction)
     code = one.message.message.code
     upper = f"_{Name.of(one.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
-    part, station = frame.role("code"), frame.role("station")
+    part, station = frame.role("code"), frame.role("unit_address")
     flag = link.link.error.flag if link.link.error and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
     # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.

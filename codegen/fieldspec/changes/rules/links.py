@@ -124,8 +124,8 @@ def role_changed(both: Comparison) -> Iterator[Change]:
 
     Why: the same bytes are read as a length, a code, an address or a plain value.
 
-    Example: `role: plain` that becomes `role: station`, or `measures: {bytes: values}` that becomes `measures: {items:
-    values}`.
+    Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes
+    `measures: {items: values}`.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
@@ -272,17 +272,17 @@ def broadcast_changed(both: Comparison) -> Iterator[Change]:
 
     Why: a request that was for one device is carried out by all of them, or by none.
 
-    Example: `broadcast: 0` that becomes `broadcast: 255` at the stations of a link.
+    Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
     """
 
     for link in both.of(Link):
-        old, new = (side.stations.broadcast if side.stations else None for side in (link.old, link.new))
+        old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
         if old != new:
             text = f"{named(link.new)}: {turned('the address of all stations', old, new)}"
-            yield change("broadcast_changed", Effect.WIRE, link, "stations", text, old, new)
+            yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
     for message in both.of(Message):
         if message.old.broadcast != message.new.broadcast:
             text = "can be sent to all stations" if message.new.broadcast else "can no longer be sent to all stations"

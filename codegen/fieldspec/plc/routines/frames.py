@@ -134,9 +134,9 @@ def _write_header_part(
     if part.constant is not None:
         return _constant_written(part, holder, part.offset)
     source = given[part.name]
-    stations = link.link.stations
+    stations = link.link.unit_addresses
     statements: list[Statement] = []
-    if part.role == "station" and stations is not None and stations.ranges is not None:
+    if part.role == "unit_address" and stations is not None and stations.ranges is not None:
         intervals = [*stations.ranges.intervals]
         if stations.broadcast is not None and stations.broadcast not in stations.ranges:
             intervals.append((stations.broadcast, stations.broadcast))

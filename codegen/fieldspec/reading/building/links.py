@@ -1,15 +1,15 @@
-"""Links: parts of frames, stations, serial settings."""
+"""Links: parts of frames, unit addresses, serial settings."""
 
 from __future__ import annotations
 
-from fieldspec.model.link import ErrorReply, Link, Part, PartSpan, Serial, Stations
+from fieldspec.model.link import ErrorReply, Link, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
-_VALUED = ("station", "code", "length", "plain")
+_VALUED = ("unit_address", "code", "length", "plain")
 _NUMBER_KEYS = frozenset({"type", "byte_order"})
 _KEYS = {
-    "station": _NUMBER_KEYS | {"range"},
+    "unit_address": _NUMBER_KEYS | {"range"},
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
@@ -49,7 +49,7 @@ def link(entry: Entry) -> Link:
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
         error=ErrorReply(error.integer("flag") or 0, error.text("record"), error.sources) if error else None,
-        stations=_stations(entry),
+        unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
@@ -82,11 +82,11 @@ def _part(entry: Entry) -> Part:
     )
 
 
-def _stations(entry: Entry) -> Stations | None:
-    held = entry.entry("stations")
+def _unit_addresses(entry: Entry) -> UnitAddresses | None:
+    held = entry.entry("unit_addresses")
     if held is None:
         return None
-    return Stations(
+    return UnitAddresses(
         place=held.place(),
         ranges=held.whole_ranges("range"),
         broadcast=held.integer("broadcast"),
