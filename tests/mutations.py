@@ -282,7 +282,7 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ("framing_changed", setting(top("links"), "end", lambda node, chance: f"{chance.randint(16, 99)}")),
     (
         "error_reply_changed",
-        setting(inner("links", "error", "flag"), "flag", lambda node, chance: chance.choice((1, 2, 4))),
+        setting(inner("links", "exception_response", "flag"), "flag", lambda node, chance: chance.choice((1, 2, 4))),
     ),
     (
         "broadcast_changed",

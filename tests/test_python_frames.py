@@ -58,13 +58,16 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     module = made(layout)
     spoken, frame = link_of(module, example.link), layout.links[example.link].frame(example.direction)
     body = built(
-        module, layout, body_of(layout, example.link, example.direction, example.message, example.error), values
+        module,
+        layout,
+        body_of(layout, example.link, example.direction, example.message, example.exception_response),
+        values,
     )
     station = frame.role("unit_address")
     first = [values[station.name]] if station else []
     plain = {part.name: head_value(module, part, values[part.name]) for part in frame.head if given_part(part)}
     named = {name if name not in KEYWORDS else f"{name}_": held for name, held in plain.items()}
-    if example.error:
+    if example.exception_response:
         made_frame = spoken.encode_error(*first, code, body, **named)
     else:
         made_frame = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
@@ -175,7 +178,7 @@ def made_of(layout: DeviceLayout, link: str, direction: str, message: str, frame
     """What the generated codec finds in a frame: whether it is a refusal, the code, the head, the body."""
     decoded = decode(layout, link, direction, message, frame)
     head, coded = head_of(layout, link, direction, decoded), layout.links[link].frame(direction).role("code")
-    refusal = layout.links[link].link.error
+    refusal = layout.links[link].link.exception_response
     if refusal is not None and hasattr(decoded, "exception"):
         return True, decoded.code, head, raws(decoded.exception, layout.records[refusal.record])
     content = decoded.message

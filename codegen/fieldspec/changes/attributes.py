@@ -257,7 +257,7 @@ TEXTS: dict[type, Texts] = {
         **_named("title", "message_name", "request_name", "response_name"),
         "unit_addresses": _beside("unit_addresses", "rule", "notes", "sources"),
         "serial": _beside("serial", "sources"),
-        "error": _beside("error", "sources"),
+        "exception_response": _beside("exception_response", "sources"),
         "silence": attrgetter("silence_sources"),
     },
     Part: _OF_VALUE,

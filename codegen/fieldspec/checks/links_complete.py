@@ -38,9 +38,9 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         for direction in ("request", "response"):
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
-        if link.error is not None and not any(part.role == "code" for part in link.response):
+        if link.exception_response is not None and not any(part.role == "code" for part in link.response):
             text = f"the link {link.name} marks refusals in the code, but its responses have none"
-            yield finding(_CODE, link.place, "error", text, "give the part with the code the role `code`")
+            yield finding(_CODE, link.place, "exception_response", text, "give the part with the code the role `code`")
 
 
 def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -86,7 +86,7 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
     """Whether codecs can take the value of a part for a number."""
     if part.value is None:
         return
-    kind = part.value.type
+    kind, role = part.value.type, part.role.replace("_", " ")
     if part.role == "plain":
         if kind.kind is not Kind.INTEGER:
             text = f"the part {part.name} is {kind.name}, which is no number"
@@ -97,10 +97,10 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
             there = label(enum.place, "name", "the enum")
             yield finding(_CODE, part.place, "enum", text, "give the enum `open: true`", there)
     elif kind.kind is not Kind.INTEGER:
-        text = f"the {part.role.replace('_', ' ')} {part.name} is {kind.name}, which is no number"
+        text = f"the {role} {part.name} is {kind.name}, which is no number"
         yield finding(_CODE, part.place, "type", text, "give it an integer type")
     elif kind.signed or kind.size > _GREATEST_SIZE:
-        text = f"the {part.role.replace('_', ' ')} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
+        text = f"the {role} {part.name} is {kind.name}; it has no sign and at most {_GREATEST_SIZE} bytes"
         yield finding(_CODE, part.place, "type", text, "give it an integer type from `u8` to `u32`")
 
 

@@ -50,7 +50,7 @@ def _echoed(device: Device, reply: Example) -> Iterator[tuple[str, str]]:
         asked = [part.name for part in link.request if part.role == "unit_address"]
         given = [part.name for part in link.response if part.role == "unit_address"]
         yield from zip(given, asked, strict=False)
-    if not reply.error:
+    if not reply.exception_response:
         for field in body(device, reply):
             if field.same_as:
                 yield field.name, field.same_as

@@ -269,7 +269,7 @@ class _Frame:
 
     def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """The message that a code names. A response may mark it as a refusal."""
-        code, refusal = read.number, self.link.error
+        code, refusal = read.number, self.link.exception_response
         assert isinstance(code, int)
         if refusal is not None and self.direction == "response" and code & refusal.flag:
             self.error = True
@@ -303,8 +303,8 @@ class _Frame:
 
     def _record(self) -> RecordLayout | None:
         """The record of the body; None where nothing says what it holds."""
-        if self.error and self.link.error is not None:
-            return self.layout.records[self.link.error.record]
+        if self.error and self.link.exception_response is not None:
+            return self.layout.records[self.link.exception_response.record]
         return self.laid.data(self.direction) if self.laid else None
 
     def _body(self) -> tuple[list[ExplanationRow], tuple[ExplanationRow, ...]]:

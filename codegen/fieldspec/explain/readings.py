@@ -95,7 +95,7 @@ def read(
 def _examples(layout: DeviceLayout, frame: bytes) -> frozenset[Reading]:
     """The readings of the examples of the spec that have exactly these bytes."""
     return frozenset(
-        (example.link, example.direction, example.message, example.error)
+        (example.link, example.direction, example.message, example.exception_response)
         for example in layout.device.examples.values()
         if example.frame == frame
     )

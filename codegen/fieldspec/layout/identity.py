@@ -66,7 +66,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
     for laid in links.values():
         link = laid.link
         stations = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
-        error = (link.error.flag, link.error.record) if link.error else ()
+        error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
         yield "link", link.name, link.encoding, link.start.hex(), link.end.hex(), error, stations, list(laid.messages)
         for frame in (laid.request, laid.response):
             for part in frame.parts:

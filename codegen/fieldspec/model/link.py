@@ -43,8 +43,8 @@ class Part(Fact):
 
 
 @dataclass(frozen=True, slots=True)
-class ErrorReply:
-    """The bit in the code that marks a refusal, and the record in its body."""
+class ExceptionResponse:
+    """The bit in the code that marks an exception response, and the record in its body."""
 
     flag: int
     record: str
@@ -94,7 +94,7 @@ class Link(Fact):
     message_name: str
     request_name: str
     response_name: str
-    error: ErrorReply | None
+    exception_response: ExceptionResponse | None
     unit_addresses: UnitAddresses | None
     serial: Serial | None
     silence_characters: Decimal | None

@@ -134,7 +134,7 @@ class FrameCodec:
     def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
         """The message and the record of the body that a head announces."""
         part = shape.role("code")
-        error = self.link.link.error
+        error = self.link.link.exception_response
         if part is None:
             laid = self.link.messages.get(message)
             if laid is None:
@@ -164,7 +164,7 @@ class FrameCodec:
         laid = self.link.messages.get(message)
         if laid is None and not (error and code is not None):
             raise CodecError("unknown_code", f"there is no message {message!r}")
-        refusal = self.link.link.error
+        refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
         body = self.layout.records[refusal.record] if error and refusal else laid.data(direction) if laid else None
@@ -206,7 +206,7 @@ class FrameCodec:
             number = code if code is not None else laid.message.code if laid else None
             if number is None:
                 raise CodecError("unknown_code", "the message has no code")
-            refusal = self.link.link.error
+            refusal = self.link.link.exception_response
             return number | refusal.flag if error and refusal else number
         held = values.get(part.name)
         if not isinstance(held, int):

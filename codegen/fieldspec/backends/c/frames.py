@@ -44,7 +44,7 @@ def link_lines(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[s
         for direction in DIRECTIONS:
             code = message.message.code if link.frame(direction).role("code") is not None else None
             lines += [*_message(naming, link, direction, message.data(direction), f"{message.name}", code), ""]
-    error = link.link.error
+    error = link.link.exception_response
     if error is not None:
         lines += [*_message(naming, link, "response", layout.records[error.record], "error", None, error.flag), ""]
     return lines[:-1]
@@ -101,7 +101,7 @@ def _frame_struct(naming: Naming, link: LinkLayout, direction: str) -> list[str]
         lines += indented([*told(part.part), declaration(part_wire(part), frame_member(part.name), None) + ";"])
     if shape.role("code") is not None:
         lines += indented(["/** The code, without the flag of an error reply. */", "uint32_t code;"])
-    if direction == "response" and link.link.error is not None:
+    if direction == "response" and link.link.exception_response is not None:
         lines += indented(["/** The frame refuses a request; its body is an error record. */", "bool error;"])
     return [*lines, *indented(["const uint8_t *body;", "size_t body_length;"]), f"}} {name};"]
 
@@ -153,7 +153,7 @@ def _code(naming: Naming, link: LinkLayout, shape: FrameLayout) -> list[str]:
     if part is None:
         return []
     lines = [f"out->code = {load(naming, part_wire(part), f'in + {part.offset}')};"]
-    error = link.link.error
+    error = link.link.exception_response
     guard = ""
     if error is not None and shape.direction == "response":
         lines.append(f"out->error = (out->code & {error.flag}u) != 0;")

@@ -255,7 +255,9 @@ def _frame(naming: Naming, link: LinkLayout, direction: str, number: int) -> Ite
     shape = link.frame(direction)
     kind, open_, close = (naming.function("link", link.name, direction, end) for end in ("frame", "open", "close"))
     ok, heads = naming.own_macro("ok"), [frame_member(part.name) for part in head_members(shape)]
-    flag = link.link.error.flag if link.link.error is not None and direction == "response" else 0
+    flag = (
+        link.link.exception_response.flag if link.link.exception_response is not None and direction == "response" else 0
+    )
     code = shape.role("code") is not None
     buffer = "buffer, sizeof buffer, " if wrapped(link) else ""
     declared = ["static uint8_t buffer[2 * LARGEST];"] if buffer else []

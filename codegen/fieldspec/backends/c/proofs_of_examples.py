@@ -42,7 +42,7 @@ def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> lis
     started = ["copy(received, frame, sizeof frame);", "clear(&opened, sizeof opened);"]
     if example.refused:
         return [*lines, *_refused(layout, naming, example, opened, started)]
-    body = body_of(layout, link.name, example.direction, example.message, example.error)
+    body = body_of(layout, link.name, example.direction, example.message, example.exception_response)
     values = raw_values(layout, example)
     form = of_values(body, values)
     held: dict[str, Any] = {name: value for name, value in values.items() if body.named(name) is not None}
@@ -65,8 +65,8 @@ def example_lines(layout: DeviceLayout, naming: Naming, example: Example) -> lis
     code = shape.role("code")
     if code is not None:
         lines.append(same(f"{what}: code", "opened.code", f"{_code(link, example)[0]}u"))
-    if example.direction == "response" and link.link.error is not None:
-        lines.append(same(f"{what}: error", "opened.error", "true" if example.error else "false"))
+    if example.direction == "response" and link.link.exception_response is not None:
+        lines.append(same(f"{what}: error", "opened.error", "true" if example.exception_response else "false"))
     out = ", &out" if members(body) else ""
     decode = f"{naming.function('record', body.name, 'decode')}(opened.body, opened.body_length{out})"
     lines.append(same(f"{what} decodes", decode, naming.own_macro("ok")))
@@ -85,7 +85,7 @@ def _code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     if part is None or len(data) < part.offset + part.size:
         return None, False
     number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")
-    error = link.link.error
+    error = link.link.exception_response
     if error is None or example.direction == "request" or not number & error.flag:
         return number, False
     return number & ~error.flag, True
@@ -95,10 +95,10 @@ def _body(layout: DeviceLayout, example: Example) -> RecordLayout | None:
     """The record in the body of a frame that may be wrong, None where nothing says which it is."""
     link = layout.links[example.link]
     if example.message:
-        return body_of(layout, link.name, example.direction, example.message, example.error)
+        return body_of(layout, link.name, example.direction, example.message, example.exception_response)
     code, error = _code(link, example)
-    if error and link.link.error is not None:
-        return layout.records[link.link.error.record]
+    if error and link.link.exception_response is not None:
+        return layout.records[link.link.exception_response.record]
     message = link.message_with_code(code) if code is not None else None
     return message.data(example.direction) if message is not None else None
 
@@ -134,11 +134,11 @@ def _written(
         integer(int(values[part.name]), part.size, part_wire(part).value.type.signed) for part in head_members(shape)
     ]
     code = shape.role("code")
-    if example.error and code is not None:
+    if example.exception_response and code is not None:
         arguments.append(f"{_code(link, example)[0]}u")
     arguments += ["&in"] if members(body) else []
-    name = "error" if example.error else example.message
-    ending = () if example.error else (example.direction,)
+    name = "error" if example.exception_response else example.message
+    ending = () if example.exception_response else (example.direction,)
     function = naming.function("link", link.name, "encode", name, *ending)
     call = f"{function}({', '.join([*arguments, 'again', 'sizeof again', '&length'])})"
     return [

@@ -317,9 +317,9 @@ def _link(context: Context, laid: LinkLayout) -> Section:
         for direction, title in (("request", "Requests"), ("response", "Responses")):
             anchor = f"{link.place.path}/{direction}-frame"
             blocks.append(FrameTable(context, laid, direction, anchor, "links/").table(title, None))
-    if link.error is not None:
+    if link.exception_response is not None:
         anchor = f"{link.place.path}/refusal-frame"
-        body = context.layout.records[link.error.record]
+        body = context.layout.records[link.exception_response.record]
         frame = FrameTable(context, laid, "response", anchor, "")
         blocks.append(frame.table("Responses that refuse a request", body))
     return Section(link.place.path, context.section_title(link.title or link.name, link), tuple(blocks))
@@ -355,9 +355,12 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "Silence between frames", ((text_piece(f"{decimal_text(link.silence_milliseconds)} ms"),),)
     if link.silence_sources:
         yield "Source of the silence", (cited(link.silence_sources),)
-    if link.error is not None:
-        text = f"the code of the request with the bits {link.error.flag:02X}h set, and the record "
-        yield "Refusals", ((text_piece(text), code(link.error.record, f"#records/{link.error.record}")),)
+    if link.exception_response is not None:
+        text = f"the code of the request with the bits {link.exception_response.flag:02X}h set, and the record "
+        yield (
+            "Refusals",
+            ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
+        )
     yield from _stations(link)
     yield from _serial(link)
     if link.sources:

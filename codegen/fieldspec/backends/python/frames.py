@@ -200,8 +200,8 @@ def framer(
     arguments.append(f"code_size={code.size}")
     rows = "".join(f"\n{' ' * 16}{code:#04x}: {extent}," for code, extent in extents.items())
     arguments.append(f"extents={{{rows}\n{' ' * 12}}}")
-    if refusal is not None and link.link.error is not None:
-        arguments += [f"flag={link.link.error.flag}", f"refusal={_extent(link, frame, refusal)}"]
+    if refusal is not None and link.link.exception_response is not None:
+        arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
     open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
     about.append(
         "The code, and what counts the repeated part, say where a frame ends; an unknown code is taken for garbage."

@@ -235,7 +235,11 @@ def _direction(
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
     views = [_exchange(link, direction, one, frames, wrapper, plain) for one in carried]
     messages = [(one.message.name, one.message.message.code, one.side(direction)[0].record) for one in carried]
-    refusal = records[link.link.error.record] if link.link.error and direction == "response" else None
+    refusal = (
+        records[link.link.exception_response.record]
+        if link.link.exception_response and direction == "response"
+        else None
+    )
     framing, arguments, doc = framer(link, direction, messages, refusal, frames)
     held = f"head[{frame.head.index(station)}]" if station else "0"
     return DirectionView(
@@ -321,7 +325,7 @@ def _exchange(
     code = one.message.message.code
     upper = f"_{Name.of(one.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
     part, station = frame.role("code"), frame.role("unit_address")
-    flag = link.link.error.flag if link.link.error and direction == "response" else 0
+    flag = link.link.exception_response.flag if link.link.exception_response and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
     # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.
     reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
@@ -348,7 +352,7 @@ def _exchange(
 
 
 def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorView | None:
-    error, frame = link.link.error, link.response
+    error, frame = link.link.exception_response, link.response
     code = frame.role("code")
     if error is None or code is None or code.value is None:
         return None

@@ -10,7 +10,7 @@ from fieldspec.changes.comparing import Comparison, Pair
 from fieldspec.changes.evidence import hexadecimal
 from fieldspec.changes.finding import change, named, turned
 from fieldspec.model.device import Device, VersionLine
-from fieldspec.model.link import ErrorReply, Link, Part, Serial
+from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
@@ -106,13 +106,16 @@ def error_reply_changed(both: Comparison) -> Iterator[Change]:
     """
 
     for pair in both.of(Link):
-        old, new = _error_text(both, pair.old.error, True), _error_text(both, pair.new.error, False)
+        old, new = (
+            _error_text(both, pair.old.exception_response, True),
+            _error_text(both, pair.new.exception_response, False),
+        )
         if old != new:
             text = f"{named(pair.new)}: {turned('the reply that refuses', old, new)}"
-            yield change("error_reply_changed", Effect.WIRE, pair, "error", text, old, new)
+            yield change("error_reply_changed", Effect.WIRE, pair, "exception_response", text, old, new)
 
 
-def _error_text(both: Comparison, error: ErrorReply | None, before: bool) -> str:
+def _error_text(both: Comparison, error: ExceptionResponse | None, before: bool) -> str:
     if error is None:
         return ""
     record = both.renamed_to("records", error.record) if before else error.record

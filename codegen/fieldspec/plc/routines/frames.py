@@ -188,7 +188,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
     held = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
     kind = code_type(shape)
-    error = link.link.error
+    error = link.link.exception_response
     flag = "" if error is None else ", without the mark of a refusal"
     code = draft.declare(f"{PREFIXES[kind.name]}Code", kind, "output", f"code{flag}") if kind else None
     refused = draft.declare("xRefused", BOOL, "output", "the body says why") if error is not None else None
@@ -253,7 +253,7 @@ def _code_read(
     bits = holder.number(part.offset, part.size, part.order, False)
     assert isinstance(code.type, Elementary)
     statements: list[Statement] = [Assignment(code, Conversion(bits, code.type))]
-    error = link.link.error
+    error = link.link.exception_response
     if error is not None and refused is not None:
         assert isinstance(bits.type, Elementary)
         marked = compared(Operation("AND", (bits, Whole(error.flag, bits.type)), bits.type), "<>", Whole(0, bits.type))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.model.link import ErrorReply, Link, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.model.link import ExceptionResponse, Link, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.building.values import VALUE_KEYS, value
 
@@ -31,7 +31,11 @@ _HELP = {
 
 def link(entry: Entry) -> Link:
     """A link."""
-    error, silence, names = entry.entry("error"), entry.entry("silence"), entry.entry("direction_names")
+    exception, silence, names = (
+        entry.entry("exception_response"),
+        entry.entry("silence"),
+        entry.entry("direction_names"),
+    )
     arguments = entry.fact()
     if silence and silence.get("source"):  # what the manual prints is no longer from the standard
         arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
@@ -48,13 +52,17 @@ def link(entry: Entry) -> Link:
         message_name=entry.text("message_name") or "message",
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
-        error=ErrorReply(error.integer("flag") or 0, error.text("record"), error.sources) if error else None,
+        exception_response=_exception_response(exception) if exception else None,
         unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
         silence_sources=silence.citations("source") if silence else (),
     )
+
+
+def _exception_response(entry: Entry) -> ExceptionResponse:
+    return ExceptionResponse(flag=entry.integer("flag") or 0, record=entry.text("record"), sources=entry.sources)
 
 
 def _part(entry: Entry) -> Part:
