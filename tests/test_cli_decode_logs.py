@@ -1,4 +1,4 @@
-"""`fieldspec decode` explains each line of a log, each response with the request before it, and reports unreadable lines."""
+"""`fieldspec decode` explains each line of a log, a response with the request before it, and reports bad lines."""
 
 from __future__ import annotations
 

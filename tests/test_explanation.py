@@ -341,7 +341,7 @@ def test_errata_are_named_at_the_fact_that_they_concern() -> None:
 @pytest.mark.parametrize(("layout", "example"), [case for case in EXAMPLES if not case.values[1].refused])
 def test_every_example_is_recognised(layout: DeviceLayout, example: Example) -> None:
     explanations = recognised(layout, example.frame)
-    assert (example.link, example.direction, example.message, example.error) in explanations
+    assert (example.link, example.direction, example.message, example.exception_response) in explanations
 
 
 def test_a_frame_that_is_equal_in_both_directions_is_ambiguous() -> None:
