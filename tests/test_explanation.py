@@ -113,7 +113,7 @@ def test_examples_with_trailing_bytes_are_explained(layout: DeviceLayout, exampl
 def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
     """A frame with the checksum of its bytes, if it has its delimiters and room for a checksum."""
     link = layout.links[example.link]
-    check = link.frame(example.direction).check
+    check = link.frame(example.direction).checksum
     try:
         data = codec(layout).links[example.link].parts(frame)
     except CodecError:
