@@ -39,11 +39,11 @@ def legal(device: Device, value: Value) -> list[int]:
     """Values that are taken, the least and the greatest of each interval among them."""
     if value.enum and not device.enums[value.enum].open:
         members = sorted(member.value for member in available(device.enums[value.enum]))
-        ranges = value.written_ranges
+        ranges = value.writable_ranges
         inside = [number for number in members if ranges is None or number in ranges]
         return inside or members
-    if value.written_ranges is not None:
-        return [bound for pair in value.written_ranges.intervals for bound in pair]
+    if value.writable_ranges is not None:
+        return [bound for pair in value.writable_ranges.intervals for bound in pair]
     return [0, value.type.low, value.type.high]
 
 

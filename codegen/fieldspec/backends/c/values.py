@@ -152,7 +152,7 @@ def range_test(value: Value, name: str) -> str:
 
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true.
     """
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if ranges is None:
         return ""
     kind = value.type
