@@ -196,7 +196,7 @@ class Sentinel:
 
 @dataclass(frozen=True, slots=True)
 class ParameterPart:
-    """The part that a value plays in accessing numbered parameters of a set or of a space: number, subindex or value."""
+    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value."""
 
     set: str
     part: str
