@@ -37,9 +37,9 @@ from fieldspec.checks.finding import Allowance, Check, allowances, covered
 from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
-from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
+from fieldspec.checks.identifiers_consistent import identifiers_consistent
 from fieldspec.checks.illegible_inferred import illegible_inferred
-from fieldspec.checks.inferred_keys_given import inferred_keys_given
+from fieldspec.checks.inferred_keys_present import inferred_keys_present
 from fieldspec.checks.keys_fit_type import keys_fit_type
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
@@ -127,9 +127,9 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("flags_forms_agree", flags_forms_agree),
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
-    ("identifiers_spelled_alike", identifiers_spelled_alike),
+    ("identifiers_consistent", identifiers_consistent),
     ("illegible_inferred", illegible_inferred),
-    ("inferred_keys_given", inferred_keys_given),
+    ("inferred_keys_present", inferred_keys_present),
     ("keys_fit_type", keys_fit_type),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),

@@ -62,7 +62,7 @@ EXAMPLE_PROOFS = (
 READING_PROOFS = (
     "duplicate_name",
     "missing_key",
-    "type_given",
+    "type_present",
     "units_known",
     "unknown_word",
     "wrong_form",

@@ -28,7 +28,7 @@ def _field(entry: Entry) -> Field:
     given = [key for key in ("type", "record", "choice") if entry.get(key)]
     if len(given) > 1:
         text = f"the field has a `{given[0]}` and a `{given[1]}`"
-        entry.refuse("type_given", given[0], text, "keep one of them")
+        entry.refuse("type_present", given[0], text, "keep one of them")
     words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None
