@@ -72,21 +72,21 @@ def _elements(fact: Fact, space: str, key: str, first: int, words: int, stride: 
         yield Block(space, at, at + words - 1, fact, key, fact.name)
 
 
-def on_wire(held: ParameterSet, parameter: Parameter) -> tuple[int, int]:
+def on_wire(parameter_set: ParameterSet, parameter: Parameter) -> tuple[int, int]:
     """The first and the last number on the wire of a parameter."""
-    first = held.base + parameter.number
+    first = parameter_set.base + parameter.number
     return first, first + parameter.count - 1
 
 
 def wire_numbers(sets: Iterable[ParameterSet]) -> list[tuple[int, int]]:
     """The numbers on the wire of all parameters of some sets, with a row or without, in order."""
-    return merged(pair for held in sets for pair in _of_set(held))
+    return merged(pair for parameter_set in sets for pair in _of_set(parameter_set))
 
 
-def _of_set(held: ParameterSet) -> list[tuple[int, int]]:
-    families = held.numbers.intervals if held.numbers is not None else ()
-    rows = [on_wire(held, parameter) for parameter in held.parameters]
-    return [*rows, *((held.base + low, held.base + high) for low, high in families)]
+def _of_set(parameter_set: ParameterSet) -> list[tuple[int, int]]:
+    families = parameter_set.numbers.intervals if parameter_set.numbers is not None else ()
+    rows = [on_wire(parameter_set, parameter) for parameter in parameter_set.parameters]
+    return [*rows, *((parameter_set.base + low, parameter_set.base + high) for low, high in families)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,9 +134,9 @@ class Addresses:
         if register is not None:
             return Addressed(register, register.value, register.access, register)
         for table in self._device.tables.values():
-            found = self._in_table(table, address) if self._device.space_name(table.space) == own else None
-            if found is not None:
-                return found
+            occupant = self._in_table(table, address) if self._device.space_name(table.space) == own else None
+            if occupant is not None:
+                return occupant
         return None
 
     def _in_table(self, table: Table, address: int) -> Addressed | None:
@@ -152,21 +152,21 @@ class Addresses:
         """What begins in neighbouring words of a space."""
         at = start
         while at < start + words:
-            found = self.at(space, at)
-            if found is not None:
-                yield found
-            at += found.words if found is not None else 1
+            occupant = self.at(space, at)
+            if occupant is not None:
+                yield occupant
+            at += occupant.words if occupant is not None else 1
 
     def counts(self, space: str, start: int, words: Sequence[int]) -> Iterator[tuple[int, Addressed, int]]:
         """The address, the fact and the count of every whole number in neighbouring words."""
         index = 0
         while index < len(words):
-            found = self.at(space, start + index)
-            taken = words[index : index + found.words] if found is not None else []
-            if found is not None and found.value is not None and len(taken) == found.words:
-                if found.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
-                    yield start + index, found, self._joined(taken, found.value)
-                index += found.words
+            occupant = self.at(space, start + index)
+            taken = words[index : index + occupant.words] if occupant is not None else []
+            if occupant is not None and occupant.value is not None and len(taken) == occupant.words:
+                if occupant.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+                    yield start + index, occupant, self._joined(taken, occupant.value)
+                index += occupant.words
             else:
                 index += 1
 

@@ -29,8 +29,8 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             both = sizes.bounds(data)
             if printed is None or both is None or both == (2 * printed, 2 * printed):
                 continue
-            held = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
-            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}; it has {held}"
+            actual = plural(both[0], "byte") if both[0] == both[1] else f"{both[0]} to {both[1]} bytes"
+            text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}; it has {actual}"
             yield finding(
                 "data_words_match",
                 message.place,

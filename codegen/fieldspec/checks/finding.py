@@ -104,12 +104,12 @@ def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
         before.append(ends[at - 1] if at else -1)
         tails[at : at + 1] = [number]
         ends[at : at + 1] = [index]
-    kept = set()
+    ascent = set()
     index = ends[-1] if ends else -1
     while index >= 0:
-        kept.add(index)
+        ascent.add(index)
         index = before[index]
-    return frozenset(kept)
+    return frozenset(ascent)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -43,12 +43,12 @@ def _compared(
     lengths = [(link.length(both[0]), link.length(both[1])) for link in links]
     if both[0] == both[1] and any(printed == least for least, _ in lengths):
         return
-    shown = " or ".join(sorted({interval(*pair) for pair in lengths}))
+    actual = " or ".join(sorted({interval(*pair) for pair in lengths}))
     yield finding(
         "frame_length_matches",
         message.place,
         "frame_length",
-        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {shown}",
+        f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}; it has {actual}",
         "put a field or the length right; leave out the length of what has no fixed size",
         label(message.place, direction, "the data"),
     )

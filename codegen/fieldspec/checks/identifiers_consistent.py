@@ -72,13 +72,13 @@ def _swapped(word: str) -> Iterator[str]:
 
 def _misspelt(word: str, other: str) -> bool:
     """Whether one of two words is the other with a letter missing or with two in the other order."""
-    variants = {one.casefold() for one in (*_shorter(word), *_swapped(word))}
-    return other.casefold() in variants or word.casefold() in {one.casefold() for one in _shorter(other)}
+    variants = {variant.casefold() for variant in (*_shorter(word), *_swapped(word))}
+    return other.casefold() in variants or word.casefold() in {variant.casefold() for variant in _shorter(other)}
 
 
 def _finding(used: _Used, word: str, other: str) -> Diagnostic:
     """A finding at the rarer of two words; or at the shorter, or at the later one."""
-    rare, usual = sorted((word, other), key=lambda one: (len(used[one]), len(one)))
+    rare, usual = sorted((word, other), key=lambda spelling: (len(used[spelling]), len(spelling)))
     (place, key), (there, its_key) = used[rare][0], used[usual][0]
     return finding(
         "identifiers_consistent",

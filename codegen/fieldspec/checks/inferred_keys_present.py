@@ -40,7 +40,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
     if not isinstance(value, Value):
         return frozenset()
     handling = getattr(fact, "handling", UNSPECIFIED)
-    held: dict[str, object] = {
+    values: dict[str, object] = {
         "type": True,
         "length": True,
         "characters": value.characters is not None,
@@ -67,4 +67,4 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "since": bool(fact.since),
         "until": bool(fact.until),
     }
-    return frozenset(key for key, given in held.items() if given)
+    return frozenset(key for key, value in values.items() if value)

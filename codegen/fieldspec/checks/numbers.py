@@ -23,12 +23,12 @@ class Legal:
             if not enum.open
         }
 
-    def objection(self, value: Value, number: int, written: bool = False) -> str:
+    def objection(self, value: Value, number: int, writes: bool = False) -> str:
         """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything.
 
         `written` says that the number is written, for which a value may have a range of its own.
         """
-        if written:
+        if writes:
             value = value.as_written()
         if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
             return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
@@ -65,22 +65,22 @@ def numbers(device: Device, example: Example) -> Iterator[tuple[str, Fact, Value
     """The path, the fact, its kind of value and the count of every number that an example is written with."""
     link = device.links.get(example.link)
     heads = {part.name: part for part in link.parts(example.direction)} if link is not None else {}
-    for name, held in example.values.items():
+    for name, text in example.values.items():
         part = heads.get(name)
         if part is not None and part.value is not None:
-            count = in_counts(part.value, held)
+            count = in_counts(part.value, text)
             if count is not None:
                 yield name, part, part.value, count
     yield from _of_fields(device, body(device, example), "", example.values)
 
 
 def _of_fields(
-    device: Device, fields: tuple[Field, ...], path: str, written: Mapping[str, object]
+    device: Device, fields: tuple[Field, ...], path: str, texts: Mapping[str, object]
 ) -> Iterator[tuple[str, Fact, Value, int]]:
     for field in fields:
-        held = written.get(field.name)
-        fact: Field | Case | None = field if field.choice is None else _decided(device, fields, field.choice, written)
-        for item in held if isinstance(held, list) else [held]:
+        value = texts.get(field.name)
+        fact: Field | Case | None = field if field.choice is None else _decided(device, fields, field.choice, texts)
+        for item in value if isinstance(value, list) else [value]:
             record = device.records.get(field.record)
             if record is not None and isinstance(item, dict):
                 yield from _of_fields(device, record.fields, f"{path}{field.name}.", item)
@@ -90,27 +90,27 @@ def _of_fields(
                     yield f"{path}{field.name}", fact, fact.value, count
 
 
-def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, written: Mapping[str, object]) -> Case | None:
+def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, texts: Mapping[str, object]) -> Case | None:
     """The case that the written value of the deciding field chooses."""
     by = next((field for field in fields if field.name == choice.by), None)
     enum = device.enums.get(by.value.enum) if by is not None and by.value is not None else None
-    held = written.get(choice.by)
+    text = texts.get(choice.by)
     if enum is None or by is None or by.value is None:
         return None
-    count = in_counts(by.value, held)
-    member = enum.member(count) if count is not None else enum.named(str(held))
+    count = in_counts(by.value, text)
+    member = enum.member(count) if count is not None else enum.named(str(text))
     return next((case for case in choice.cases if member is not None and member.name in case.when), None)
 
 
-def in_counts(value: Value, held: object) -> int | None:
+def in_counts(value: Value, text: object) -> int | None:
     """A written value in counts, or None where it is a name, a text or a list, or cannot be understood."""
-    if isinstance(held, bool):
+    if isinstance(text, bool):
         return None
-    if isinstance(held, int):
-        return held
-    if isinstance(held, str) and _COUNT.fullmatch(held):
-        return int(held, 16) if "x" in held else int(held)
-    match = _QUANTITY.fullmatch(held) if isinstance(held, str) else None
+    if isinstance(text, int):
+        return text
+    if isinstance(text, str) and _COUNT.fullmatch(text):
+        return int(text, 16) if "x" in text else int(text)
+    match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if match is None or match[2] != value.unit:
         return None
     return value.from_unit(Decimal(match[1]))

@@ -28,12 +28,12 @@ _WORD = 2
 def orders_agree(device: Device) -> Iterator[Diagnostic]:
     links = list(device.links.values())
     for key in ("byte_order", "word_order"):
-        given = [link for link in links if getattr(link, key)]
-        for link in given[1:]:
-            if getattr(link, key) != getattr(given[0], key):
-                text = f"the links {given[0].name} and {link.name} have different orders"
+        ordered = [link for link in links if getattr(link, key)]
+        for link in ordered[1:]:
+            if getattr(link, key) != getattr(ordered[0], key):
+                text = f"the links {ordered[0].name} and {link.name} have different orders"
                 help = "a device has one order; give both links the right one"
-                there = label(given[0].place, key, f"that of {given[0].name}")
+                there = label(ordered[0].place, key, f"that of {ordered[0].name}")
                 yield finding(_CODE, link.place, key, text, help, there)
     if links and not any(link.word_order for link in links):
         for fact, value in values(device):

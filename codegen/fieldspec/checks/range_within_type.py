@@ -87,9 +87,9 @@ def _of_stations(link: Link) -> Iterator[Diagnostic]:
     part = next((p for p in link.request if p.role == "station" and p.value is not None), None)
     if link.stations is None or part is None or part.value is None or part.value.type.kind not in _WHOLE:
         return
-    held = part.value.type
-    if outside(link.stations.ranges, held.low, held.high):
-        text = f"{part.name} cannot be {_text(link.stations.ranges)} as {_type_range(held)}"
+    primitive = part.value.type
+    if outside(link.stations.ranges, primitive.low, primitive.high):
+        text = f"{part.name} cannot be {_text(link.stations.ranges)} as {_type_range(primitive)}"
         yield finding("range_within_type", link.stations.place, "range", text, _HELP)
 
 

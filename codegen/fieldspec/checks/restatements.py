@@ -22,33 +22,33 @@ _NAMES = ("applies_to", "messages", "available_since")
 Intervals = tuple[tuple[Decimal, Decimal], ...]
 
 
-def claimed_value(key: str, written: PlainValue) -> object:
+def claimed_value(key: str, claim: PlainValue) -> object:
     """What a claim says under a key, in the form that `said` gives."""
     if key in _RANGES:
-        pairs = intervals(str(written))
+        pairs = intervals(str(claim))
         if any(bound != bound.to_integral_value() for pair in pairs for bound in pair):
             return tuple(sorted(pairs))
         return tuple(merged((int(low), int(high)) for low, high in pairs))
     if key == "unit_range":
-        return tuple(sorted(intervals(str(written))))
+        return tuple(sorted(intervals(str(claim))))
     if key in _NAMES:
-        return frozenset(str(written).split(", "))
-    if key == "scale" and isinstance(written, str):
-        return exact_scale(written)
-    return written
+        return frozenset(str(claim).split(", "))
+    if key == "scale" and isinstance(claim, str):
+        return exact_scale(claim)
+    return claim
 
 
-def as_text(key: str, held: object) -> str:
+def as_text(key: str, value: object) -> str:
     """What a fact or a claim says under a key, as text."""
-    if isinstance(held, tuple):
-        return ", ".join(interval(low, high) for low, high in held)
-    if isinstance(held, frozenset):
-        return enumeration(sorted(held))
-    if isinstance(held, Decimal):
-        return f"{held:f}"
-    if isinstance(held, bool):
-        return str(held).lower()
-    return hexadecimal(held) if key in _ADDRESSES and isinstance(held, int) else str(held)
+    if isinstance(value, tuple):
+        return ", ".join(interval(low, high) for low, high in value)
+    if isinstance(value, frozenset):
+        return enumeration(sorted(value))
+    if isinstance(value, Decimal):
+        return f"{value:f}"
+    if isinstance(value, bool):
+        return str(value).lower()
+    return hexadecimal(value) if key in _ADDRESSES and isinstance(value, int) else str(value)
 
 
 def statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
@@ -122,7 +122,11 @@ def _refusal_code(device: Device, message: Message) -> int | None:
 
 
 def _parameter(device: Device, parameter: Parameter) -> dict[str, object]:
-    bases = [held.base for held in device.parameters.values() if any(one is parameter for one in held.parameters)]
+    bases = [
+        parameter_set.base
+        for parameter_set in device.parameters.values()
+        if any(member is parameter for member in parameter_set.parameters)
+    ]
     return {
         "code": parameter.number,
         "number": parameter.number,

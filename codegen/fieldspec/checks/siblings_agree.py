@@ -41,16 +41,16 @@ def _odd(
     family: list[tuple[Field, Value]], what: str, quality: Callable[[Value], Hashable | None]
 ) -> Iterator[Diagnostic]:
     """Findings where all but one, or all but a small part, of those that say something say the same."""
-    saying = [(field, said) for field, value in family if (said := quality(value)) is not None]
+    saying = [(field, statement) for field, value in family if (statement := quality(value)) is not None]
     if len(saying) < _FEWEST:
         return
-    usual, times = Counter(said for _, said in saying).most_common(1)[0]
+    usual, times = Counter(statement for _, statement in saying).most_common(1)[0]
     odd = len(saying) - times
     if odd == 0 or (odd > 1 and odd * _SMALL >= len(saying)):
         return
-    example = next(field for field, said in saying if said == usual)
-    for field, said in saying:
-        if said != usual:
+    example = next(field for field, statement in saying if statement == usual)
+    for field, statement in saying:
+        if statement != usual:
             yield finding(
                 "siblings_agree",
                 field.place,

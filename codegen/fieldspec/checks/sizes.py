@@ -105,8 +105,8 @@ class Shape:
         """The bytes that a length part counts where there is so much data."""
         parts = self.link.parts(self.direction)
         first, last = self.link.span(self.direction, part) or (0, len(parts) - 1)
-        inside = any(one.role == "body" for one in parts[first : last + 1])
-        return sum(_size(one) for one in parts[first : last + 1]) + inside * data
+        inside = any(part.role == "body" for part in parts[first : last + 1])
+        return sum(_size(part) for part in parts[first : last + 1]) + inside * data
 
 
 def coded(link: Link) -> bool:
@@ -126,12 +126,12 @@ def messages_on(device: Device, link: Link) -> list[Message]:
 
 def shapes(device: Device, direction: str) -> list[Shape]:
     """The frames in one direction; only those with a length part, where a link has one."""
-    found = []
+    all_shapes = []
     for link in device.links.values():
         parts = link.parts(direction)
         has_length = any(part.role == "length" for part in parts)
-        found.append(Shape(link, direction, sum(_size(part) for part in parts), has_length))
-    return [shape for shape in found if shape.has_length] or found
+        all_shapes.append(Shape(link, direction, sum(_size(part) for part in parts), has_length))
+    return [shape for shape in all_shapes if shape.has_length] or all_shapes
 
 
 def _size(part: Part) -> int:

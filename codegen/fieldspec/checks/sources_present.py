@@ -73,8 +73,8 @@ def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, .
         yield erratum.id, erratum.place, erratum.sources, True
     for note in device.notes:
         yield note.name, note.place, note.sources, False
-        for one in note.statements:
-            yield f"a statement of {note.name}", one.place, one.sources, True
+        for statement in note.statements:
+            yield f"a statement of {note.name}", statement.place, statement.sources, True
 
 
 def _copied_as_blocks(device: Device) -> set[str]:

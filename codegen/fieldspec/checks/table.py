@@ -194,15 +194,15 @@ _BY_NAME = dict(CHECKS)
 
 def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     """The findings of all checks, `without` those of some, in order."""
-    given = list(allowances(device))
+    all_allowances = list(allowances(device))
     by_check: dict[str, list[Allowance]] = {}
-    for allowance in given:
+    for allowance in all_allowances:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
     names = [name for name, _ in CHECKS if name not in without]
-    found = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
-    unused = () if "allowances_used" in without else allowances_used(given, used, _BY_NAME)
-    return in_order([*found, *unused])
+    findings = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
+    unused = () if "allowances_used" in without else allowances_used(all_allowances, used, _BY_NAME)
+    return in_order([*findings, *unused])
 
 
 def run_named(device: Device, name: str) -> list[Diagnostic]:
@@ -212,19 +212,21 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
 
 
-def _unallowed(device: Device, name: str, given: list[Allowance], used: set[Allowance]) -> Iterator[Diagnostic]:
+def _unallowed(
+    device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
+) -> Iterator[Diagnostic]:
     """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
-    kept = 0
+    count = 0
     for finding in _BY_NAME[name](device):
-        own = own or [(allowance, allowance.spans()) for allowance in given]
+        own = own or [(allowance, allowance.spans()) for allowance in own_allowances]
         covering = [allowance for allowance, spans in own if covered(finding, spans)]
         used.update(covering)
         if covering:
             continue
-        if kept == MOST_FINDINGS:
+        if count == MOST_FINDINGS:
             text = f"`{name}` has more than {MOST_FINDINGS} findings; the rest is not listed"
             yield Diagnostic("too_many_findings", text, finding.span, help="mend the first ones")
             return
-        kept += 1
+        count += 1
         yield finding

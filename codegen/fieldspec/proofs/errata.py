@@ -61,13 +61,13 @@ def proofs(
             yield Proof(erratum, version, (), () if fault is None else (fault,))
             continue
         if erratum.proof not in clean:
-            clean[erratum.proof] = {finding_key(found) for found in findings(device, erratum.proof)}
+            clean[erratum.proof] = {finding_key(finding) for finding in findings(device, erratum.proof)}
         wrong, broken = put_back(spec, tree, version, device, erratum)
-        if broken and erratum.proof not in {found.code for found in broken}:
+        if broken and erratum.proof not in {finding.code for finding in broken}:
             yield Proof(erratum, version, (), (_cannot_stand(erratum, broken[0]),))
             continue
-        shown = [f for f in (*broken, *findings(wrong, erratum.proof)) if f.code == erratum.proof]
-        evidence = tuple(found for found in shown if finding_key(found) not in clean[erratum.proof])
+        own_findings = [f for f in (*broken, *findings(wrong, erratum.proof)) if f.code == erratum.proof]
+        evidence = tuple(finding for finding in own_findings if finding_key(finding) not in clean[erratum.proof])
         yield Proof(erratum, version, evidence, () if evidence else (_passes(erratum),))
 
 
@@ -79,9 +79,9 @@ def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnost
         text = f"there is no fact `{erratum.fact}`"
         return Diagnostic("errata_paths_resolve", text, place["fact"], help="see `fieldspec facts` for the paths")
     for key, printed in erratum.printed.items():
-        held = node.values.get(key)
-        if _same(exact(held) if held is not None else None, printed, key):
-            span = held.span if held is not None else node.span
+        own = node.values.get(key)
+        if _same(exact(own) if own is not None else None, printed, key):
+            span = own.span if own is not None else node.span
             text = f"the spec has the printed value of `{key}`"
             label = Label(span, "the value that is used")
             return Diagnostic("errata_differ", text, place["printed"], (label,), "use the right value in the spec")
@@ -149,14 +149,14 @@ def _as_printed(fact: Mapping, printed: Mapping, at: list[str | int]) -> Mapping
 
 def _lacking(printed: Mapping, at: list[str | int]) -> bool:
     """Whether the print lacks the whole fact. Claims of second places have a key of that name themselves."""
-    held = printed.values.get(MISSING)
-    absent = isinstance(held, Scalar) and held.value is False
+    present = printed.values.get(MISSING)
+    absent = isinstance(present, Scalar) and present.value is False
     return absent and MISSING not in part_at(schema_path(at)).get("properties", {})
 
 
-def finding_key(found: Diagnostic) -> tuple[str, str, int]:
+def finding_key(finding: Diagnostic) -> tuple[str, str, int]:
     """What tells a finding in the print from one that the right spec has too."""
-    return found.code, found.message, found.span.start
+    return finding.code, finding.message, finding.span.start
 
 
 def _same(used: object, printed: object, key: str) -> bool:

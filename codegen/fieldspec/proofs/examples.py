@@ -27,7 +27,7 @@ class FindingsCache:
     """
 
     def __init__(self) -> None:
-        self._laid: dict[Meaning, tuple[DeviceLayout, DeviceCodec] | None] = {}
+        self._codecs: dict[Meaning, tuple[DeviceLayout, DeviceCodec] | None] = {}
         self._known: dict[tuple[Meaning, int], list[Diagnostic]] = {}
         self._devices: list[Device] = []  # as long as they are there, no other objects have their identities
 
@@ -36,21 +36,23 @@ class FindingsCache:
         if not device.examples:
             return []  # nobody waits for the reference and its library
         meaning = _meaning(device)
-        if meaning not in self._laid:
+        if meaning not in self._codecs:
             self._devices.append(device)
-            self._laid[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
-        laid = self._laid[meaning]
-        if laid is None:
+            self._codecs[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
+        codec = self._codecs[meaning]
+        if codec is None:
             return []
-        return [found for example in device.examples.values() for found in self._of(meaning, laid, device, example)]
+        return [
+            finding for example in device.examples.values() for finding in self._of(meaning, codec, device, example)
+        ]
 
     def _of(
-        self, meaning: Meaning, laid: tuple[DeviceLayout, DeviceCodec], device: Device, example: Example
+        self, meaning: Meaning, codec: tuple[DeviceLayout, DeviceCodec], device: Device, example: Example
     ) -> list[Diagnostic]:
         key = meaning, id(example)
         if key not in self._known:
             self._devices.append(device)
-            self._known[key] = [*example_proven(*laid, example)]
+            self._known[key] = [*example_proven(*codec, example)]
         return self._known[key]
 
 
@@ -63,8 +65,8 @@ def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:
 
 def _meaning(device: Device) -> Meaning:
     """The identities of all objects that decide what the values in a frame are; what they are for does not count."""
-    held = (device.links, device.messages, device.records, device.enums, device.flags)
-    return tuple(id(one) for named in held for one in named.values())
+    sections = (device.links, device.messages, device.records, device.enums, device.flags)
+    return tuple(id(content) for section in sections for content in section.values())
 
 
 CHECKS = {"wrong_check": "check_code_correct", "wrong_length": "length_byte_correct"}
@@ -93,12 +95,12 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
         yield Diagnostic("meaning_matches_bytes", text, example.place["frame"], help="give or remove `error: true`")
         return
     try:
-        written = raw_values(layout, example)
+        expected = raw_values(layout, example)
     except MeaningError as error:
         yield Diagnostic("meaning_matches_bytes", str(error), example.place["values"], help="see the message's fields")
         return
-    yield from _compare_meaning(layout, example, decoded, written)
-    yield from _bytes(reference, example, decoded, written)
+    yield from _compare_meaning(layout, example, decoded, expected)
+    yield from _bytes(reference, example, decoded, expected)
 
 
 def _mend(code: str) -> str:
@@ -133,20 +135,20 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
 
 
 def _compare_meaning(
-    layout: DeviceLayout, example: Example, decoded: Decoded, written: dict[str, Raw]
+    layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. What a field measures need not be written."""
     head = layout.links[example.link].frame(example.direction).head
-    told = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
+    implied = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
     actual = {**decoded.head, **decoded.values}
     for name, value in actual.items():
-        if name in written:
-            if not _same(written[name], value):
-                text = f"{name} is {_text(value)} in the bytes and {_text(written[name])} in the values"
+        if name in expected:
+            if not _same(expected[name], value):
+                text = f"{name} is {_text(value)} in the bytes and {_text(expected[name])} in the values"
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
                 yield Diagnostic("meaning_matches_bytes", text, span, (label,), "put one of them right")
-        elif name not in told and not _implied(decoded, name):
+        elif name not in implied and not _implied(decoded, name):
             text = f"the values do not say what {name} is"
             help = f"add `{name}: {_text(value)}` if the manual means that"
             yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
@@ -161,15 +163,15 @@ def _implied(decoded: Decoded, name: str) -> bool:
     return field.field.measures is not None or field.field.reserved or constant
 
 
-def _same(written: Any, actual: Any) -> bool:
+def _same(expected: Any, actual: Any) -> bool:
     """Whether what is written is in what is there; reserved fields of records need not be written."""
-    if isinstance(written, dict) and isinstance(actual, dict):
-        return all(name in actual and _same(value, actual[name]) for name, value in written.items())
-    if isinstance(written, list) and isinstance(actual, list):
-        return len(written) == len(actual) and all(map(_same, written, actual))
-    if isinstance(written, float) and isinstance(actual, float):
-        return _rounded(written) == _rounded(actual)
-    return bool(written == actual)
+    if isinstance(expected, dict) and isinstance(actual, dict):
+        return all(name in actual and _same(value, actual[name]) for name, value in expected.items())
+    if isinstance(expected, list) and isinstance(actual, list):
+        return len(expected) == len(actual) and all(map(_same, expected, actual))
+    if isinstance(expected, float) and isinstance(actual, float):
+        return _rounded(expected) == _rounded(actual)
+    return bool(expected == actual)
 
 
 def _rounded(number: float) -> bytes:
@@ -180,19 +182,21 @@ def _rounded(number: float) -> bytes:
         return struct.pack("<f", math.copysign(math.inf, number))
 
 
-def _bytes(reference: DeviceCodec, example: Example, decoded: Decoded, written: dict[str, Raw]) -> Iterator[Diagnostic]:
+def _bytes(
+    reference: DeviceCodec, example: Example, decoded: Decoded, expected: dict[str, Raw]
+) -> Iterator[Diagnostic]:
     """The bytes of the written values against those in the spec."""
     link = reference.links[example.link]
     shape = link.link.frame(example.direction)
     part = shape.role("code")
     code = decoded.head[part.name] if part is not None else None
-    given = {name: value for name, value in written.items() if part is None or name != part.name}
+    arguments = {name: value for name, value in expected.items() if part is None or name != part.name}
     measured = [] if decoded.body is None else [f.name for f in decoded.body.fields if f.field.measures]
     try:
         data = link.encode(
             example.direction,
             example.message,
-            {name: value for name, value in given.items() if name not in measured},
+            {name: value for name, value in arguments.items() if name not in measured},
             error=example.error,
             code=code,
         )
