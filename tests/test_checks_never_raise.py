@@ -51,6 +51,8 @@ def trees() -> tuple[Mapping, ...]:
     for folder in folders:
         files = {}
         for path in sorted(folder.rglob("*.yaml")):
+            if path.is_dir():  # a case of what is no file
+                continue
             inside = path.relative_to(folder).as_posix()
             files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
         project = read(files)

@@ -1,4 +1,5 @@
-"""A field agrees in range, scale and unit with the fields of the same name and type.
+"""A field agrees in range, scale and unit with the fields of the same name and type. A field that holds the size of
+another one is left to measures_match_repeats: its range follows from what it measures.
 
 Why: a manual describes the same quantity in many places. If one of them differs from all the others, it
 is misprinted more often than not, and nobody who reads that one alone can see it.
@@ -28,7 +29,8 @@ _SMALL = 4
 def siblings_agree(device: Device) -> Iterator[Diagnostic]:
     families: dict[tuple[str, str], list[tuple[Field, Value]]] = {}
     for field in fields(device):
-        if field.value is not None and not field.reserved and field.value.parameter is None:
+        meant = not field.reserved and field.measures is None
+        if field.value is not None and meant and field.value.parameter is None:
             families.setdefault((field.name, field.value.type.name), []).append((field, field.value))
     for family in families.values():
         yield from _odd(family, "range", lambda value: value.ranges.intervals if value.ranges else None)

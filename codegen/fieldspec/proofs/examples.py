@@ -13,7 +13,7 @@ from fieldspec.layout.device import DeviceLayout, device_layout
 from fieldspec.layout.values import MeaningError, Raw, raw_values
 from fieldspec.model.device import Device
 from fieldspec.model.texts import Example
-from fieldspec.reference.frames import Decoded, DeviceCodec
+from fieldspec.reference.frames import Decoded, DeviceCodec, FrameCodec
 from fieldspec.reference.records import CodecError
 
 Meaning = tuple[int, ...]
@@ -83,7 +83,8 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
         decoded = frames.decode(example.frame, example.direction, example.message)
     except CodecError as error:
         code = CHECKS.get(error.reason, "meaning_matches_bytes")
-        yield Diagnostic(code, f"the frame is refused: {error}", example.place["frame"], help=_mend(code))
+        help = _length_help(frames, example, error) if error.reason == "wrong_length" else _mend(code)
+        yield Diagnostic(code, f"the frame is refused: {error}", example.place["frame"], help=help)
         return
     if decoded.message is not None and decoded.message.name != example.message:
         text = f"the frame is a {decoded.message.name}, not a {example.message}"
@@ -107,6 +108,21 @@ def _mend(code: str) -> str:
     if code == "meaning_matches_bytes":
         return "compare the bytes with the message's fields"
     return "where the manual prints these bytes, give the right ones here and the printed ones in an erratum"
+
+
+def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str:
+    """What to do about a wrong length: a right checksum proves the bytes, so that the spec describes them wrongly."""
+    length = frames.link.frame(example.direction).role("length")
+    of_part = length is not None and error.offset == length.offset
+    if not frames.has_right_checksum(example.frame, example.direction):
+        cure = "say under `counts` what the length counts; " if of_part else ""
+        return cure + _mend("length_byte_correct")
+    if not of_part or length is None:
+        return "the checksum is right, so that these are the bytes: compare them with the message's fields"
+    return (
+        f"the checksum is right, so that these are the bytes: say under `counts` what {length.name} counts; if no"
+        f" `counts` says it, take the role `length` away, so that users give {length.name}"
+    )
 
 
 def _characters(layout: DeviceLayout, example: Example) -> Iterator[Diagnostic]:
