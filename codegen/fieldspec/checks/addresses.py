@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from fieldspec.checks.sizes import Sizes
 from fieldspec.classes import dataclass
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
 from fieldspec.model.record import Field
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Table
+from fieldspec.model.sizes import RecordSizes
 from fieldspec.model.value import Kind, Value, merged
 
 SPACE = 0x10000
@@ -29,7 +29,7 @@ class Block:
     name: str
 
 
-def table_words(table: Table, sizes: Sizes) -> int:
+def table_words(table: Table, sizes: RecordSizes) -> int:
     """The words of one element that are known to be used; at least one."""
     size = sizes.named(table.record)
     return max(1, (size + 1) // 2 if size is not None else table.words or 1)
@@ -37,7 +37,7 @@ def table_words(table: Table, sizes: Sizes) -> int:
 
 def blocks(device: Device) -> Iterator[Block]:
     """The addresses of every element of every register and table."""
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for register in device.registers():
         space, width = device.space_name(register.space), max(1, register.width)
         yield from _elements(register, space, "at", register.address, width, register.stride, register.count)
@@ -48,7 +48,7 @@ def blocks(device: Device) -> Iterator[Block]:
 
 def extents(device: Device) -> Iterator[tuple[str, int, int]]:
     """The space, and the first and last address, of every register and table; what lies between elements is theirs."""
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for register in device.registers():
         yield device.space_name(register.space), register.address, _last(register)
     for table in device.tables.values():
@@ -114,7 +114,7 @@ class Addresses:
         self._device = device
         self._registers = {(device.space_name(r.space), r.address): r for r in device.registers() if r.count == 1}
         self._arrays = [r for r in device.registers() if r.count > 1]
-        sizes = Sizes(device)
+        sizes = RecordSizes(device)
         self._fields: dict[str, dict[int, Field]] = {}
         for table in device.tables.values():
             record = device.records.get(table.record)

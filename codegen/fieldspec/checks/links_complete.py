@@ -19,10 +19,10 @@ from collections import Counter
 from collections.abc import Iterator
 
 from fieldspec.checks.finding import finding, label, near
-from fieldspec.checks.sizes import coded, messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
+from fieldspec.model.sizes import coded, messages_on
 from fieldspec.model.value import Kind
 
 _CODE = "links_complete"

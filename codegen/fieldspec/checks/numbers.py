@@ -1,13 +1,12 @@
-"""Numbers that a value may take, and numbers as examples spell them."""
+"""The numbers that a value may take, and those that examples write."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
-from decimal import Decimal
 
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.quantity import count_of, quantity_of
 from fieldspec.model.record import Case, Choice, Field
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
@@ -43,10 +42,6 @@ class Legal:
         if value.enum in self._closed and number not in self._closed[value.enum]:
             return f"{value.enum} does not list"
         return ""
-
-
-_COUNT = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|[0-9]{1,20})")
-_QUANTITY = re.compile(r"([-+]?[0-9]{1,20}(?:\.[0-9]{1,20})?)(?: (?=.)|(?=[^0-9 ]))(.*)")
 
 
 def body(device: Device, example: Example) -> tuple[Field, ...]:
@@ -103,14 +98,12 @@ def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, texts: M
 
 
 def in_counts(value: Value, text: object) -> int | None:
-    """A written value in counts, or None where it is a name, a text or a list, or cannot be understood."""
-    if isinstance(text, bool):
-        return None
+    """The count that an example writes, or None where that is a name, a text or a list, or cannot be understood."""
     if isinstance(text, int):
-        return text
-    if isinstance(text, str) and _COUNT.fullmatch(text):
-        return int(text, 16) if "x" in text else int(text)
-    match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
-    if match is None or match[2] != value.unit:
+        return None if isinstance(text, bool) else text
+    if not isinstance(text, str):
         return None
-    return value.from_unit(Decimal(match[1]))
+    count, quantity = count_of(text), quantity_of(text)
+    if count is not None:
+        return count
+    return value.from_unit(quantity[0]) if quantity is not None and quantity[1] == value.unit else None

@@ -15,10 +15,10 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers, values
 from fieldspec.checks.finding import finding, label
-from fieldspec.checks.sizes import messages_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.link import Link, Part
+from fieldspec.model.sizes import messages_on
 from fieldspec.model.value import Kind, Value
 
 _CODE = "orders_agree"

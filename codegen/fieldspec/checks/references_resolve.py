@@ -14,12 +14,12 @@ from collections.abc import Collection, Iterable, Iterator
 
 from fieldspec.checks.facts import cases, facts, values
 from fieldspec.checks.finding import finding, near
-from fieldspec.checks.sizes import sent_on
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Flags
 from fieldspec.model.fact import Place
 from fieldspec.model.record import Field, Message, Record
+from fieldspec.model.sizes import sent_on
 from fieldspec.model.texts import Example, Lookup
 from fieldspec.model.value import UNSPECIFIED, ParameterPart, Value
 

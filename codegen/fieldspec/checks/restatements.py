@@ -5,13 +5,13 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.checks.finding import enumeration, hexadecimal, interval
-from fieldspec.checks.sizes import Sizes, sent_on
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
 from fieldspec.model.fact import Fact, PlainValue
 from fieldspec.model.link import CHECK_STARTS, Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
+from fieldspec.model.sizes import RecordSizes, sent_on
 from fieldspec.model.texts import Limit
 from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals, merged
 
@@ -51,12 +51,12 @@ def as_text(key: str, value: object) -> str:
     return hexadecimal(value) if key in _ADDRESSES and isinstance(value, int) else str(value)
 
 
-def statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
+def statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str, object]:
     """What a fact says, by key; a key that it says nothing about is not there, or None."""
     return {"available_since": frozenset(fact.since) or None, **_all_statements(device, sizes, fact)}
 
 
-def _all_statements(device: Device, sizes: Sizes, fact: Fact) -> dict[str, object]:
+def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str, object]:
     if isinstance(fact, Register):
         return {
             **_value(device, fact.value),
@@ -159,7 +159,7 @@ def _value(device: Device, value: Value) -> dict[str, object]:
     }
 
 
-def _field(device: Device, sizes: Sizes, field: Field) -> dict[str, object]:
+def _field(device: Device, sizes: RecordSizes, field: Field) -> dict[str, object]:
     both = sizes.field(field)
     fixed = both[0] if both is not None and both[0] == both[1] else None
     repeat = field.repeat

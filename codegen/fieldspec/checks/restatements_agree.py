@@ -16,10 +16,10 @@ from collections.abc import Iterator
 from fieldspec.checks.facts import facts
 from fieldspec.checks.finding import finding, label
 from fieldspec.checks.restatements import as_text, claimed_value, statements
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
+from fieldspec.model.sizes import RecordSizes
 
 _CODE = "restatements_agree"
 _NOT_HERE = ("printed_name", "label", "span", "word_span")
@@ -44,7 +44,7 @@ _STANDS_UNDER = {
 
 
 def restatements_agree(device: Device) -> Iterator[Diagnostic]:
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for fact in facts(device):
         if fact.restated:
             own = statements(device, sizes, fact)

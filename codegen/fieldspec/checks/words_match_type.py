@@ -14,16 +14,16 @@ from collections.abc import Iterator
 
 from fieldspec.checks.facts import layers
 from fieldspec.checks.finding import finding, label, plural
-from fieldspec.checks.sizes import Sizes
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.sizes import RecordSizes
 
 
 def words_match_type(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         yield from _compared(register, register.words, 2 * register.width, register.value.type.name)
-    sizes = Sizes(device)
+    sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             both = sizes.field(field)
