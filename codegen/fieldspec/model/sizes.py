@@ -1,4 +1,4 @@
-"""RecordSizes of records, of the parts of frames and of frames in bytes, as far as the spec determines them."""
+"""Sizes of records, of the parts of frames and of frames in bytes, as far as the spec determines them."""
 
 from __future__ import annotations
 
