@@ -115,7 +115,7 @@ class FrameCodec:
     def has_right_checksum(self, frame: bytes, direction: str) -> bool:
         """Whether a frame has a checksum and it is right, whatever the length in the frame says."""
         shape = self.link.frame(direction)
-        if shape.check is None:
+        if shape.checksum is None:
             return False
         try:
             data = self.parts(frame)
@@ -140,7 +140,7 @@ class FrameCodec:
             raise CodecError("wrong_length", text, part.offset)
 
     def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes) -> None:
-        part = shape.check
+        part = shape.checksum
         if part is not None:
             have, want = parts[part.name], ALGORITHMS[part.algorithm](data[part.start : part.stop])
             if have != want:
@@ -150,7 +150,7 @@ class FrameCodec:
     def _body(self, shape: FrameLayout, head: Values, message: str) -> tuple[MessageLayout | None, RecordLayout, bool]:
         """The message and the record of the body that a head announces."""
         part = shape.role("code")
-        error = self.link.link.error
+        error = self.link.link.exception_response
         if part is None:
             announced = self.link.messages.get(message)
             if announced is None:
@@ -180,7 +180,7 @@ class FrameCodec:
         announced = self.link.messages.get(message)
         if announced is None and not (error and code is not None):
             raise CodecError("unknown_code", f"there is no message {message!r}")
-        refusal = self.link.link.error
+        refusal = self.link.link.exception_response
         if error and refusal is None:
             raise CodecError("unknown_code", f"the link {self.link.name} has no error replies")
         body = (
@@ -203,7 +203,7 @@ class FrameCodec:
             if units is None:
                 raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
             numbers[length.name] = units
-        check = shape.check
+        check = shape.checksum
         if check is not None:
             data = self._joined(direction, numbers, inner)
             numbers[check.name] = ALGORITHMS[check.algorithm](data[check.start : check.stop])
@@ -217,7 +217,7 @@ class FrameCodec:
     def _head_value(
         self, part: PartLayout, values: Mapping[str, Any], message: MessageLayout | None, error: bool, code: int | None
     ) -> int:
-        if part.role in ("length", "check"):
+        if part.role in ("length", "checksum"):
             return 0
         if part.constant is not None:
             number = values.get(part.name, part.constant)
@@ -228,14 +228,14 @@ class FrameCodec:
             own = code if code is not None else message.message.code if message else None
             if own is None:
                 raise CodecError("unknown_code", "the message has no code")
-            refusal = self.link.link.error
+            refusal = self.link.link.exception_response
             return own | refusal.flag if error and refusal else own
         number = values.get(part.name)
         if not isinstance(number, int):
             raise CodecError("missing_value", f"{part.name} is not given")
         assert part.value is not None
         allowed = part.value.ranges
-        stations = self.link.link.stations if part.role == "station" else None
+        stations = self.link.link.unit_addresses if part.role == "unit_address" else None
         if stations is not None and stations.ranges is not None:
             allowed = stations.ranges
             if number == stations.broadcast:
@@ -252,14 +252,14 @@ class FrameCodec:
 
 def _part_construct(part: PartLayout) -> construct.Construct:
     """A part as a number; a check has no value of its own."""
-    if part.role != "check":
+    if part.role != "checksum":
         return value_construct(part.value, part.order, False)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
 
 
 def _is_visible(part: PartLayout) -> bool:
     """Whether a part before the body belongs to what a frame says."""
-    return part.role not in ("length", "check") and not part.reserved
+    return part.role not in ("length", "checksum") and not part.reserved
 
 
 @dataclass(frozen=True, slots=True)
