@@ -122,7 +122,7 @@ class Addresses:
             self._fields[table.name] = {at // 2: field for field, at in placed if at % 2 == 0}
 
     def at(self, space: str, address: int) -> Addressed | None:
-        """What begins at an address of a space; an empty name means the first space."""
+        """The value that begins at an address of a space; an empty name means the first space."""
         own = self._device.space_name(space)
         register = self._registers.get((own, address))
         for array in self._arrays if register is None else ():
@@ -149,7 +149,7 @@ class Addresses:
         return Addressed(field, field.value if single else None, access, field if access == field.access else table)
 
     def within(self, space: str, start: int, words: int) -> Iterator[Addressed]:
-        """What begins in neighbouring words of a space."""
+        """The values that begin in neighbouring words of a space."""
         at = start
         while at < start + words:
             occupant = self.at(space, at)

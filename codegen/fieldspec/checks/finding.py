@@ -82,7 +82,7 @@ def missing(ranges: Ranges, have: Collection[int]) -> list[tuple[int, int]]:
 
 
 def near(word: str, known: Collection[str]) -> str:
-    """What to say of a word that is not among the known ones."""
+    """The help for a word that is not among the known ones."""
     if len(known) > _SEARCHED:
         return "define it, or put the name right"
     from difflib import get_close_matches
@@ -114,13 +114,13 @@ def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Allowance:
-    """That a check may fail at a fact and at everything that the fact holds."""
+    """Permission for a check to fail at a fact and at everything below it."""
 
     fact: Fact
     check: str
 
     def spans(self) -> list[Span]:
-        """Where the fact stands, and the values of its keys, some of which may come from elsewhere."""
+        """The span of the fact and those of its values, some of which may come from elsewhere."""
         return [self.fact.place.whole, *self.fact.place.spans.values()]
 
 

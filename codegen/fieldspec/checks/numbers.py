@@ -13,7 +13,7 @@ from fieldspec.model.value import Kind, Value
 
 
 class Legal:
-    """What the values of a device may be."""
+    """The numbers that the values of a device may take."""
 
     def __init__(self, device: Device) -> None:
         self._closed = {
@@ -25,7 +25,7 @@ class Legal:
     def objection(self, value: Value, number: int, writes: bool = False) -> str:
         """Why the value cannot be this number of counts, or an empty text. Sentinels may be anything.
 
-        `written` says that the number is written, for which a value may have a range of its own.
+        `writes` says that the number is written, for which a value may have a range of its own.
         """
         if writes:
             value = value.as_written()
@@ -61,7 +61,7 @@ def body(device: Device, example: Example) -> tuple[Field, ...]:
 
 
 def numbers(device: Device, example: Example) -> Iterator[tuple[str, Fact, Value, int]]:
-    """The path, the fact, its kind of value and the count of every number that an example is written with."""
+    """The path, the fact, its value and the count of every number in an example."""
     link = device.links.get(example.link)
     heads = {part.name: part for part in link.parts(example.direction)} if link is not None else {}
     for name, text in example.values.items():

@@ -23,7 +23,7 @@ Intervals = tuple[tuple[Decimal, Decimal], ...]
 
 
 def claimed_value(key: str, claim: PlainValue) -> object:
-    """What a claim says under a key, in the form that `said` gives."""
+    """The value of a claim under a key, in the form of `statements`."""
     if key in _RANGES:
         pairs = intervals(str(claim))
         if any(bound != bound.to_integral_value() for pair in pairs for bound in pair):
@@ -39,7 +39,7 @@ def claimed_value(key: str, claim: PlainValue) -> object:
 
 
 def as_text(key: str, value: object) -> str:
-    """What a fact or a claim says under a key, as text."""
+    """The value of a fact or of a claim under a key, as text."""
     if isinstance(value, tuple):
         return ", ".join(interval(low, high) for low, high in value)
     if isinstance(value, frozenset):

@@ -62,7 +62,7 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
 
 
 def _value_present(step: Step) -> Iterator[Diagnostic]:
-    """What is said of a step that its action does not take, or needs."""
+    """Findings of a value that the action of a step needs or does not take."""
     takes = step.action in _TAKE
     has = step.value is not None or bool(step.argument)
     if takes and not has:

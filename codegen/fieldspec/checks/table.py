@@ -215,7 +215,7 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
 def _unallowed(
     device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
 ) -> Iterator[Diagnostic]:
-    """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
+    """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
     count = 0
     for finding in _BY_NAME[name](device):

@@ -13,9 +13,9 @@ from fieldspec.reading.project import DeviceSpec
 
 
 def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:
-    """By version of a line that is like another one, the version with outputs that it shares; none where there is none.
+    """By version of a line that is `like` another one, the version whose outputs it shares; empty where none is equal.
 
-    `identities` are those of the versions with outputs.
+    `identities` maps the versions with outputs to the identities of their layouts.
     """
     equal = {}
     known = {_wire(spec.at(version)[0]): own for version, own in identities.items()}
@@ -55,9 +55,9 @@ def _members(spec: DeviceSpec, line: str) -> list[str]:
 
 
 def lines_alike(spec: DeviceSpec, shared: Mapping[str, str]) -> Iterator[Diagnostic]:
-    """A finding for every version that is on the wire like none of the line that its own line is like.
+    """A finding for every version that equals no version of the line that its own line is `like`.
 
-    `shared` is what `twins` gives.
+    `shared` is the result of `equal_versions`.
     """
     for version, other in shared.items():
         if not other:

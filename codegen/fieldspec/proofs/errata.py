@@ -21,7 +21,7 @@ Findings = Callable[[Device, str], list[Diagnostic]]
 
 @dataclass(frozen=True, slots=True)
 class Proof:
-    """What became of an erratum: what its check finds in the print alone, and what is wrong with the erratum itself.
+    """The proof of an erratum: the findings that only the print has (`evidence`), and what is wrong with the erratum.
 
     A judgement has neither. An erratum with `faults` is not proven.
     """
@@ -49,7 +49,7 @@ def proofs(
     findings: Findings,
     known: frozenset[str],
 ) -> Iterator[Proof]:
-    """What becomes of some errata of a device at one version, one after the other.
+    """The proofs of some errata of a device at one version, one after the other.
 
     `findings(device, check)` runs one check; `known` holds the names of all checks.
     """
@@ -121,7 +121,7 @@ def put_back(
 
 
 def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:
-    """A tree with the print of an erratum, or the tree as it was and what the schema has against that print."""
+    """The tree with the print of an erratum, or the unchanged tree and the findings of the schema about that print."""
     whole = find(tree, f"errata/{erratum.id}/printed")
     at = keys(tree, erratum.fact)
     if not isinstance(whole, Mapping) or at is None:
@@ -155,7 +155,7 @@ def _lacking(printed: Mapping, at: list[str | int]) -> bool:
 
 
 def finding_key(finding: Diagnostic) -> tuple[str, str, int]:
-    """What tells a finding in the print from one that the right spec has too."""
+    """Distinguishes a finding that only the print has from those of the right spec."""
     return finding.code, finding.message, finding.span.start
 
 
@@ -166,7 +166,7 @@ def _same(used: object, printed: object, key: str) -> bool:
 
 
 def node_text(node: Node | None) -> str:
-    """What a tree holds, as it is written there; empty where it holds nothing."""
+    """The text of a node as the spec has it; empty where there is none."""
     if node is None or (isinstance(node, Scalar) and node.value is None):
         return ""
     if isinstance(node, Scalar):

@@ -20,10 +20,10 @@ Meaning = tuple[int, ...]
 
 
 class FindingsCache:
-    """What is found of the examples of a device at its versions, and with prints put back.
+    """Caches the findings of a device's examples, over its versions and with prints put back.
 
-    What is built of the same rows is the same object, so that devices which give examples the same meaning are known by
-    the objects that they hold.
+    Reading shares the objects of rows that do not differ, so that the identities of these objects tell whether two
+    devices give an example the same meaning.
     """
 
     def __init__(self) -> None:
@@ -32,7 +32,7 @@ class FindingsCache:
         self._devices: list[Device] = []  # as long as they are there, no other objects have their identities
 
     def findings(self, device: Device, sound: bool = False) -> list[Diagnostic]:
-        """The findings of a device's examples; none of one that cannot be laid out, as a `sound` one is known to be."""
+        """The findings of a device's examples; none where it has no layout. A `sound` device is known to have one."""
         if not device.examples:
             return []  # nobody waits for the reference and its library
         meaning = _meaning(device)
@@ -153,7 +153,7 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
 def _compare_meaning(
     layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
-    """The values in the spec against those of the bytes. What a field measures need not be written."""
+    """The values in the spec against those of the bytes. Values that follow from others may be left out."""
     head = layout.links[example.link].frame(example.direction).head
     implied = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
     actual = {**decoded.head, **decoded.values}
@@ -171,7 +171,7 @@ def _compare_meaning(
 
 
 def _implied(decoded: Decoded, name: str) -> bool:
-    """Whether a value need not be written: it measures another one, is constant, or is reserved."""
+    """Whether a value may be left out: it measures another one, is constant, or is reserved."""
     field = decoded.body.named(name) if decoded.body else None
     if field is None:
         return False
@@ -180,7 +180,7 @@ def _implied(decoded: Decoded, name: str) -> bool:
 
 
 def _same(expected: Any, actual: Any) -> bool:
-    """Whether what is written is in what is there; reserved fields of records need not be written."""
+    """Whether the bytes hold the expected value; reserved fields of records may be left out of it."""
     if isinstance(expected, dict) and isinstance(actual, dict):
         return all(name in actual and _same(value, actual[name]) for name, value in expected.items())
     if isinstance(expected, list) and isinstance(actual, list):
@@ -191,7 +191,7 @@ def _same(expected: Any, actual: Any) -> bool:
 
 
 def _rounded(number: float) -> bytes:
-    """A number as the bytes of the nearest one of 32 bits: what is written in decimals is rarely exact."""
+    """A number as the bytes of the nearest `f32`: decimals are rarely exact in binary."""
     try:
         return struct.pack("<f", number)
     except OverflowError:
@@ -201,7 +201,7 @@ def _rounded(number: float) -> bytes:
 def _bytes(
     reference: DeviceCodec, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
-    """The bytes of the written values against those in the spec."""
+    """The bytes that the expected values encode to, against those in the spec."""
     link = reference.links[example.link]
     shape = link.link.frame(example.direction)
     part = shape.role("code")

@@ -71,7 +71,7 @@ READING_PROOFS = (
 
 
 def findings(device: Device, name: str, remembered: FindingsCache) -> list[Diagnostic]:
-    """The findings of one check or proof of examples; what reading finds has been found before."""
+    """The findings of one check or proof of examples; reading has reported its own before."""
     if name in READING_PROOFS:
         return []
     if name not in EXAMPLE_PROOFS:
@@ -88,8 +88,8 @@ def everything(
 ) -> list[Diagnostic]:
     """The findings of all checks, and of the proofs of examples where the device can be laid out.
 
-    `broken` is what reading has found, which comes with them. Without `examples`, those are taken to be right.
-    `remembered` has those that are found already. Checks that are not asked for are named by `without`.
+    `broken` are the findings of reading, which come first. Without `examples`, examples are not proven.
+    `remembered` caches the findings of examples. `without` names the checks to leave out.
     """
     findings = [*broken, *checks.run(device, without)]
     if not examples or has_errors(broken) or any(finding.code in LAYOUT_CONDITIONS for finding in findings):
@@ -103,7 +103,7 @@ def known() -> frozenset[str]:
 
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:
-    """What becomes of every erratum of a device, each at the newest version that has it, in the order of the spec."""
+    """The proof of every erratum of a device, each at the newest version that has it, in the order of the spec."""
     finding = _finding(FindingsCache())
     proofs_of_errata = [
         proof
@@ -123,10 +123,12 @@ def _in_order(proofs_of_errata: Sequence[Proof]) -> list[Proof]:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What running everything on a device gives: all findings, what becomes of every erratum, in the order of the spec,
-    and by version the findings without those of errata and of other versions. `remembered` has those of examples.
+    """The result of all checks and proofs of a device.
 
-    `layouts` are those of the versions that can be laid out; where all can, `shared` is what `twins` gives.
+    `findings` has all findings, `proofs` one proof for each erratum in the order of the spec, and `by_version` the
+    findings of each version without those of errata. `remembered` caches those of examples.
+
+    `layouts` has the versions that have a layout; where all have one, `shared` is the result of `equal_versions`.
     """
 
     findings: list[Diagnostic]

@@ -39,7 +39,7 @@ ALGORITHMS = {"crc16_modbus": crc16_modbus, "lrc": lrc, "sum8": sum8}
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """A frame's meaning. `message` is None for an error reply to a code that the device does not know.
+    """The meaning of a frame. `message` is None for an error reply to a code that the device does not know.
 
     `head` holds the parts before the body but for the length; the code of an error reply is there without its
     flag. `parts` is the frame's binary form.
