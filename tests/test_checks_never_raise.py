@@ -51,7 +51,7 @@ def trees() -> tuple[Mapping, ...]:
     for folder in folders:
         files = {}
         for path in sorted(folder.rglob("*.yaml")):
-            if path.is_dir():  # a case of what is no file
+            if not path.is_file():  # cases of folders and links in the place of files
                 continue
             inside = path.relative_to(folder).as_posix()
             files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
