@@ -60,7 +60,7 @@ OF_WRITING = (
     "allowances_used",
     "facts_verified",
     "illegible_inferred",
-    "inferred_keys_given",
+    "inferred_keys_present",
     "provenance_stated",
     "roles_unique",
     "sources_present",
