@@ -121,14 +121,14 @@ def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
         yield from _of_register(device, register, alone)
     for table in device.tables.values():
         yield from _handled(table, table.handling, f"{table.base:04X}h, {table.count} times", device)
-    placed = {field.field.place.path for laid in layout.records.values() for field in laid.fields}
+    placed = {field.field.place.path for record_layout in layout.records.values() for field in record_layout.fields}
     for record in layers(device):
         tables = [table for table in device.tables.values() if table.record == record.name]
         for field in record.fields:
             yield from _of_field(device, field, tables, field.place.path in placed)
-    for held in device.parameters.values():
-        for parameter in held.parameters:
-            yield from _of_parameter(device, held, parameter)
+    for parameter_set in device.parameters.values():
+        for parameter in parameter_set.parameters:
+            yield from _of_parameter(device, parameter_set, parameter)
     for message in device.messages.values():
         yield from _handled(message, message.handling, _code(message), device)
     for word in device.flags.values():
@@ -157,21 +157,21 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
 
 def _of_field(device: Device, field: Field, tables: list[Table], in_record: bool) -> Iterator[Hazard]:
     where = ", ".join(table.name for table in tables) or field.place.path.rpartition("/")[0]
-    found = [narrowed(table.access, field.access) for table in tables]
-    if "wo" in (field.access, *found):
+    accesses = [narrowed(table.access, field.access) for table in tables]
+    if "wo" in (field.access, *accesses):
         yield _hazard("write_only", field, where, "access wo", key="access")
     if field.restart:
         yield _hazard("restart", field, where, "restart", key="restart")
     if field.atomic and field.value is not None and field.value.size > 2:
         yield _hazard("atomic", field, where, f"{(field.value.size + 1) // 2} words", key="atomic")
     if field.value is not None and tables and in_record:
-        access = next(filter(writable, found), "")
+        access = next(filter(writable, accesses), "")
         yield from _shared(device, field, field.value, access, where)
     yield from _handled(field, field.handling, where, device)
 
 
-def _of_parameter(device: Device, held: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
-    where = held.number_text(parameter.number)
+def _of_parameter(device: Device, parameter_set: ParameterSet, parameter: Parameter) -> Iterator[Hazard]:
+    where = parameter_set.number_text(parameter.number)
     if parameter.trigger:
         yield _hazard("trigger", parameter, where, _started(parameter.value), key="trigger")
     if parameter.access == "wo":
@@ -191,26 +191,28 @@ def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
     yield from _handled(bit, bit.handling, where, device)
 
 
-def _handled(fact: Fact, said: Handling, where: str, device: Device) -> Iterator[Hazard]:
+def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iterator[Hazard]:
     """What the keys of handling say, which many kinds of facts have."""
-    if said == UNSPECIFIED:
+    if handling == UNSPECIFIED:
         return
-    if said.clears_on_read:
+    if handling.clears_on_read:
         yield _hazard("clears_on_read", fact, where, "cleared by reading", key="clears_on_read")
-    if said.opposite_of:
-        yield _hazard("opposite", fact, where, f"against {said.opposite_of}", said.opposite_of, "opposite_of")
-    if said.saved_by:
-        why = "lost with the power until " if said.memory == "volatile" else ""
-        yield _hazard("save", fact, where, f"{why}saved by {said.saved_by}", said.saved_by, "saved_by")
+    if handling.opposite_of:
+        yield _hazard("opposite", fact, where, f"against {handling.opposite_of}", handling.opposite_of, "opposite_of")
+    if handling.saved_by:
+        why = "lost with the power until " if handling.memory == "volatile" else ""
+        yield _hazard("save", fact, where, f"{why}saved by {handling.saved_by}", handling.saved_by, "saved_by")
     access = getattr(fact, "access", "")
-    if said.endurance or (said.memory == "nonvolatile" and access != "ro"):
-        yield _hazard("wear", fact, where, _endurance(said.endurance), key="endurance" if said.endurance else "memory")
+    if handling.endurance or (handling.memory == "nonvolatile" and access != "ro"):
+        yield _hazard(
+            "wear", fact, where, _endurance(handling.endurance), key="endurance" if handling.endurance else "memory"
+        )
 
 
-def _endurance(said: str) -> str:
+def _endurance(endurance: str) -> str:
     """How often a value may be written, as far as the manual says it."""
     words = {"limited": "a limited number of writes, which is not printed", "unlimited": "as often as one likes"}
-    return words.get(said, f"{said} writes") if said else "how many writes it endures is not printed"
+    return words.get(endurance, f"{endurance} writes") if endurance else "how many writes it endures is not printed"
 
 
 def _started(value: Value) -> str:
@@ -232,9 +234,9 @@ def _shared(
     spare = (8 * word.type.size) - used.bit_count()
     if len(named) > 1 or spare:
         alone = sum(bit.name in registers for bit in named)
-        kept = f", {spare} bits without a meaning" if spare else ""
+        spare_text = f", {spare} bits without a meaning" if spare else ""
         also = f", {alone} of them with registers of their own" if alone else ""
-        why = f"{len(named)} things{kept}{also}"
+        why = f"{len(named)} things{spare_text}{also}"
         yield _hazard("shared_word", fact, where, why, word.place.path, "flags")
 
 
@@ -277,8 +279,8 @@ _SAYS = (
 
 def access(subject: Subject) -> Section:
     """The hazards of reading and writing."""
-    found = hazards(subject.layout)
-    unsafe = {hazard.path for hazard in found if hazard.kind.unsafe}
+    all_hazards = hazards(subject.layout)
+    unsafe = {hazard.path for hazard in all_hazards if hazard.kind.unsafe}
     says = [_SAYS]
     open_ones = undivided(subject.device)
     if open_ones:
@@ -290,14 +292,16 @@ def access(subject: Subject) -> Section:
     figures = [Figure("facts cannot be read and written back safely", len(unsafe))]
     tables = []
     for kind in KINDS.values():
-        held = [hazard for hazard in found if hazard.kind == kind]
-        if held:
-            figures.append(Figure(f"{'hazard' if len(held) == 1 else 'hazards'}: {kind.title.lower()}", len(held)))
-            tables.append(_table(kind, held))
+        of_kind = [hazard for hazard in all_hazards if hazard.kind == kind]
+        if of_kind:
+            figures.append(
+                Figure(f"{'hazard' if len(of_kind) == 1 else 'hazards'}: {kind.title.lower()}", len(of_kind))
+            )
+            tables.append(_table(kind, of_kind))
     return Section("access", "Access hazards", tuple(says), tuple(figures), tuple(tables))
 
 
-def _table(kind: Kind, held: list[Hazard]) -> SectionTable:
+def _table(kind: Kind, hazards: list[Hazard]) -> SectionTable:
     rows = tuple(
         (
             hazard.where,
@@ -306,7 +310,7 @@ def _table(kind: Kind, held: list[Hazard]) -> SectionTable:
             hazard.place[hazard.key],
             hazard.sources[0] if hazard.sources else None,
         )
-        for hazard in held
+        for hazard in hazards
     )
     kinds = ("warning" if kind.unsafe else "",) * len(rows)
     return SectionTable(kind.name, f"{kind.title}. {kind.advice}", COLUMNS, rows, kinds, detail=len(rows) > _LONG)

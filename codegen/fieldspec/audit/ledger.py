@@ -75,9 +75,9 @@ def ledger(subject: Subject) -> Section:
         tuple(KINDS[verdict(proof)] for proof in proofs),
         detail=True,
     )
-    found = tuple(fault for proof in proofs for fault in proof.faults)
+    findings = tuple(fault for proof in proofs for fault in proof.faults)
     tables = (_summary(proofs), table)
-    return Section("errata", "Errata", (_SAYS,), tuple(figures), tables, found, questions=verdicts["open"])
+    return Section("errata", "Errata", (_SAYS,), tuple(figures), tables, findings, questions=verdicts["open"])
 
 
 def by_effect(proofs: Iterable[Proof]) -> list[Proof]:
@@ -114,7 +114,7 @@ def _row(trees: Trees, proof: Proof) -> tuple[Cell, ...]:
         erratum.confidence,
         verdict(proof),
         erratum.proof if erratum.verdict == "proven" else None,
-        "; ".join(dict.fromkeys(found.message for found in proof.evidence)) or None,
+        "; ".join(dict.fromkeys(finding.message for finding in proof.evidence)) or None,
         ", ".join(_versions(trees, erratum)) or None,
         "; ".join(citation.text() for citation in erratum.sources) or None,
         erratum.place.whole,

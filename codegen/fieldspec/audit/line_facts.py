@@ -27,7 +27,7 @@ _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]
 
 
 @dataclass(slots=True)
-class OnLine:
+class LineFacts:
     """What cites a line: rows of facts, and errata."""
 
     facts: list[FactRow] = field(default_factory=list)
@@ -35,28 +35,30 @@ class OnLine:
 
 
 @dataclass(frozen=True, slots=True)
-class Cited:
+class LineCitations:
     """What cites each line, and all lines that are cited, be it in a remark.
 
     `elided` are the paths of examples of which some bytes are not printed.
     """
 
-    by_line: Mapping[int, OnLine]
+    by_line: Mapping[int, LineFacts]
     lines: frozenset[int]
     elided: frozenset[str]
 
-    def at(self, line: int) -> OnLine:
+    def at(self, line: int) -> LineFacts:
         """What cites a line."""
-        return self.by_line.get(line) or OnLine()
+        return self.by_line.get(line) or LineFacts()
 
 
-def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]) -> Cited:
+def line_citations(
+    spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]
+) -> LineCitations:
     """What cites each line of the manual, in any version; `facts` are the rows of each layout."""
-    by_line: dict[int, OnLine] = defaultdict(OnLine)
+    by_line: dict[int, LineFacts] = defaultdict(LineFacts)
     known: set[object] = set()
     shared: set[int] = set()
-    for layout, held in zip(layouts, facts, strict=True):
-        printed = [row for row in held if row["kind"] not in _OUR_WORDS]
+    for layout, rows in zip(layouts, facts, strict=True):
+        printed = [row for row in rows if row["kind"] not in _OUR_WORDS]
         for own, row in zip(printed, _completed(printed), strict=True):
             if row is own:
                 if id(row) in shared:
@@ -72,20 +74,20 @@ def cited(spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Seq
                 known.add(f"erratum {erratum.id}")
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
-    told: set[int] = set()
+    cited_lines: set[int] = set()
     seen: dict[int, Node] = {}
     for tree in (spec.tree, *spec.trees.values()):
-        _tell(tree, told, seen)
+        _collect_lines(tree, cited_lines, seen)
     elided = frozenset(
         example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
     )
-    return Cited(dict(by_line), frozenset(told | by_line.keys()), elided)
+    return LineCitations(dict(by_line), frozenset(cited_lines | by_line.keys()), elided)
 
 
-def _completed(found: Sequence[FactRow]) -> Iterator[FactRow]:
+def _completed(rows: Sequence[FactRow]) -> Iterator[FactRow]:
     """The rows; where another place states a fact again, any value of the fact may be what is printed there."""
-    by_path = {str(row["path"]): row for row in found}
-    for row in found:
+    by_path = {str(row["path"]): row for row in rows}
+    for row in rows:
         path, again, _ = str(row["path"]).rpartition("/restated/")
         fact = by_path.get(path) if again else None
         yield row if fact is None else {key: fact[key] if cell is None else cell for key, cell in row.items()}
@@ -98,15 +100,15 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
             yield from range(first, last + 1)
 
 
-def _tell(node: Node, told: set[int], seen: dict[int, Node]) -> None:
+def _collect_lines(node: Node, lines: set[int], seen: dict[int, Node]) -> None:
     """Adds the lines that any text of the spec cites. Versions share most nodes; `seen` has those of others."""
     if id(node) in seen:
         return
     seen[id(node)] = node
     if isinstance(node, Scalar):
-        for found in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
-            told.update(lines_of(citations(found[0], "")))
+        for match in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
+            lines.update(lines_of(citations(match[0], "")))
         return
     for key, inner in children(node):
         if key not in _NO_CITATIONS:
-            _tell(inner, told, seen)
+            _collect_lines(inner, lines, seen)

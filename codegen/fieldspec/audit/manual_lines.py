@@ -19,7 +19,7 @@ CELL = " | "
 LONGEST = 4000
 """Characters of a line that are looked at."""
 
-_RAISED = {ord(raised): plain for raised, plain in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True)}
+_RAISED = {ord(raised): digit for raised, digit in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True)}
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
 _SIGNS = str.maketrans(
     {
@@ -69,7 +69,7 @@ def index_line(line: str) -> str:
     text = _TAG.sub(" ", text)
     text = _FOOTNOTE.sub("", text)
     if not text.isascii():
-        text = _POWER.sub(lambda found: "^" + found[0].translate(_RAISED), text)
+        text = _POWER.sub(lambda match: "^" + match[0].translate(_RAISED), text)
         text = unicodedata.normalize("NFKC", text.translate(_NUMBER_WORD)).translate(_SIGNS)
     text = _COMMAND.sub(" ", text).replace("$", "").replace("\t", "|")
     if _RULE.fullmatch(text):
@@ -83,16 +83,16 @@ def index_line(line: str) -> str:
 def _cell(cell: str) -> str:
     text = _FOREIGN.sub(LEFT, cell)
     if not _WORD.fullmatch(text.strip()):
-        text = _WORD.sub(lambda found: _word(found, text), text)
+        text = _WORD.sub(lambda match: _word(match, text), text)
     return _BLANKS.sub(" ", _MARKS.sub(LEFT, text)).strip()
 
 
-def _word(found: re.Match[str], cell: str) -> str:
+def _word(match: re.Match[str], cell: str) -> str:
     """A word that can be an identifier, or that hangs on a number as a unit or a suffix; else the mark."""
-    word = found[0]
+    word = match[0]
     if not word.islower() or any(char.isdigit() or char == "_" for char in word):
         return word
-    before = cell[: found.start()]
+    before = cell[: match.start()]
     hangs = before[-1:].isdigit() or (word == "h" and _HEX.search(before) is not None)
     return word if hangs else LEFT
 
@@ -195,7 +195,7 @@ def parsed(path: str, text: str) -> ManualIndex:
 
 
 @dataclass(frozen=True, slots=True)
-class Aligned:
+class AlignedManual:
     """A manual whose lines are known by their numbers in the edition that the spec cites.
 
     `known` gives for each line of the text at hand the cited number, `here` the line at hand for a cited number. A line
@@ -219,14 +219,16 @@ class Aligned:
         return self.index.lines[at - 1] if at else ""
 
 
-def unmoved(index: ManualIndex) -> Aligned:
+def unmoved(index: ManualIndex) -> AlignedManual:
     """A manual in the edition that the spec cites."""
     numbers = range(1, len(index.lines) + 1)
     whole = sum(map(bool, index.digests))
-    return Aligned(index, numbers, {one: one for one in numbers}, frozenset(), frozenset(), frozenset(), whole, whole)
+    return AlignedManual(
+        index, numbers, {number: number for number in numbers}, frozenset(), frozenset(), frozenset(), whole, whole
+    )
 
 
-def aligned(cited: ManualIndex, index: ManualIndex) -> Aligned:
+def aligned(cited: ManualIndex, index: ManualIndex) -> AlignedManual:
     """The lines of `index`, a text at hand, by those of `cited`, the edition that the spec cites."""
     if list(cited.digests) == list(index.digests):
         return unmoved(index)
@@ -253,4 +255,4 @@ def aligned(cited: ManualIndex, index: ManualIndex) -> Aligned:
         before = by_line.get(number, before)
         known.append(before)
     gone = frozenset(old) - here.keys()
-    return Aligned(index, known, here, frozenset(added), gone, frozenset(changed), same, len(old))
+    return AlignedManual(index, known, here, frozenset(added), gone, frozenset(changed), same, len(old))

@@ -101,22 +101,22 @@ class Template:
     def each(self, text: str) -> Iterator[Match]:
         """All places in a text, none within another."""
         at = 0
-        while at <= len(text) and (found := self._chained(self.pieces, text, at)) is not None:
-            yield found
-            at = max(found.end, at + 1)
+        while at <= len(text) and (match := self._chained(self.pieces, text, at)) is not None:
+            yield match
+            at = max(match.end, at + 1)
 
     def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Match | None:
         """The pieces one behind the other, each at the first place behind the one before it."""
         at, begin = start, start
-        held: list[str] = []
+        texts: list[str] = []
         for number, piece in enumerate(_expressions(pieces)):
             match = piece.search(text, at)
             if match is None:
                 return None
             begin = begin if number else match.start()
-            held += match.groups()
+            texts += match.groups()
             at = match.end()
-        values = [PieceValue(*column, text) for column, text in zip(self.columns, held, strict=True)]
+        values = [PieceValue(*column, text) for column, text in zip(self.columns, texts, strict=True)]
         return Match(tuple(values), begin, at)
 
 
@@ -146,18 +146,18 @@ def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
     """The expression of a piece without `*`, and the columns and forms of its groups."""
     source, at = "", 0
     names: list[tuple[str, str]] = []
-    for held in _PLACE.finditer(part):
-        column, form = held[1], held[2]
+    for match in _PLACE.finditer(part):
+        column, form = match[1], match[2]
         if column not in COLUMNS:
             raise PatternError(f"nothing is called `{column}`; a placeholder is one of {', '.join(COLUMNS)}")
         if form is not None and form not in FORMS:
             raise PatternError(f"there is no form `{form}`; there are {', '.join(FORMS)}")
         form = form or COLUMNS[column]
-        literal = _literal(part[at : held.start()])
+        literal = _literal(part[at : match.start()])
         edge = "" if form in ("text", "bytes", "range", "decimal") and literal else _EDGE
         source += f"{literal}{edge}({FORMS[form]})"
         names.append((column, form))
-        at = held.end()
+        at = match.end()
     source += _literal(part[at:])
     return source, names
 
@@ -179,15 +179,15 @@ class RowPattern:
 
     def find(self, line: str) -> Match | None:
         """The row, where a line is one. An empty cell is only like an empty one."""
-        held = line.split(CELL.strip())
-        if len(held) < len(self.cells):
+        texts = line.split(CELL.strip())
+        if len(texts) < len(self.cells):
             return None
         values: list[PieceValue] = []
-        for cell, text in zip(self.cells, held, strict=False):
-            found = cell.whole(text.strip()) if cell is not None else None
-            if (found is None and cell is not None) or (cell is None and text.strip()):
+        for cell, text in zip(self.cells, texts, strict=False):
+            match = cell.whole(text.strip()) if cell is not None else None
+            if (match is None and cell is not None) or (cell is None and text.strip()):
                 return None
-            values += found.values if found is not None else ()
+            values += match.values if match is not None else ()
         return Match(tuple(values), 0, len(line))
 
 

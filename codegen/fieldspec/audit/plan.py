@@ -49,7 +49,7 @@ class Pattern:
 
 
 @dataclass(frozen=True, slots=True)
-class LeftOut:
+class Omission:
     """Lines that are left out, all of them or those that are wholly like something, and why.
 
     `like` is what they are like as the spec writes it, `template` the same ready for use.
@@ -86,8 +86,8 @@ class Plan:
     place: Place
     sections: tuple[ManualSection, ...]
     patterns: tuple[Pattern, ...]
-    left_out: tuple[LeftOut, ...]
-    headings: LeftOut
+    left_out: tuple[Omission, ...]
+    headings: Omission
     unprinted: tuple[Unprinted, ...]
 
     def section(self, line: int) -> str:
@@ -96,13 +96,13 @@ class Plan:
         return self.sections[at - 1].name if at else ""
 
 
-def plan(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
+def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
     """The plan of a device whose manual has so many lines, or None where it has none; and what is wrong with it."""
-    found: list[Diagnostic] = []
+    findings: list[Diagnostic] = []
     node = spec.tree.values.get("audit")
     if not isinstance(node, Mapping):
-        return None, found
-    entry = Entry(node, "audit", found)
+        return None, findings
+    entry = Entry(node, "audit", findings)
     sections = _sections(entry, lines)
     return (
         Plan(
@@ -110,26 +110,27 @@ def plan(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
             sections,
             tuple(_patterns(entry, sections, lines)),
             tuple(_left_out(entry, sections, lines)),
-            LeftOut(entry.place(), tuple((one.first, one.first) for one in sections), "", None, HEADINGS),
+            Omission(entry.place(), tuple((section.first, section.first) for section in sections), "", None, HEADINGS),
             tuple(
-                Unprinted(held.place(), held.texts("facts"), held.text("reason")) for held in entry.entries("unprinted")
+                Unprinted(unprinted.place(), unprinted.texts("facts"), unprinted.text("reason"))
+                for unprinted in entry.entries("unprinted")
             ),
         ),
-        found,
+        findings,
     )
 
 
 def _sections(entry: Entry, lines: int) -> tuple[ManualSection, ...]:
     """The sections in their order; one that begins before the one above it, or behind the end, is a finding."""
-    made: list[ManualSection] = []
-    held = list(entry.entries("sections", "section"))
-    starts = [inner.integer("line") or 1 for inner in held]
-    for inner, first, after in zip(held, starts, [*starts[1:], lines + 1], strict=True):
-        if (made and first < made[-1].first) or first > lines:
+    sections: list[ManualSection] = []
+    entries = list(entry.entries("sections", "section"))
+    starts = [inner.integer("line") or 1 for inner in entries]
+    for inner, first, after in zip(entries, starts, [*starts[1:], lines + 1], strict=True):
+        if (sections and first < sections[-1].first) or first > lines:
             text = f"section {inner.text('section')} begins at line {first}, out of the order of the manual's lines"
             inner.refuse("audit_sound", "line", text, "put the line, or the order of the sections, right")
-        made.append(ManualSection(inner.text("section"), inner.text("title"), first, after - 1))
-    return tuple(made)
+        sections.append(ManualSection(inner.text("section"), inner.text("title"), first, after - 1))
+    return tuple(sections)
 
 
 def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Pattern]:
@@ -147,24 +148,24 @@ def _patterns(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
         yield Pattern(inner.text("name"), inner.text("kind"), inner.place(), where, rows, each, inner.flag("series"))
 
 
-def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[LeftOut]:
+def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Iterator[Omission]:
     for inner in entry.entries("left_out"):
         like = inner.text("like")
         try:
-            made = template(like) if like else None
+            form = template(like) if like else None
         except PatternError as error:
             inner.refuse("audit_sound", "like", f"the pattern is not understood: {error}", "see docs/audit.md")
             continue
-        yield LeftOut(inner.place(), _lines(inner, sections, lines), like, made, inner.text("reason"))
+        yield Omission(inner.place(), _lines(inner, sections, lines), like, form, inner.text("reason"))
 
 
 def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lines:
     """The lines that an entry is about: those given, those of its sections, what is in both, or all."""
-    given: list[tuple[int, int]] = []
+    intervals: list[tuple[int, int]] = []
     for part in filter(None, entry.text("lines").split(", ")):
         low, _, high = part.partition("-")
-        given.append((int(low), int(high or low)))
-    for first, last in given:
+        intervals.append((int(low), int(high or low)))
+    for first, last in intervals:
         if not 1 <= first <= last <= lines:
             text = f"there are no lines {first} to {last}; the manual has the lines 1 to {lines}"
             entry.refuse("audit_sound", "lines", text, "put the lines right")
@@ -178,8 +179,8 @@ def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lin
         if not any(section.name == name or section.name.startswith(f"{name}.") for section in sections):
             entry.refuse("audit_sound", "sections", f"there is no section {name}", "list it under `audit: sections`")
     if not names:
-        return tuple(given) or ((1, lines),)
-    if not given:
+        return tuple(intervals) or ((1, lines),)
+    if not intervals:
         return tuple(whole)
-    both = ((max(a, c), min(b, d)) for a, b in given for c, d in whole)
+    both = ((max(a, c), min(b, d)) for a, b in intervals for c, d in whole)
     return tuple((first, last) for first, last in both if first <= last)

@@ -41,10 +41,10 @@ def printed_report(subject: Subject) -> tuple[Report, tuple[Diagnostic, ...]]:
     return _report(subject, (section(printed),)), printed.findings
 
 
-def dump_report(layout: DeviceLayout, found: Section) -> Report:
+def dump_report(layout: DeviceLayout, section: Section) -> Report:
     """What was read from a device, as a report of one section."""
     device = layout.device
-    return Report(device.id, device.name, device.version, layout.identity, (found,))
+    return Report(device.id, device.name, device.version, layout.identity, (section,))
 
 
 def _report(subject: Subject, sections: tuple[Section, ...]) -> Report:

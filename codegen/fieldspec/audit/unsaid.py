@@ -46,11 +46,11 @@ def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
 
 def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:
     """Facts whose label is on none of the lines that they cite. `text` is the manual's; blanks do not count."""
-    lines = [_plain(line) for line in text.split("\n")]
+    lines = [_bare(line) for line in text.split("\n")]
     corrected: dict[str, list[str]] = {}
     for erratum in device.errata:
         prints = (erratum.literal, str(erratum.printed.get("label", "")))
-        corrected.setdefault(erratum.fact, []).extend(_plain(one) for one in prints if one)
+        corrected.setdefault(erratum.fact, []).extend(_bare(printed) for printed in prints if printed)
     for fact in facts(device):
         if not fact.label or "label" not in fact.place or "source" not in fact.place:
             continue
@@ -59,12 +59,12 @@ def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:
         cited = "".join(
             line for source in fact.sources for first, last in source.lines for line in lines[first - 1 : last]
         )
-        prints = (_plain(fact.label), *corrected.get(fact.place.path, ()))
+        prints = (_bare(fact.label), *corrected.get(fact.place.path, ()))
         if not any(text in cited for text in prints):
             yield fact
 
 
-def _plain(text: str) -> str:
+def _bare(text: str) -> str:
     """Text without blanks, bars between cells and forms of one character."""
     return "".join(unicodedata.normalize("NFKC", text).replace("|", "").split())
 
@@ -90,8 +90,8 @@ def without_unit(device: Device) -> Iterator[Fact]:
     for fact, value in values(device):
         if isinstance(fact, Part) or fact.place.path.startswith("messages/") or value.type.kind is not Kind.INTEGER:
             continue
-        said = value.unit or value.enum or value.flags or value.ranges or value.parameter or value.sentinels
-        if said or value.const is not None or fact.notes or fact.reported or getattr(fact, "reserved", False):
+        explanation = value.unit or value.enum or value.flags or value.ranges or value.parameter or value.sentinels
+        if explanation or value.const is not None or fact.notes or fact.reported or getattr(fact, "reserved", False):
             continue
         if isinstance(fact, Register) and fact.same_as:
             continue

@@ -77,11 +77,11 @@ def _cell(cell: Cell) -> object:
 
 def as_csv(table: SectionTable) -> bytes:
     """UTF-8 text with a heading, commas and line feeds; no cell is a formula to a spreadsheet."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator="\n")
+    output = io.StringIO()
+    writer = csv.writer(output, lineterminator="\n")
     writer.writerow(table.columns)
     writer.writerows([guarded(clean(cell_text(cell))) for cell in row] for row in table.rows)
-    return made.getvalue().encode("utf-8")
+    return output.getvalue().encode("utf-8")
 
 
 def as_xlsx(table: SectionTable) -> bytes:

@@ -92,8 +92,8 @@ def maps(spaces: Sequence[Space]) -> tuple[Map, ...]:
 
 def states(spaces: Sequence[Space]) -> list[tuple[str, str]]:
     """The states that occur, with the words for them."""
-    held = {run.state for space in spaces for block in space.blocks for run in block.runs}
-    return [(state, words) for state, words in STATES.items() if state in held]
+    present = {run.state for space in spaces for block in space.blocks for run in block.runs}
+    return [(state, words) for state, words in STATES.items() if state in present]
 
 
 def _drawings(space: Space) -> Iterator[Drawing]:
@@ -170,14 +170,14 @@ def _block(space: Space, block: Block) -> Drawing:
 
 def _by_line(block: Block) -> dict[int, list[Run]]:
     """The runs that share addresses with each row, by its first address; of a long empty run the rows at its ends."""
-    held: dict[int, list[Run]] = {}
+    by_line: dict[int, list[Run]] = {}
     for run in block.runs:
         lines: Sequence[int] = range(run.first // A_ROW * A_ROW, run.last + 1, A_ROW)
         if run.state in _EMPTY and len(lines) > 4:
             lines = [*lines[:2], *lines[-2:]]
         for line in lines:
-            held.setdefault(line, []).append(run)
-    return held
+            by_line.setdefault(line, []).append(run)
+    return by_line
 
 
 def _lines(block: Block, by_line: Mapping[int, Sequence[Run]]) -> Iterator[tuple[int, int]]:

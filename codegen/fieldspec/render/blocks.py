@@ -125,5 +125,5 @@ def _bit_text(bit: Bit) -> str:
         "active low" if bit.active == "low" else "",
         f"when {bit.when}" if bit.when else "",
     )
-    said = "; ".join(detail for detail in details if detail)
-    return f"+- {span} {name}" + (f": {said}" if said else "")
+    description = "; ".join(detail for detail in details if detail)
+    return f"+- {span} {name}" + (f": {description}" if description else "")

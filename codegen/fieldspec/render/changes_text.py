@@ -20,10 +20,12 @@ def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
         for group in groups(difference):
             yield Line("")
             yield Line(group.heading, _STYLES[group.effect])
-            for found in group.changes:
-                said = remark(found)
-                yield Line(f"  {found.change.rule}: {found.change.message}" + (f" ({said})" if said else ""))
-                yield Line(f"    {found.change.path}, {places(found.change)}".rstrip(", "), "dim")
+            for entry in group.changes:
+                remark_text = remark(entry)
+                yield Line(
+                    f"  {entry.change.rule}: {entry.change.message}" + (f" ({remark_text})" if remark_text else "")
+                )
+                yield Line(f"    {entry.change.path}, {places(entry.change)}".rstrip(", "), "dim")
 
 
 def concise(changes: Iterable[Change]) -> str:

@@ -15,7 +15,9 @@ from fieldspec.spreadsheet import guarded
 
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}
-_MOST_ROWS = 10
+_MOST_SKIPPED = 10
+"""Row numbers without an address that a line names."""
+
 _MOST_ROWS = 200
 """Rows of a table that a person reads."""
 
@@ -27,8 +29,8 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
     if roles:
         yield Line("columns: " + ", ".join(_column(role, listing.heading(role)) for role in roles))
     if listing.skipped:
-        rows = ", ".join(map(str, listing.skipped[:_MOST_ROWS]))
-        more = f" and {len(listing.skipped) - _MOST_ROWS} more" if len(listing.skipped) > _MOST_ROWS else ""
+        rows = ", ".join(map(str, listing.skipped[:_MOST_SKIPPED]))
+        more = f" and {len(listing.skipped) - _MOST_SKIPPED} more" if len(listing.skipped) > _MOST_SKIPPED else ""
         yield Line(f"rows without an address: {rows}{more}")
     if result.shifted:
         yield Line("")
@@ -61,7 +63,8 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
                 "row": pair.row.row,
                 "name": pair.item.name,
                 "differences": [
-                    {"what": one.aspect, "ours": one.ours, "theirs": one.theirs} for one in pair.differences
+                    {"what": difference.aspect, "ours": difference.ours, "theirs": difference.theirs}
+                    for difference in pair.differences
                 ],
             }
             for pair in result.differing
@@ -78,8 +81,8 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
 
 def as_csv(result: Compared) -> str:
     """One row for what agrees, for each difference, and for what one side has."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator="\n")
+    output = io.StringIO()
+    writer = csv.writer(output, lineterminator="\n")
     writer.writerow(COLUMNS)
     if result.shifted:
         writer.writerow(["differs", "", "", "", "offset", 0, result.offset])
@@ -91,7 +94,7 @@ def as_csv(result: Compared) -> str:
     rows += [("only in the list", *cells[:3], "", "", cells[3]) for cells in _extras(result)]
     rows += [("only in the device", address, "", name, "", "", "") for address, name in _missing(result)]
     writer.writerows([guarded(cell) for cell in row] for row in rows)
-    return made.getvalue()
+    return output.getvalue()
 
 
 def _column(role: str, heading: str) -> str:
@@ -116,9 +119,16 @@ def _section(title: str, headings: tuple[str, ...], rows: list[tuple[str, ...]])
 
 def _differing(result: Compared) -> list[tuple[str, ...]]:
     return [
-        (_address(pair.row.address), str(pair.row.row), pair.item.name, one.aspect, one.ours, one.theirs)
+        (
+            _address(pair.row.address),
+            str(pair.row.row),
+            pair.item.name,
+            difference.aspect,
+            difference.ours,
+            difference.theirs,
+        )
         for pair in result.differing
-        for one in pair.differences
+        for difference in pair.differences
     ]
 
 

@@ -104,7 +104,9 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
         yield enum
         base = device.enums.get(enum.derived.rpartition("/")[2])
         if enum.kind != "enum":
-            yield from (Coded(enum, one) for one in enum.members if base is None or base.named(one.name) is None)
+            yield from (
+                Coded(enum, member) for member in enum.members if base is None or base.named(member.name) is None
+            )
     for word in device.flags.values():
         yield word
         yield from (DisplayedState(word, state) for state in word.states)
@@ -155,8 +157,8 @@ def handles(item: Item) -> tuple[str, ...]:
         return (fact.name,)
     if isinstance(item, Numbered) and item.parameter is None:
         return ("", item.printed_text, "")
-    written = item.printed_text if isinstance(item, Numbered | Coded) else ""
-    return fact.name, fact.printed_name or written, fact.label
+    printed_text = item.printed_text if isinstance(item, Numbered | Coded) else ""
+    return fact.name, fact.printed_name or printed_text, fact.label
 
 
 def numbered(item: Item, number: int) -> bool:
@@ -212,13 +214,13 @@ def fact_details(device: Device, fact: Fact) -> Details:
             yield "erratum", f"{erratum.id}: {_printed(erratum)}{erratum.reason}"
 
 
-def _handling(said: Handling) -> Details:
+def _handling(handling: Handling) -> Details:
     """What whoever reads or writes the value must know."""
-    yield "reading", "clears it: only the first reader gets it" if said.clears_on_read else ""
-    yield "memory", _MEMORY.get(said.memory, "")
-    yield "saved by", said.saved_by
-    yield "endurance", _ENDURANCE.get(said.endurance, f"{said.endurance} writes" if said.endurance else "")
-    yield "opposite of", said.opposite_of
+    yield "reading", "clears it: only the first reader gets it" if handling.clears_on_read else ""
+    yield "memory", _MEMORY.get(handling.memory, "")
+    yield "saved by", handling.saved_by
+    yield "endurance", _ENDURANCE.get(handling.endurance, f"{handling.endurance} writes" if handling.endurance else "")
+    yield "opposite of", handling.opposite_of
 
 
 def erratum_details(erratum: Erratum) -> Details:
@@ -261,5 +263,5 @@ def _printed(erratum: Erratum) -> str:
 
 
 def _claim(claim: Claim) -> str:
-    said = ", ".join(f"{key} {value}" for key, value in claim.values.items())
-    return f"{citations(claim.sources)}" + (f": {said}" if said else "")
+    values_text = ", ".join(f"{key} {value}" for key, value in claim.values.items())
+    return f"{citations(claim.sources)}" + (f": {values_text}" if values_text else "")

@@ -76,12 +76,12 @@ def _parts(link: Link, direction: str) -> str:
     return ", ".join(part.name for part in link.parts(direction))
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[Block]:
-    links = [link.link for link in layout.links.values() if laid.name in link.messages]
+def _message(layout: DeviceLayout, message: MessageLayout) -> Iterator[Block]:
+    links = [link.link for link in layout.links.values() if message.name in link.messages]
     for direction in ("request", "response"):
         names = dict.fromkeys(link.direction_name(direction) for link in links)
         yield Line(f"{' or '.join(names) or direction} data", "bold")
-        yield from _record(layout, laid.data(direction))
+        yield from _record(layout, message.data(direction))
 
 
 def _record(layout: DeviceLayout, record: RecordLayout, base: int | None = None) -> Iterator[Block]:

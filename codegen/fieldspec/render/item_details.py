@@ -121,29 +121,29 @@ def _placed(layout: DeviceLayout, name: str) -> str:
     return f"{name} at 0x{register.address:04X}" if register is not None else name
 
 
-def _table(layout: DeviceLayout, laid: TableLayout, address: int | None) -> Details:
-    table = laid.table
+def _table(layout: DeviceLayout, table_layout: TableLayout, address: int | None) -> Details:
+    table = table_layout.table
     yield "space", _space(layout.device, table.space)
     formula = f"0x{table.base:04X} + 0x{table.stride:X} * (n - {table.index_from})"
     yield "address", f"{formula}, n = {table.index_from}..{table.indexes[-1]}"
     yield "access", table.access or "not printed"
     if address is not None:
         steps, offset = divmod(address - table.base, table.stride)
-        held = [field.name for field in laid.record.fields if field.offset <= 2 * offset + 1]
-        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{held[-1]}"
+        names = [field.name for field in table_layout.record.fields if field.offset <= 2 * offset + 1]
+        yield "here", f"0x{address:04X} is in {table.name}[{table.index_from + steps}].{names[-1]}"
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Details:
-    message = laid.message
+def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
+    message = message_layout.message
     yield "what", message.title
     yield "code", "" if message.code is None else f"0x{message.code:02X}"
     yield "number", "" if message.number is None else str(message.number)
     yield "beside", " or ".join(message.supplements)
     for link in layout.links.values():
-        if laid.name in link.messages and len(layout.links) > 1 and message.links:
+        if message_layout.name in link.messages and len(layout.links) > 1 and message.links:
             yield "sent on", link.name
-        if laid.name in link.messages and message.code is None:
-            sizes = ((way, lengths(link, way, laid.name)) for way in _DIRECTIONS)
+        if message_layout.name in link.messages and message.code is None:
+            sizes = ((way, lengths(link, way, message_layout.name)) for way in _DIRECTIONS)
             yield "bytes", ", ".join(f"{link.link.direction_name(way)} {_bounds(*size)}" for way, size in sizes)
 
 
@@ -156,13 +156,20 @@ def _bounds(least: int, most: int | None) -> str:
 def _signal(layout: DeviceLayout, signal: Signal) -> Details:
     yield "goes", {"request": "to the device", "response": "from the device"}.get(signal.direction, "")
     yield from value_details(signal.value)
-    for laid in layout.messages.values():
+    for message in layout.messages.values():
         for direction in _DIRECTIONS:
-            for field in laid.data(direction).fields:
+            for field in message.data(direction).fields:
                 if field.field.signal == signal.name:
-                    link = next((one.link for one in layout.links.values() if laid.name in one.messages), None)
+                    link = next(
+                        (
+                            link_layout.link
+                            for link_layout in layout.links.values()
+                            if message.name in link_layout.messages
+                        ),
+                        None,
+                    )
                     way = link.direction_name(direction) if link else direction
-                    yield "lies in", f"{laid.name} {way}, byte {field.offset}{_words(field.field.word_span)}"
+                    yield "lies in", f"{message.name} {way}, byte {field.offset}{_words(field.field.word_span)}"
     for conversion in layout.device.conversions.values():
         if signal.name in conversion.signals:
             yield "share of", f"{references_text(layout.device, conversion)}: {conversion.name}"
@@ -194,8 +201,12 @@ def _parameter(item: Numbered, number: int | None) -> Details:
     if parameter.count > 1:
         last = _number(words, parameter.number + parameter.count - 1)
         yield "count", f"{parameter.count} of them, {_number(words, parameter.number)}, to {last}"
-        own = [held for held in (number, (number or 0) - words.base) if held is not None and held != item.number]
-        here = next((held for held in own if words.numbered(held) is parameter), None)
+        own = [
+            candidate
+            for candidate in (number, (number or 0) - words.base)
+            if candidate is not None and candidate != item.number
+        ]
+        here = next((candidate for candidate in own if words.numbered(candidate) is parameter), None)
         yield "here", "" if here is None else _number(words, here)
     yield "access", parameter.access or "not printed"
     value = parameter.value
@@ -261,5 +272,5 @@ def _sends(layout: DeviceLayout, link: Link) -> str:
 
 
 def _names(layout: DeviceLayout, link: Link) -> Iterator[str]:
-    for laid in layout.links[link.name].messages.values():
-        yield laid.name if laid.message.number is None else str(laid.message.number)
+    for message in layout.links[link.name].messages.values():
+        yield message.name if message.message.number is None else str(message.message.number)

@@ -10,12 +10,12 @@ from fieldspec.render.blocks import visible_text
 from fieldspec.render.text import concise, place
 
 
-def rendered(found: Sequence[Diagnostic]) -> str:
+def rendered(findings: Sequence[Diagnostic]) -> str:
     """The XML text."""
-    cases = "".join(_case(finding) for finding in found)
-    if not found:
+    cases = "".join(_case(finding) for finding in findings)
+    if not findings:
         cases = '  <testcase classname="fieldspec" name="check"/>\n'
-    head = f'<testsuite name="fieldspec" tests="{max(1, len(found))}" failures="{len(found)}" errors="0">'
+    head = f'<testsuite name="fieldspec" tests="{max(1, len(findings))}" failures="{len(findings)}" errors="0">'
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{head}\n{cases}</testsuite>\n'
 
 

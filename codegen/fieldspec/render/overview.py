@@ -76,9 +76,9 @@ def _value(value: Value | None) -> tuple[str, ...]:
     if value is None:
         return "", "", "", ""
     default = value.default if value.const is None else f"always {value.const}"
-    names = value.enum or value.flags or ", ".join(f"{held.text} = {held.name}" for held in value.sentinels)
-    written = "" if value.write_ranges is None else f"; written: {range_text(value.as_written())}"
-    return unit_text(value), range_text(value) + written, "" if default is None else str(default), names
+    names = value.enum or value.flags or ", ".join(f"{sentinel.text} = {sentinel.name}" for sentinel in value.sentinels)
+    write_range = "" if value.write_ranges is None else f"; written: {range_text(value.as_written())}"
+    return unit_text(value), range_text(value) + write_range, "" if default is None else str(default), names
 
 
 def member_table(enum: Enum) -> Table:

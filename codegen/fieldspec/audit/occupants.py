@@ -13,7 +13,7 @@ from fieldspec.model.registers import Parameter, Register
 
 
 @dataclass(frozen=True, slots=True)
-class Holder:
+class Occupant:
     """A fact that holds addresses. `about` is its type and access in a few words."""
 
     name: str
@@ -26,7 +26,7 @@ class Holder:
     allowed: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @classmethod
-    def of(cls, fact: Fact, about: str, name: str = "") -> Holder:
+    def of(cls, fact: Fact, about: str, name: str = "") -> Occupant:
         """A fact as a holder."""
         return cls(
             name or fact.name,
@@ -40,59 +40,59 @@ class Holder:
         )
 
 
-def of_register(register: Register) -> Iterator[tuple[int, int, Holder]]:
+def of_register(register: Register) -> Iterator[tuple[int, int, Occupant]]:
     """The first and the last address of a register; of each of several that do not touch."""
     about = _about(register.value.type.name, register.access)
     width = max(1, register.width)
     if register.count == 1 or register.stride == width:
         last = register.index_from + register.count - 1
         name = f"{register.name}[{register.index_from}..{last}]" if register.count > 1 else ""
-        yield register.address, register.address + register.count * width - 1, Holder.of(register, about, name)
+        yield register.address, register.address + register.count * width - 1, Occupant.of(register, about, name)
         return
     for number in range(register.count):
         first = register.address + number * register.stride
-        yield first, first + width - 1, Holder.of(register, about, f"{register.name}[{register.index_from + number}]")
+        yield first, first + width - 1, Occupant.of(register, about, f"{register.name}[{register.index_from + number}]")
 
 
-def of_parameter(parameter: Parameter) -> Iterator[tuple[int, int, Holder]]:
+def of_parameter(parameter: Parameter) -> Iterator[tuple[int, int, Occupant]]:
     """The numbers of a parameter, as its set counts."""
     about = _about(parameter.value.type.name, parameter.access)
-    yield parameter.number, parameter.number + parameter.count - 1, Holder.of(parameter, about)
+    yield parameter.number, parameter.number + parameter.count - 1, Occupant.of(parameter, about)
 
 
-def of_message(message: Message) -> Holder:
+def of_message(message: Message) -> Occupant:
     """A message by its code."""
-    return Holder.of(message, message.title)
+    return Occupant.of(message, message.title)
 
 
-def element_runs(laid: TableLayout) -> Iterator[tuple[int, int, Holder]]:
+def element_runs(table: TableLayout) -> Iterator[tuple[int, int, Occupant]]:
     """The addresses of the fields of a table's first element; fields that share a word are one holder."""
-    base = laid.table.base
-    words = [_sharing(laid, word) for word in range(laid.words)]
+    base = table.table.base
+    words = [_sharing(table, word) for word in range(table.words)]
     first = 0
     for at in range(1, len(words) + 1):
         if at == len(words) or words[at] != words[first]:
             if words[first]:
-                yield base + first, base + at - 1, _joined(laid, words[first])
+                yield base + first, base + at - 1, _joined(table, words[first])
             first = at
 
 
-def _sharing(laid: TableLayout, word: int) -> tuple[str, ...]:
+def _sharing(table: TableLayout, word: int) -> tuple[str, ...]:
     """The names of the fields that lie in a word of a record."""
-    return tuple(one.name for one in laid.record.fields if one.offset < 2 * word + 2 and _end(one) > 2 * word)
+    return tuple(field.name for field in table.record.fields if field.offset < 2 * word + 2 and _end(field) > 2 * word)
 
 
 def _end(field: FieldLayout) -> int:
     return field.end if field.end is not None else field.offset + field.size
 
 
-def _joined(laid: TableLayout, names: tuple[str, ...]) -> Holder:
-    fields = [one for one in laid.record.fields if one.name in names]
+def _joined(table: TableLayout, names: tuple[str, ...]) -> Occupant:
+    fields = [field for field in table.record.fields if field.name in names]
     first = fields[0]
-    held = first.value.type.name if first.value is not None else first.record.name if first.record else ""
-    about = _about(held, laid.access(first.field))
-    name = ", ".join(f"{one.name}[{one.count}]" if one.is_list else one.name for one in fields)
-    return replace(Holder.of(first.field, about, name), reserved=all(one.field.reserved for one in fields))
+    type_name = first.value.type.name if first.value is not None else first.record.name if first.record else ""
+    about = _about(type_name, table.access(first.field))
+    name = ", ".join(f"{field.name}[{field.count}]" if field.is_list else field.name for field in fields)
+    return replace(Occupant.of(first.field, about, name), reserved=all(field.field.reserved for field in fields))
 
 
 def _about(type_name: str, access: str) -> str:
