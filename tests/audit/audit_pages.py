@@ -6,9 +6,10 @@ from functools import cache
 from pathlib import Path
 
 from fieldspec.audit.manual_lines import NAME, parsed
+from fieldspec.backends.docs.backend import fact_links
 from fieldspec.pipeline import output
 from fieldspec.reading.project import DeviceSpec, read
-from fieldspec.render.audit_pages import pages
+from fieldspec.render.audit_pages import LINK, pages
 from laid_out import MADE_UP, SPECS, laid_at
 
 
@@ -29,8 +30,8 @@ def files(device: str) -> dict[str, str]:
     layouts = [laid_at(spec, version) for version in spec.versions()]
     path = root / device / NAME
     index = parsed(f"specs/{device}/{NAME}", path.read_text("utf-8")) if path.exists() else None
-    documentation = output("docs", layouts)
-    outputs = {**documentation, **pages(spec, layouts, index, documentation)}
+    documentation = output("docs", layouts, (LINK,))
+    outputs = {**documentation, **pages(spec, layouts, index, fact_links(layouts[-1], documentation))}
     return {name: content.decode("utf-8") for name, content in outputs.items()}
 
 

@@ -89,12 +89,12 @@ def _manual(subject: Subject, findings: list[Diagnostic]) -> AlignedManual | Non
 
 def _says(subject: Subject, manual: AlignedManual) -> Iterator[str]:
     """Which text is compared, and how much of it is the one that the spec cites."""
-    cited_manual = subject.device.manual
-    edition = f", {cited_manual.edition}" if cited_manual.edition else ""
-    yield f"{cited_manual.title}{edition}: {cited_manual.file}, {cited_manual.lines} lines, sha256 {cited_manual.sha256}"
+    cited = subject.device.manual
+    edition = f", {cited.edition}" if cited.edition else ""
+    yield f"{cited.title}{edition}: {cited.file}, {cited.lines} lines, sha256 {cited.sha256}"
     if subject.manual is None:
         yield "Compared with the index that is recorded beside the spec."
-    elif subject.manual.sha256 == cited_manual.sha256:
+    elif subject.manual.sha256 == cited.sha256:
         yield "Compared with the text itself, which is the edition that the spec cites."
     else:
         share = 100 * manual.same // max(manual.whole, 1)
@@ -102,7 +102,7 @@ def _says(subject: Subject, manual: AlignedManual) -> Iterator[str]:
             f"The text is another edition, or was saved in another way: sha256 {subject.manual.sha256}, "
             f"{len(manual.index.lines)} lines."
         )
-        moved = sum(cited != here for cited, here in manual.here.items() if cited not in manual.changed)
+        moved = sum(old != new for old, new in manual.here.items() if old not in manual.changed)
         yield (
             f"{manual.same} of {manual.whole} lines with text are there unchanged ({share} %), {moved} of them "
             f"elsewhere; {len(manual.changed)} lines are changed, {len(manual.gone)} gone, {len(manual.new)} new."

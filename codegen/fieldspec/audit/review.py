@@ -14,7 +14,7 @@ from operator import itemgetter
 
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.audit.sources import section_order
-from fieldspec.classes import dataclass, field
+from fieldspec.classes import dataclass, field, replace
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.facts import FactRow
 from fieldspec.model.fact import Place
@@ -165,24 +165,26 @@ def _digest(fact_text: str) -> str:
 
 
 def reviews_of(spec: DeviceSpec) -> tuple[list[Review], list[Diagnostic]]:
-    """The reviews of a device in the order of the spec, and what is wrong with them."""
+    """The reviews of a device in the order of the spec, and what is wrong with them.
+
+    A section in a state that another review has already recorded has the facts of that one.
+    """
     findings: list[Diagnostic] = []
     entries = [_review(entry) for entry in Entry(spec.tree, "", findings).named("reviews", "reviews")]
     known = {section.state: section.facts for review in entries for section in review.sections if section.facts}
-    whole = []
+    reviews = []
     for review in entries:
-        signed = []
+        sections = []
         for section in review.sections:
             facts = section.facts or known.get(section.state, ())
-            if state_hash(sorted(facts)) != section.state:
-                text = f"the state of section {section.section} is {section.state}, that of its facts {state_hash(sorted(facts))}"
+            state = state_hash(sorted(facts))
+            if state != section.state:
+                text = f"the state of section {section.section} is {section.state}, that of its facts {state}"
                 help = "remove the entry, and record the review with `fieldspec audit --sign`"
                 findings.append(Diagnostic("reviews_sound", text, section.place["state"], help=help))
-            signed.append(SignedSection(section.section, section.place, section.state, facts))
-        whole.append(
-            Review(review.place, review.by, review.date, review.manual, review.edition, review.doc, tuple(signed))
-        )
-    return whole, findings
+            sections.append(replace(section, facts=facts))
+        reviews.append(replace(review, sections=tuple(sections)))
+    return reviews, findings
 
 
 def _review(entry: Entry) -> Review:

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import Space
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
-from fieldspec.backends.docs.document import clean
-from fieldspec.backends.docs.html import escaped
 from fieldspec.backends.forms import filled, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
+from fieldspec.html_text import clean, escaped
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
 from fieldspec.render.audit_formats import SIGNS, cell_text
@@ -123,7 +122,7 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
         "render/audit.html.in",
         title=_visible(f"Audit of {report.title}"),
         identity=_visible(report.identity),
-        style=text("backends/docs/page.css") + text("render/audit.css"),
+        style=text("backends/page.css") + text("render/audit.css"),
         contents=map(_entry, report.sections),
         head=_head(report, device, [finding for _, finding in section_findings]),
         glance=map(_glance, report.sections),

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from fieldspec.audit.address_map import DECLARED, STATES, UNDECLARED, UNDESCRIBED, UNLISTED, Block, Run, Space
-from fieldspec.backends.docs.document import clean
 from fieldspec.classes import dataclass
+from fieldspec.html_text import clean
 
 A_ROW = 16
 _BOX, _HIGH, _LEFT, _HEAD, _FOLDED = 60, 30, 62, 16, 20
