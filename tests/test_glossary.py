@@ -20,7 +20,6 @@ SCHEMA = PACKAGE / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 
 STILL_TO_DO: dict[str, int] = {
-    "audit": 289,
     "backends": 1,
     "backends/c": 109,
     "backends/docs": 123,
@@ -49,7 +48,6 @@ STILL_TO_DO: dict[str, int] = {
     "proofs": 37,
     "reading": 114,
     "reference": 19,
-    "render": 100,
     "rules.py": 3,
     "schema": 3,
     "spreadsheet.py": 6,
