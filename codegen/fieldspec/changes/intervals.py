@@ -12,7 +12,7 @@ from fieldspec.model.enums import Flags
 from fieldspec.model.link import Link
 from fieldspec.model.record import Field
 from fieldspec.model.registers import ParameterSet
-from fieldspec.model.value import Kind, Primitive, Ranges, Value
+from fieldspec.model.value import Kind, Primitive, Ranges, Value, merged, uncovered
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,19 +88,9 @@ def _length(value: Value) -> Ranges:
 
 def without(some: Ranges, others: Ranges) -> Ranges:
     """The numbers of some intervals that lie in none of the others, in order."""
-    left: list[tuple[int, int]] = []
-    taken = sorted(others.intervals)
-    for low, high in sorted(some.intervals):
-        at = low
-        for first, last in taken:
-            if last < at or first > high:
-                continue
-            if first > at:
-                left.append((at, first - 1))
-            at = max(at, last + 1)
-        if at <= high:
-            left.append((at, high))
-    return Ranges(tuple(dict.fromkeys(left)))
+    taken = merged(others.intervals)
+    holes = (hole for low, high in sorted(some.intervals) for hole in uncovered(low, high, taken))
+    return Ranges(tuple(dict.fromkeys(holes)))
 
 
 def text(ranges: Ranges) -> str:

@@ -34,6 +34,7 @@ from fieldspec.classes import replace
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
+from fieldspec.model.value import merged
 
 COLUMNS = (
     TableColumn("Section", unbroken=True),
@@ -70,13 +71,7 @@ def _order(section: str) -> list[tuple[int, str]]:
 
 def _merged(lines: set[tuple[int, int]]) -> str:
     """Intervals of lines, those that touch in one."""
-    found: list[tuple[int, int]] = []
-    for first, last in sorted(lines):
-        if found and first <= found[-1][1] + 1:
-            found[-1] = (found[-1][0], max(found[-1][1], last))
-        else:
-            found.append((first, last))
-    return Citation("", tuple(found)).text()
+    return Citation("", tuple(merged(lines))).text()
 
 
 SECTIONS = (

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.fact import Citation, Claim, Place, PlainValue, Report, Standard
-from fieldspec.model.value import UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
+from fieldspec.model.value import HANDLING_KEYS, UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
@@ -186,7 +186,7 @@ class Entry:
 
     def handling(self) -> Handling:
         """What whoever reads or writes the value must know."""
-        if self.defaults is None and _HANDLING.isdisjoint(self.own):
+        if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
         return Handling(
@@ -252,7 +252,6 @@ _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
 """The keys of a fact: the argument of the model, how it is read, and what it is where the key is not given."""
 
 _ABSENT: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.values()}
-_HANDLING = frozenset(("memory", "saved_by", "endurance", "clears_on_read", "opposite_of"))
 
 
 def _claimed(node: Node) -> PlainValue:
