@@ -78,7 +78,7 @@ def test_an_address_that_two_registers_hold_is_an_overlap_with_the_reason() -> N
     space_map = space(registers(row(0, "wide", f"type: u32, {allowed}") + row(1, "low")))
     (overlap,) = [run for run in space_map.blocks[0].runs if run.state == "overlap"]
     assert (overlap.first, overlap.last, overlap.reason) == (1, 1, "One is the low word of the other.")
-    assert [holder.name for holder in overlap.holders] == ["wide", "low"]
+    assert [occupant.name for occupant in overlap.occupants] == ["wide", "low"]
 
 
 def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
@@ -88,7 +88,7 @@ def test_a_register_of_another_group_is_no_gap_and_is_counted_once() -> None:
         + row(1, "b", "type: u16")
     )
     space_map = space(text)
-    assert [run.is_device_specific for run in space_map.blocks[0].runs] == [True, False, True]
+    assert [run.is_own for run in space_map.blocks[0].runs] == [True, False, True]
     assert space_map.count("used") == 3
 
 
@@ -112,7 +112,8 @@ def test_bytes_that_share_a_word_are_one_holder() -> None:
         "records: [{name: pair, section: '1', source: L1, fields: [{name: low, type: u8}, {name: high, type: u8}]}]\n"
     )
     tables = "tables: [{name: pairs, section: '1', source: L2, base: 0, stride: 1, count: 2, record: pair}]\n"
-    assert [holder.name for run in space(record + tables).blocks[0].runs for holder in run.holders] == ["low, high"]
+    runs = space(record + tables).blocks[0].runs
+    assert [occupant.name for run in runs for occupant in run.occupants] == ["low, high"]
 
 
 def test_a_set_that_names_all_of_its_numbers_has_numbers_that_are_described_elsewhere() -> None:

@@ -1,4 +1,4 @@
-"""Everything in a manual that looks like a fact, and what the spec has of it."""
+"""Everything in a manual that looks like a fact, and whether the spec accounts for it."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ STATUSES = (COVERED, CORRECTED, LEFT_OUT, OPEN)
 Ruled = TypeVar("Ruled", Pattern, Omission)
 
 LONGEST_SERIES = 4096
+"""The most numbers of a series; a longer one counts as its two ends."""
+
 _DIGIT = re.compile("[0-9]")
 LINE = "line"
 """The kind of a line that has a number, and of which no pattern says what it is."""
@@ -26,10 +28,11 @@ LINE = "line"
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """Something that looks like a fact: the line of the text at hand, the cited line, and how it stands.
+    """A piece of a line that looks like a fact.
 
-    `missing` are the values that no fact and no erratum has; there are none for a line with a number. `out` is what
-    leaves it out.
+    `line` is its line in the text at hand, `cited` the number by which the spec cites that line. `status` is one of
+    STATUSES. `missing` are the values that no fact and no erratum has; a line with a number and no pattern has none.
+    `out` is the omission that applies.
     """
 
     kind: str
@@ -46,10 +49,10 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True)
 class Accounts:
-    """All candidates, the patterns that have found none, and what is left out without being there.
+    """All candidates. `unused` are the patterns and omissions that apply to nothing in the manual.
 
-    `needed` are the paths of the facts without which something would not be accounted for. `beside` are the numbers of
-    lines that patterns know which no pattern finds, and no fact has that cites the line: line, start and end.
+    `needed` are the paths of the facts without which a candidate would be open. `beside` are places of numbers (line,
+    start, end) on lines with candidates: no pattern finds them, and no fact that cites the line has them.
     """
 
     candidates: Sequence[Candidate]
@@ -59,7 +62,7 @@ class Accounts:
 
 
 def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Accounts:
-    """Looks through the manual line by line: its patterns first, then whatever else has a number."""
+    """Accounts for a manual line by line: first by patterns, then by any number on a line without a match."""
     candidates: list[Candidate] = []
     used: set[int] = set()
     needed: set[str] = set()
@@ -106,7 +109,7 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
 
 
 def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
-    """What is about each line, in its order."""
+    """The patterns or omissions that apply to each line, in their order."""
     by_line: dict[int, list[Ruled]] = defaultdict(list)
     for entry in entries:
         for first, last in entry.lines:
@@ -116,12 +119,12 @@ def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
 
 
 def _left_out(outs: Sequence[Omission], text: str) -> Omission | None:
-    """What leaves a line out."""
+    """The first omission that applies to a text."""
     return next((out for out in outs if out.template is None or out.template.whole(text) is not None), None)
 
 
 def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Match]]:
-    """The pieces of a line that patterns find."""
+    """The matches of patterns in a line."""
     for pattern in patterns:
         if pattern.row is not None:
             match = pattern.row.find(text)
@@ -135,7 +138,7 @@ def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, M
 def _beside(
     text: str, pieces: Sequence[tuple[Pattern, Match]], line_facts: LineFacts, cited: LineCitations
 ) -> Iterator[tuple[int, int]]:
-    """The numbers of a line that are no part of what patterns find, and that nothing says which cites the line."""
+    """Places of numbers that are in no match, and in no fact or erratum that cites the line."""
     texts = {value.text for _, match in pieces for value in match.values}
     for start, end in number_places(text):
         value = PieceValue("value", "", text[start:end])
@@ -148,12 +151,12 @@ def _beside(
 
 
 def _owners(paths: set[str]) -> set[str]:
-    """Facts without those that are parts of others: a message and its fields have one code."""
+    """Paths without those of parts of other facts: a message and its fields share a code."""
     return {path for path in paths if not any(path.startswith(f"{other}/") for other in paths)}
 
 
 def _whole(pattern: Pattern, match: Match) -> Match:
-    """A piece; of a series, with all numbers from the first to the last in place of those two."""
+    """A match; that of a series has all numbers from the first to the last in place of these two."""
     if not pattern.series or len(match.values) != 2:
         return match
     low, high = (readings(value.text, value.form)[:1] for value in match.values)
@@ -167,9 +170,9 @@ def _whole(pattern: Pattern, match: Match) -> Match:
 def _standings(
     pieces: Sequence[tuple[Pattern, Match]], line_facts: LineFacts, cited: LineCitations, needed: set[str]
 ) -> Iterator[tuple[str, tuple[PieceValue, ...]]]:
-    """How the pieces of a line stand: each value must be one of a fact, or of an erratum, that cites the line.
+    """Status and missing values of each match: a fact, or an erratum, that cites the line must have each value.
 
-    What a pattern finds in several pieces of the line must be said by as many facts. Paths of facts go to `needed`.
+    A value that a pattern finds several times on the line needs as many facts. Adds paths of facts to `needed`.
     """
     times = Counter((pattern.name, value) for pattern, match in pieces for value in {*match.values})
     seen: Counter[tuple[str, PieceValue]] = Counter()

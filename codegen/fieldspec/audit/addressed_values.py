@@ -1,4 +1,4 @@
-"""Every value that a device holds at an address: of arrays each element, of tables each field of each element."""
+"""Every value with an address: each element of an array, and each field of each element of a record table."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ Address: TypeAlias = tuple[str, int]
 
 @dataclass(frozen=True, slots=True)
 class AddressedValue:
-    """A value at `address`, which takes `words` there; its bytes begin `skip` bytes behind the first.
+    """A value of `words` words at `address`; its own bytes begin after `skip` bytes.
 
-    `order` and `swapped` are those of its bytes. What is read of one that is `unread` is not what was written: it can
-    only be written, or starts something.
+    `order` and `swapped` are the order of its bytes. A value is `unread` where a read does not give what was written:
+    it can only be written, or a write starts an action.
     """
 
     space: str
@@ -46,7 +46,7 @@ class AddressedValue:
 
 
 def units(layout: DeviceLayout) -> Iterator[AddressedValue]:
-    """The values in the spaces of registers."""
+    """The values in the spaces of registers, in the order of the spec."""
     device = layout.device
     for register_layout in layout.registers:
         register = register_layout.register
@@ -99,9 +99,9 @@ def _field(
 def _flat(
     record: RecordLayout, access: str, before: str = "", at: int = 0
 ) -> Iterator[tuple[str, FieldLayout, int, str]]:
-    """The values in a record with their names, their first bytes and their access, also those of records in it.
+    """The values of a record, also of nested records: name, field, first byte and access of each element.
 
-    Each of several is there. `access` is that of what the record lies in.
+    `access` is the access of the table or field that contains the record.
     """
     for field in record.fields:
         allowed = narrowed(access, field.field.access)

@@ -1,4 +1,4 @@
-"""The sections of the report about addresses: the map of each space, and the reads that one request can make."""
+"""The sections of the report about addresses: the map of each space, and the poll blocks."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 
 _NAMES = 4
-"""How many names of a poll block are listed; of more, the first and the last."""
+"""The most names of a poll block that are printed in full; of more names, the first two and the last."""
 
 _SAYS = (
     "Every address, number and code that the spec knows, block by block as the manual lists them. A gap is declared "
@@ -24,14 +24,12 @@ _POLL_SAYS = (
 
 
 def addresses(subject: Subject) -> Section:
-    """The address map."""
+    """The section with the address map."""
     spaces = spaces_of(subject.layout)
     figures = []
     for space in spaces:
         figures.append(Figure(f"{space.what} in use ({space.title})", space.count(USED)))
-        overlaps = [
-            run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_device_specific
-        ]
+        overlaps = [run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_own]
         if overlaps:
             unsaid = sum(1 for run in overlaps if not run.reason)
             figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
@@ -40,7 +38,7 @@ def addresses(subject: Subject) -> Section:
             where = f" ({space.title})" if subject.device.several_spaces else ""
             figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
     tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
-    return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, drawn=spaces)
+    return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, spaces=spaces)
 
 
 def _blocks(spaces: Sequence[Space]) -> SectionTable:
@@ -59,7 +57,7 @@ def _gaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
     for space, block, run in _each(spaces):
-        if run.state in (DECLARED, UNDECLARED) and run.is_device_specific:
+        if run.state in (DECLARED, UNDECLARED) and run.is_own:
             reason = run.reason or "nothing says why"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
             kinds.append("warning" if run.state == UNDECLARED else "")
@@ -71,8 +69,8 @@ def _overlaps(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     kinds = []
     for space, block, run in _each(spaces):
-        if run.state == OVERLAP and run.is_device_specific:
-            names = " and ".join(holder.name for holder in run.holders)
+        if run.state == OVERLAP and run.is_own:
+            names = " and ".join(occupant.name for occupant in run.occupants)
             rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
             kinds.append("" if run.reason else "warning")
     return SectionTable(
@@ -88,12 +86,12 @@ def _aliases(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = [
         (
             space.number_text(alias.address),
-            alias.holder.name,
+            alias.occupant.name,
             "a copy of" if alias.copied else "the same as",
             space.number_text(alias.of_address),
             alias.of.name,
-            alias.holder.place["copy_of" if alias.copied else "same_as"],
-            alias.holder.sources[0] if alias.holder.sources else None,
+            alias.occupant.place["copy_of" if alias.copied else "same_as"],
+            alias.occupant.sources[0] if alias.occupant.sources else None,
         )
         for space in spaces
         for alias in space.aliases
@@ -105,11 +103,11 @@ def _aliases(spaces: Sequence[Space]) -> SectionTable:
 def _runs(spaces: Sequence[Space]) -> SectionTable:
     rows: list[tuple[Cell, ...]] = []
     for space, block, run in _each(spaces):
-        names = " and ".join(holder.name for holder in run.holders)
-        about = " and ".join(dict.fromkeys(holder.about for holder in run.holders if holder.about))
-        holder = run.holders[0] if run.holders else None
-        source = holder.sources[0] if holder is not None and holder.sources else None
-        place = holder.place["name"] if holder is not None else None
+        names = " and ".join(occupant.name for occupant in run.occupants)
+        about = " and ".join(dict.fromkeys(occupant.about for occupant in run.occupants if occupant.about))
+        occupant = run.occupants[0] if run.occupants else None
+        source = occupant.sources[0] if occupant is not None and occupant.sources else None
+        place = occupant.place["name"] if occupant is not None else None
         rows.append((space.title, block.title, *_ends(space, run), STATES[run.state], names, about, place, source))
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
     title = "Every address, of tables those of the first element"
@@ -129,7 +127,7 @@ def _ends(space: Space, run: Run) -> tuple[str, str]:
 
 @dataclass(frozen=True, slots=True)
 class PollRow:
-    """Equal requests at equal distances, as one row: the first of them, how many there are, and how far apart."""
+    """Equal requests at equal distances: the first one, how many there are, and how many addresses they are apart."""
 
     first: PollBlock
     times: int
@@ -137,7 +135,7 @@ class PollRow:
 
 
 def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
-    """Poll blocks with those in one row that only an index tells apart."""
+    """Poll blocks as rows; blocks that differ only in an index share a row."""
     rows: list[PollRow] = []
     for block in blocks:
         last = rows[-1] if rows else None
@@ -151,12 +149,12 @@ def poll_rows(blocks: Sequence[PollBlock]) -> list[PollRow]:
 
 
 def _shape(block: PollBlock) -> tuple[str, int, int, int, str]:
-    """What equal requests of a table have in common."""
+    """What equal requests of a record table have in common."""
     return block.space, block.words, block.reserved, len(block.names), block.names[0].partition("[")[0]
 
 
 def polls(subject: Subject) -> Section:
-    """The poll blocks."""
+    """The section with the poll blocks."""
     polling = polling_of(subject.layout)
     says = [_POLL_SAYS, *(_limit_text(limit) for limit in polling.limits)] if polling.limits else []
     says += _asked(subject.layout)
@@ -175,7 +173,7 @@ def polls(subject: Subject) -> Section:
 
 
 def _limit_text(limit: ReadLimit) -> str:
-    """Where the number of words that one request may read is from."""
+    """A sentence about the most words of a request, with its source."""
     if limit.words is None:
         return f"Nothing says how many words one request of {limit.message} may read, so that there is no list."
     place = ""
@@ -252,7 +250,7 @@ def _left_out(polling: Polling) -> SectionTable:
 
 
 def _asked(layout: DeviceLayout) -> Iterator[str]:
-    """How parameters are read: one by one, several elements of one, or all at once."""
+    """Sentences about how messages read parameters: one, several elements of one, or all of a set."""
     for message in layout.device.messages.values():
         for field in message.response.fields:
             part = field.value.parameter if field.value is not None else None

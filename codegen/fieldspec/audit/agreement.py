@@ -32,9 +32,9 @@ _BYTES = re.compile(r"(?<![0-9A-Za-z])(?:0x)?([0-9A-Fa-f]{2})[Hh]?(?![0-9A-Za-z]
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """What a line can be read to say: numbers, and intervals from one number to another.
+    """The numbers of a line in all their readings, and intervals from one number to another.
 
-    `characters` are hexadecimal digits that stand one by one, as in a row of characters.
+    `characters` are runs of single hexadecimal digits, as a row of a table of characters prints them.
     """
 
     values: frozenset[Decimal]
@@ -42,7 +42,7 @@ class Numbers:
     characters: tuple[str, ...]
 
     def holds(self, number: int | Decimal) -> bool:
-        """Whether the number stands in the line, as such, within an interval, or digit by digit."""
+        """Whether the line has a number: as such, within an interval, or digit by digit."""
         if number in self.values or any(low <= number <= high for low, high in self.intervals):
             return True
         if number < 0 or number != int(number):
@@ -53,7 +53,7 @@ class Numbers:
 
 @lru_cache(maxsize=16384)
 def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
-    """The numbers that a spelling may mean: `10h` and `0x10` are sixteen, `1,000` is a thousand.
+    """The numbers that a text may mean: `10h` and `0x10` are sixteen, `1,000` is a thousand.
 
     `10` is ten or sixteen, unless the form of a pattern says that it is decimal or hexadecimal.
     """
@@ -77,7 +77,7 @@ def readings(text: str, form: str = "") -> tuple[Decimal, ...]:
 
 @lru_cache(maxsize=16384)
 def numbers(line: str) -> Numbers:
-    """All numbers of a reduced line in all their readings."""
+    """All numbers of an index line in all their readings."""
     values: set[Decimal] = set()
     intervals: list[tuple[Decimal, Decimal]] = []
     before: tuple[int, tuple[Decimal, ...]] | None = None
@@ -97,18 +97,18 @@ def numbers(line: str) -> Numbers:
 
 
 def number_places(line: str) -> Iterator[tuple[int, int]]:
-    """Where the numbers of a reduced line stand."""
+    """The start and end of each number in an index line."""
     for match in _NUMBER.finditer(line):
         yield match.span()
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The words of a text as they are compared: in lower case, without what stands between them."""
+    """The words of a text for comparisons: in lower case, without the characters between them."""
     return tuple(word.lower() for word in _WORD.findall(text))
 
 
 def has_word(line: str, word: str) -> bool:
-    """Whether a word stands in a reduced line, or in a series of such words: `IN5`, or `IN`, in `IN1 ~ IN14`."""
+    """Whether an index line has a word, also within a series: `IN1 ~ IN14` has `IN5` and `IN`."""
     have = words(line)
     if word in have:
         return True
@@ -124,7 +124,7 @@ def has_word(line: str, word: str) -> bool:
 
 
 def in_order(part: bytes, frame: bytes) -> bool:
-    """Whether some bytes are those of a frame in their order, with others between them."""
+    """Whether a frame has all bytes of a part in the same order, with any bytes between them."""
     left = iter(frame)
     return all(byte in left for byte in part)
 
@@ -145,7 +145,7 @@ _FIGURES = re.compile(r"[0-9]+")
 
 
 def says(row: FactRow, value: PieceValue, elided: Collection[str]) -> bool:
-    """Whether a fact says what is printed. `elided` are the paths of examples of which some bytes are not."""
+    """Whether a fact has a printed value. `elided` are the paths of examples that the manual prints with gaps."""
     if value.column == "frame":
         printed, frame = bytes(byte_pairs(value.text)), _frame(row)
         if printed == frame or (row["path"] in elided and in_order(printed, frame)):
@@ -175,18 +175,18 @@ _index_line = lru_cache(maxsize=16384)(index_line)
 
 @lru_cache(maxsize=16384)
 def _words(text: str) -> tuple[str, ...]:
-    """The words of a text, as far as an index has them."""
+    """The words of a text as an index has them."""
     return words(_index_line(text))
 
 
 @lru_cache(maxsize=16384)
 def _numbers(text: str) -> frozenset[Decimal]:
-    """The numbers in a text, as far as an index has them."""
+    """The numbers of a text as an index has them."""
     return numbers(_index_line(text.replace("..", "~"))).values
 
 
 def _ranges(row: FactRow, value: PieceValue) -> bool:
-    """Whether the printed bounds are those of a fact, or of what may be written to it, in counts or in its unit."""
+    """Whether printed bounds are those of a fact, or of values written to it: as raw values or as quantities."""
     if isinstance(write_ranges := row["write_ranges"], str):
         pairs = intervals(write_ranges)
         low, high = min(pair[0] for pair in pairs), max(pair[1] for pair in pairs)
@@ -207,7 +207,7 @@ def _frame(row: FactRow) -> bytes:
 
 
 def _named(row: FactRow, text: str) -> bool:
-    """Whether a printed text is the name or the label of a fact, as far as an index has it."""
+    """Whether a printed text is the name or the label of a fact, as an index has it."""
     printed = _words(text)
     if not printed:
         return True
@@ -218,7 +218,7 @@ def _named(row: FactRow, text: str) -> bool:
 
 
 def _counts(row: FactRow, column: str, value: PieceValue) -> bool:
-    """Whether a number of a fact is the printed one; bounds and defaults may be printed in the unit."""
+    """Whether a number of a fact is the printed one; bounds and defaults may be printed as quantities."""
     if column == "code" and (row["kind"] == "bit" or str(row["type"]).startswith("bool")):
         if 0 in (means := _means(value)) or 1 in means:
             return True
@@ -245,7 +245,7 @@ def _counts(row: FactRow, column: str, value: PieceValue) -> bool:
 def _ends(
     ranges: str, column: str, kind: str, scale: int | Decimal | None, size: int | Decimal | None
 ) -> frozenset[Decimal]:
-    """The lower, or the upper, bounds of all intervals of a fact, in counts and in its unit."""
+    """The lower or the upper bounds of all intervals of a fact, as raw values and as quantities."""
     bounds = _INTERVAL.findall(ranges)
     ends = [Decimal(high or low) if column == "max" else Decimal(low) for low, high in bounds]
     if kind.startswith("i") and isinstance(size, int):
@@ -272,7 +272,7 @@ def _same_range(cell: str, value: PieceValue) -> bool:
 
 
 def _is_among(row: FactRow, cell: str, value: PieceValue) -> bool:
-    """Whether a printed number is one of those of a cell such as `4..6`: a table may print them one a line."""
+    """Whether a printed number is in a cell such as `4..6`: a table may print each number on a line of its own."""
     if len({*lines_of(citations(str(row["sources"] or ""), ""))}) < 2:
         return False
     bounds = [int(digits) for digits in _FIGURES.findall(cell)]
@@ -280,7 +280,7 @@ def _is_among(row: FactRow, cell: str, value: PieceValue) -> bool:
 
 
 def _in_text(row: FactRow, value: PieceValue) -> bool:
-    """Whether a number stands in a text of a fact."""
+    """Whether a text of a fact has a number."""
     means = _means(value)
     for key in ("printed_name", "label", "ranges", "name"):
         text = row[key]
@@ -290,7 +290,7 @@ def _in_text(row: FactRow, value: PieceValue) -> bool:
 
 
 def corrects(erratum: Erratum, value: PieceValue) -> bool:
-    """Whether an erratum is about what is printed: its print has the number, the word or the bytes."""
+    """Whether an erratum corrects a printed value: its print has the number, the word or the bytes."""
     printed = [_comparable_text(cell) for cell in erratum.printed.values()]
     texts = [_index_line(text.replace("..", "~")) for text in (erratum.literal, *printed) if text]
     if value.column == "frame":
@@ -309,6 +309,6 @@ def _comparable_text(value: object) -> str:
 
 
 def _holds(have: Sequence[str], wanted: Sequence[str]) -> bool:
-    """Whether some words stand in others, one behind the other."""
+    """Whether a list of words has another one as a part."""
     size = len(wanted)
     return any(tuple(have[at : at + size]) == tuple(wanted) for at in range(len(have) - size + 1))

@@ -1,4 +1,4 @@
-"""Whether the lines that the spec cites hold what the facts say that they hold."""
+"""Whether the cited lines print the addresses, codes and identifiers of the facts that cite them."""
 
 from __future__ import annotations
 
@@ -34,16 +34,16 @@ NUMBERS = (
     "bits",
     "word_span",
 )
-"""The keys of what is known by a number: each of them is printed where its fact is."""
-
+"""The keys of numbers that identify a fact: the manual prints them on the lines of the fact."""
 
 _SPEC_KEYS = {"elided": "frame"}
+"""The keys of a spec for those of claims, where they differ."""
 _FIGURES = re.compile(r"[0-9]+")
 
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """Something that the cited lines do not hold: the fact's path, what it is, and where the spec says it."""
+    """A claim that the cited lines do not print: the path of the fact, the claim, and its place in the spec."""
 
     path: str
     what: str
@@ -53,9 +53,9 @@ class Missing:
 
 @dataclass(frozen=True, slots=True)
 class CitationResults:
-    """The citations that were looked up, those that fail, and exceptions that nothing needs.
+    """How many claims were looked up, which ones fail, how many are excepted, and the exceptions without use.
 
-    `numbered` are the facts that are known by a number, by path: where the spec says it, and where it is printed.
+    `numbered` are the facts with an identifying number, by path: its place in the spec, and its place in the manual.
     """
 
     looked_up: int
@@ -67,9 +67,9 @@ class CitationResults:
 
 @dataclass(frozen=True, slots=True)
 class _Claim:
-    """What a fact, or another place that states it, says of itself, and where the manual prints it.
+    """A key of a fact, or of another place that states it, with its text and the lines that should print it.
 
-    `means` are the numbers that stand for it, whichever of them is printed.
+    `means` are the numbers of which the manual may print any.
     """
 
     path: str
@@ -81,7 +81,7 @@ class _Claim:
 
 
 def citation_results(devices: Sequence[Device], manual: AlignedManual, plan: Plan) -> CitationResults:
-    """Looks up what the facts of a device at all its versions cite."""
+    """Looks up the claims of all facts of all versions of a device on the lines that they cite."""
     claims: dict[tuple[str, str, int], _Claim] = {}
     corrected: dict[str, list[str]] = defaultdict(list)
     beside: dict[tuple[int, str], list[str]] = defaultdict(list)
@@ -119,13 +119,13 @@ def citation_results(devices: Sequence[Device], manual: AlignedManual, plan: Pla
 
 
 def misplaced(devices: Sequence[Device], manual: AlignedManual, plan: Plan) -> Iterator[Missing]:
-    """Citations whose lines are blank at one of their ends, or lie in another section than the one that they name."""
+    """Citations that begin or end with a blank line, or have lines outside the section that they name."""
     seen: set[tuple[str, Citation]] = set()
     for device in devices:
         for _, place, sources, _ in cited_places(device):
             key = "element_sources" if "element_sources" in place and "source" not in place else "source"
             if key not in place:
-                continue  # the sources are those of what holds it
+                continue  # the fact inherits its sources
             for source in sources:
                 if (place.path, source) not in seen:
                     seen.add((place.path, source))
@@ -143,7 +143,7 @@ def _misplaced(place: Place, span: Span, source: Citation, manual: AlignedManual
 
 
 def _put(printed: object) -> str:
-    """What an erratum calls printed, as text; a number is put so that it has one reading."""
+    """A printed value of an erratum as text; a number in a form with a single reading."""
     whole = isinstance(printed, int) and not isinstance(printed, bool) and printed >= 0
     return f"0x{printed:X}" if whole else str(printed)
 
@@ -153,7 +153,7 @@ def _excepted(plan: Plan, path: str) -> Unprinted | None:
 
 
 def _claims(device: Device, seen: set[int]) -> Iterator[_Claim]:
-    """What the facts of a device say of themselves, but for those that other versions share, which have been `seen`."""
+    """The claims of the facts of a device, without facts that are `seen` already, as versions share facts."""
     bases = {
         parameter.place.path: parameter_set.base
         for parameter_set in device.parameters.values()
@@ -198,9 +198,9 @@ def _claims(device: Device, seen: set[int]) -> Iterator[_Claim]:
 
 
 def _means(fact: Fact, key: str, base: int) -> tuple[int, ...]:
-    """The numbers of a fact that may be printed for it, where they are not simply what the key says.
+    """The numbers of which the manual may print any, where they are not those of the key itself.
 
-    A parameter has one in its set, and one on the wire, which is greater by `base`.
+    A parameter has a number in its set, and one on the wire, which is greater by `base`.
     """
     if isinstance(fact, Parameter) and key == "number":
         return fact.number, base + fact.number
@@ -214,7 +214,7 @@ def _text(span: Span) -> str:
 
 
 def _failing(claim: _Claim, manual: AlignedManual, plan: Plan, printed: list[str]) -> Iterator[Missing]:
-    """What is wrong with a citation: the section, or that none of its lines hold what the fact says."""
+    """A finding where the cited lines print neither the claim nor what an erratum says is printed."""
     texts = [manual.line(line) for source in claim.sources for a, b in source.lines for line in range(a, b + 1)]
     if not _printed(claim, texts) and not any(_printed_as(text, claim, texts) for text in printed if text):
         yield Missing(
@@ -227,7 +227,7 @@ def _in_section(cited: str, section: str) -> bool:
 
 
 def _printed(claim: _Claim, texts: list[str]) -> bool:
-    """Whether lines hold what a fact says of itself, in any spelling."""
+    """Whether lines print a claim, in any spelling."""
     if claim.key == "frame":
         return bytes.fromhex(claim.text) in bytes(pair for text in texts for pair in byte_pairs(text))
     if claim.key == "elided":
@@ -244,13 +244,13 @@ def _printed(claim: _Claim, texts: list[str]) -> bool:
 
 
 def _elided(frame: bytes, texts: list[str]) -> bool:
-    """Whether the bytes in some lines are those of a frame, in their order, with some left out."""
+    """Whether the bytes on some lines are those of a frame in the same order, with gaps."""
     printed = bytes(pair for text in texts for pair in byte_pairs(text))
     return bool(printed) and in_order(printed, frame)
 
 
 def _printed_as(printed: str, claim: _Claim, texts: list[str]) -> bool:
-    """Whether lines hold what an erratum calls the print of a fact."""
+    """Whether lines print what an erratum says is printed for a claim."""
     if claim.key == "elided":
         return _elided(bytes(byte_pairs(printed)), texts)
     if claim.key == "frame":

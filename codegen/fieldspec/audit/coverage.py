@@ -29,7 +29,7 @@ _STATUS_KINDS = {OPEN: "bad", CORRECTED: "warning", LEFT_OUT: ""}
 
 
 def coverage(subject: Subject) -> Section:
-    """How the manual is covered, and whether what the spec cites is there."""
+    """The section about coverage: what in the manual is in the spec, and whether cited lines print the facts."""
     cited_manual = subject.device.manual
     findings: list[Diagnostic] = []
     recorded = subject.recorded
@@ -66,7 +66,7 @@ def _head(subject: Subject) -> Span:
 
 
 def _manual(subject: Subject, findings: list[Diagnostic]) -> AlignedManual | None:
-    """The manual at hand in the lines that the spec cites; what is wrong with its index is found."""
+    """The manual at hand with the line numbers that the spec cites, or None. Adds what is wrong with its index."""
     cited_manual, recorded, manual = subject.device.manual, subject.recorded, subject.manual
     if recorded is None and manual is None:
         text = f"there is no index of the manual {cited_manual.file}"
@@ -88,7 +88,7 @@ def _manual(subject: Subject, findings: list[Diagnostic]) -> AlignedManual | Non
 
 
 def _says(subject: Subject, manual: AlignedManual) -> Iterator[str]:
-    """Which text is compared, and how much of it is the one that the spec cites."""
+    """Sentences about the text that is compared, and how much of it is the edition that the spec cites."""
     cited = subject.device.manual
     edition = f", {cited.edition}" if cited.edition else ""
     yield f"{cited.title}{edition}: {cited.file}, {cited.lines} lines, sha256 {cited.sha256}"
@@ -135,7 +135,7 @@ def _states(candidates: list[Candidate]) -> tuple[int, ...]:
 
 
 def _by_kind(accounts: Accounts) -> SectionTable:
-    """How many of each kind there are."""
+    """The candidates by kind."""
     rows: list[tuple[Cell, ...]] = []
     for kind, words in _KINDS.items():
         candidates = [candidate for candidate in accounts.candidates if candidate.kind == kind]
@@ -147,7 +147,7 @@ def _by_kind(accounts: Accounts) -> SectionTable:
 
 
 def _by_section(accounts: Accounts, plan: Plan) -> SectionTable:
-    """How many there are in each section of the manual."""
+    """The candidates by section of the manual."""
     rows: list[tuple[Cell, ...]] = []
     titles = {section.name: section.title for section in plan.sections}
     for name in ("", *titles):
@@ -160,7 +160,7 @@ def _by_section(accounts: Accounts, plan: Plan) -> SectionTable:
 
 
 def _reasons(accounts: Accounts, plan: Plan) -> SectionTable:
-    """What is left out, how often it is there, and why."""
+    """The omissions: how often each applies, and its reason."""
     times = Counter(id(candidate.out) for candidate in accounts.candidates if candidate.out is not None)
     rows: list[tuple[Cell, ...]] = []
     for out in (*plan.left_out, plan.headings):
@@ -172,7 +172,7 @@ def _reasons(accounts: Accounts, plan: Plan) -> SectionTable:
 
 
 def _rows(accounts: Accounts, manual: AlignedManual) -> SectionTable:
-    """Every place that is not simply covered."""
+    """The candidates that are not covered."""
     candidates = [candidate for candidate in accounts.candidates if candidate.status != COVERED]
     rows = []
     for candidate in candidates:
@@ -186,7 +186,7 @@ def _rows(accounts: Accounts, manual: AlignedManual) -> SectionTable:
 
 
 def _beside(accounts: Accounts, plan: Plan, manual: AlignedManual) -> SectionTable:
-    """The numbers that nothing compares, for a person to look at."""
+    """The numbers that no fact accounts for, for a person to look at."""
     rows: list[tuple[Cell, ...]] = []
     for line, start, end in accounts.beside:
         text = manual.index.lines[line - 1]
@@ -196,7 +196,7 @@ def _beside(accounts: Accounts, plan: Plan, manual: AlignedManual) -> SectionTab
 
 
 def _unneeded(accounts: Accounts, claims: CitationResults) -> SectionTable:
-    """The facts whose loss would not show."""
+    """The facts whose loss the audit would not notice."""
     gone = [(path, *place) for path, place in claims.numbered.items() if path not in accounts.needed]
     rows: tuple[tuple[Cell, ...], ...] = tuple((path, source, span) for path, span, source in gone)
     title = "Facts that would not be missed: printed twice, or in words, or in a line that others cite"

@@ -1,4 +1,4 @@
-"""Blind detection: what the checks find in the spec as the manual prints it, with no erratum written."""
+"""Blind detection: what the checks find in a spec as the manual prints it, without any erratum."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from fieldspec.reading.nodes import Mapping
 from fieldspec.reading.project import DeviceSpec
 
 WIRE = ("bytes", "range")
-"""The effects by which the tool's power is measured: those that reach the wire."""
+"""The effects that reach the wire: by these errata the power of the checks is measured."""
 
 CLASSES = {
     "frame": ("frame", "values", "characters"),
@@ -51,10 +51,10 @@ CLASSES = {
 """The classes of misprints, by the first key that is misprinted."""
 
 TEXTS = frozenset(("printed_name", "label", *CLASSES["description"]))
-"""The keys that people read, and that no frame depends on."""
+"""The keys that only people read."""
 
 OTHER, WORDING = "other", "wording"
-"""The classes of what is misprinted in another key, and of what no key holds: a sentence that is wrong or missing."""
+"""The classes of a misprint in any other key, and of one that no key has: a wrong or missing sentence."""
 
 OF_WRITING = (
     "allowances_used",
@@ -67,12 +67,12 @@ OF_WRITING = (
     "steps_possible",
     "tasks_complete",
 )
-"""What finds slips of who writes the spec. Who does not know of an erratum would have written it otherwise."""
+"""Checks of how a spec is written. They do not count: an author without the erratum would have written it otherwise."""
 
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """What is found with one erratum's print put back `alone`, and whether that shows `together` with the others."""
+    """The findings with the print of one erratum put back `alone`, and whether it shows `together` with all others."""
 
     erratum: Erratum
     alone: tuple[Diagnostic, ...]
@@ -85,13 +85,13 @@ class Detection:
 
     @property
     def checks(self) -> tuple[str, ...]:
-        """The names of the checks that find it."""
+        """The names of the checks that find the misprint."""
         return tuple(sorted({finding.code for finding in self.alone}))
 
 
 @dataclass(frozen=True, slots=True)
 class PrintedDevice:
-    """A device as the manual prints it: what each erratum's print shows, and what all of them show at once."""
+    """A device as the manual prints it: the detection of each erratum, and the findings with all prints at once."""
 
     detections: tuple[Detection, ...]
     findings: tuple[Diagnostic, ...]
@@ -106,10 +106,10 @@ def misprint(erratum: Erratum) -> str:
 def as_printed(
     spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known: Outcome | None = None
 ) -> PrintedDevice:
-    """The findings in the print of a device that the right spec does not have.
+    """What the checks find in the print of a device and not in its spec.
 
-    Where an erratum is proven, its proof has run one check on its print already; `thorough` runs all the others too.
-    `known` is what running everything on the right spec has given.
+    The proof of an erratum has already run one check on its print; `thorough` runs all the others, too. `known` is the
+    outcome of all checks of the spec, where they have run.
     """
     of_version: dict[str, list[Proof]] = {}
     for proof in proofs:
@@ -137,7 +137,7 @@ def as_printed(
 
 
 def _new(findings: Iterable[Diagnostic], clean: Container[tuple[str, str, int]]) -> list[Diagnostic]:
-    """What is found in the print, and neither in the right spec nor in how the spec is written."""
+    """The findings that the spec itself does not have, without those about how it is written."""
     return [finding for finding in findings if finding_key(finding) not in clean and finding.code not in OF_WRITING]
 
 
@@ -155,7 +155,7 @@ def _alone(
 def _whole(
     spec: DeviceSpec, tree: Mapping, version: str, device: Device, remembered: FindingsCache
 ) -> list[Diagnostic]:
-    """What is found with all prints at once. What cannot stand in the language is found by reading, and left out."""
+    """The findings with all prints at once. A print that the language does not have is a finding of reading."""
     refused: list[Diagnostic] = []
     for erratum in device.errata:
         tree, broken = printed_tree(tree, erratum)
@@ -165,7 +165,7 @@ def _whole(
 
 
 def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagnostic]) -> bool:
-    """Whether a finding of all prints together points to the print of an erratum, or is one that it has alone."""
+    """Whether a finding of all prints together points to the print of an erratum, or is among those of it alone."""
     known = {finding_key(finding) for finding in alone}
     printed = erratum.place.spans.get("printed")
     for finding in whole:
@@ -180,12 +180,12 @@ def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagno
 
 
 def detection(subject: Subject) -> Section:
-    """The section of the report: how many errata a check finds by itself, by class, and which ones none does."""
+    """The section about blind detection."""
     return section(as_printed(subject.spec, subject.proofs, thorough=False, known=subject.known))
 
 
 def section(printed_device: PrintedDevice) -> Section:
-    """How much of a device's errata is found blindly, as a part of the report."""
+    """A printed device as a section: how many errata the checks find, by class, and which ones they miss."""
     every = printed_device.detections
     wire = [detection for detection in every if detection.erratum.effect in WIRE]
     return Section(
@@ -264,6 +264,6 @@ def _row(detection: Detection) -> tuple[Cell, ...]:
 
 
 def _first(detection: Detection) -> Iterator[str]:
-    """The messages of the findings, that of the check that the erratum names first."""
+    """The messages of the findings; first those of the check that the erratum names."""
     for finding in sorted(detection.alone, key=lambda finding: finding.code != detection.erratum.proof):
         yield finding.message

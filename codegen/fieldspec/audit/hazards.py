@@ -1,4 +1,4 @@
-"""What may go wrong when values are read and written, and the section of the report about it."""
+"""Hazards of reading and writing values, and the section of the report about them."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from fieldspec.model.value import UNSPECIFIED, Handling, Value
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """A kind of hazard: its title, and what to do about all of that kind.
+    """A kind of hazard, with advice for all of this kind.
 
-    `unsafe` says that what was read must not simply be written back.
+    A kind is `unsafe` where a program must not simply write back what it has read.
     """
 
     name: str
@@ -95,7 +95,10 @@ KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class Hazard:
-    """A fact that is one: its kind, where it is addressed, what it has to do with, and why in a few words."""
+    """A hazard of a fact: its kind, the address, the reason in a few words, and the `other` fact involved.
+
+    `key` is the key of the spec that says so.
+    """
 
     kind: Kind
     name: str
@@ -192,7 +195,7 @@ def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
 
 
 def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iterator[Hazard]:
-    """What the keys of handling say, which many kinds of facts have."""
+    """The hazards that the keys of handling declare."""
     if handling == UNSPECIFIED:
         return
     if handling.clears_on_read:
@@ -210,13 +213,13 @@ def _handled(fact: Fact, handling: Handling, where: str, device: Device) -> Iter
 
 
 def _endurance(endurance: str) -> str:
-    """How often a value may be written, as far as the manual says it."""
+    """How often a value may be written, as the manual says."""
     words = {"limited": "a limited number of writes, which is not printed", "unlimited": "as often as one likes"}
     return words.get(endurance, f"{endurance} writes") if endurance else "how many writes it endures is not printed"
 
 
 def _started(value: Value) -> str:
-    """By what a trigger starts."""
+    """How a write starts the action of a trigger."""
     if value.const is not None:
         return f"started by {value.const:#x}"
     return f"started by a value of {value.enum}" if value.enum else "started by writing"
@@ -225,7 +228,10 @@ def _started(value: Value) -> str:
 def _shared(
     device: Device, fact: Fact, value: Value, access: str, where: str, registers: frozenset[str] = frozenset()
 ) -> Iterator[Hazard]:
-    """A word of several named bits that is written as a whole, and the `registers` that show one of them alone."""
+    """The hazard of a word with several bits that is written as a whole.
+
+    `registers` are the names of registers that write a single bit.
+    """
     word = device.flags.get(value.flags)
     if word is None or not writable(access):
         return
@@ -241,7 +247,7 @@ def _shared(
 
 
 def _alone(device: Device) -> frozenset[str]:
-    """The names of single registers that can be written, each of several with its number."""
+    """The names of writable registers; those of an array with the index of each element."""
     return frozenset(
         f"{register.name}_{register.index_from + number}" if register.count > 1 else register.name
         for register in device.registers()
@@ -260,7 +266,7 @@ def _hazard(kind: str, fact: Fact, where: str, why: str, other: str = "", key: s
 
 
 def undivided(device: Device) -> list[Register]:
-    """The registers of several words of which the manual does not say that they must be accessed in one request."""
+    """The registers with several words that the manual does not require to be accessed in one request."""
     return [
         register
         for register in device.registers()
@@ -278,7 +284,7 @@ _SAYS = (
 
 
 def access(subject: Subject) -> Section:
-    """The hazards of reading and writing."""
+    """The section about hazards of reading and writing."""
     all_hazards = hazards(subject.layout)
     unsafe = {hazard.path for hazard in all_hazards if hazard.kind.unsafe}
     says = [_SAYS]

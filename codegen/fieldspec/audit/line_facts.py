@@ -1,4 +1,4 @@
-"""What the spec states about each line of the manual: the facts that cite it, with their values and errata."""
+"""The facts and errata that cite each line of a manual."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")
 _NO_CITATIONS = frozenset(
     ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
 )
-"""Keys of a spec under which an L with a number is no line of the manual."""
+"""Keys of a spec below which an L with a number is not a line of the manual."""
 _BESIDE = ("errata", "printed", "provenance", "inferred", "standard", "evidence", "roles")
 _cells = itemgetter(*(column for column in COLUMNS if column not in _BESIDE))
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
@@ -28,7 +28,7 @@ _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]
 
 @dataclass(slots=True)
 class LineFacts:
-    """What cites a line: rows of facts, and errata."""
+    """The rows of facts and the errata that cite a line."""
 
     facts: list[FactRow] = field(default_factory=list)
     errata: list[Erratum] = field(default_factory=list)
@@ -36,9 +36,9 @@ class LineFacts:
 
 @dataclass(frozen=True, slots=True)
 class LineCitations:
-    """What cites each line, and all lines that are cited, be it in a remark.
+    """The facts of each line, and all `lines` that any text of the spec cites, remarks included.
 
-    `elided` are the paths of examples of which some bytes are not printed.
+    `elided` are the paths of examples of which the manual does not print all bytes.
     """
 
     by_line: Mapping[int, LineFacts]
@@ -46,14 +46,14 @@ class LineCitations:
     elided: frozenset[str]
 
     def at(self, line: int) -> LineFacts:
-        """What cites a line."""
+        """The facts and errata of a line."""
         return self.by_line.get(line) or LineFacts()
 
 
 def line_citations(
     spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]
 ) -> LineCitations:
-    """What cites each line of the manual, in any version; `facts` are the rows of each layout."""
+    """The citations of all versions by line; `facts` are the rows of each layout."""
     by_line: dict[int, LineFacts] = defaultdict(LineFacts)
     known: set[object] = set()
     shared: set[int] = set()
@@ -85,7 +85,7 @@ def line_citations(
 
 
 def _completed(rows: Sequence[FactRow]) -> Iterator[FactRow]:
-    """The rows; where another place states a fact again, any value of the fact may be what is printed there."""
+    """The rows. One that restates a fact gets the other values of the fact, as its place may print any of them."""
     by_path = {str(row["path"]): row for row in rows}
     for row in rows:
         path, again, _ = str(row["path"]).rpartition("/restated/")
@@ -101,7 +101,7 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
 
 
 def _collect_lines(node: Node, lines: set[int], seen: dict[int, Node]) -> None:
-    """Adds the lines that any text of the spec cites. Versions share most nodes; `seen` has those of others."""
+    """Adds the lines that texts of a node cite. Versions share most nodes: `seen` has those of other versions."""
     if id(node) in seen:
         return
     seen[id(node)] = node

@@ -1,4 +1,4 @@
-"""Who holds an address: a register, a field of a table, a parameter, or a message by its code."""
+"""What is at an address: a register, a field of a record table, a parameter, or a message by its code."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from fieldspec.model.registers import Parameter, Register
 
 @dataclass(frozen=True, slots=True)
 class Occupant:
-    """A fact that holds addresses. `about` is its type and access in a few words."""
+    """A fact that has addresses. `about` is its type and access in a few words."""
 
     name: str
     printed_name: str
@@ -27,7 +27,7 @@ class Occupant:
 
     @classmethod
     def of(cls, fact: Fact, about: str, name: str = "") -> Occupant:
-        """A fact as a holder."""
+        """A fact as an occupant; `name` replaces the name of the fact."""
         return cls(
             name or fact.name,
             fact.printed_name,
@@ -41,7 +41,7 @@ class Occupant:
 
 
 def of_register(register: Register) -> Iterator[tuple[int, int, Occupant]]:
-    """The first and the last address of a register; of each of several that do not touch."""
+    """The first and the last address of a register, or of each element where elements do not touch."""
     about = _about(register.value.type.name, register.access)
     width = max(1, register.width)
     if register.count == 1 or register.stride == width:
@@ -55,18 +55,18 @@ def of_register(register: Register) -> Iterator[tuple[int, int, Occupant]]:
 
 
 def of_parameter(parameter: Parameter) -> Iterator[tuple[int, int, Occupant]]:
-    """The numbers of a parameter, as its set counts."""
+    """The first and the last number of a parameter within its set."""
     about = _about(parameter.value.type.name, parameter.access)
     yield parameter.number, parameter.number + parameter.count - 1, Occupant.of(parameter, about)
 
 
 def of_message(message: Message) -> Occupant:
-    """A message by its code."""
+    """A message as the occupant of its code."""
     return Occupant.of(message, message.title)
 
 
 def element_runs(table: TableLayout) -> Iterator[tuple[int, int, Occupant]]:
-    """The addresses of the fields of a table's first element; fields that share a word are one holder."""
+    """The addresses of the fields of a table's first element; fields that share a word are one occupant together."""
     base = table.table.base
     words = [_sharing(table, word) for word in range(table.words)]
     first = 0
@@ -78,7 +78,7 @@ def element_runs(table: TableLayout) -> Iterator[tuple[int, int, Occupant]]:
 
 
 def _sharing(table: TableLayout, word: int) -> tuple[str, ...]:
-    """The names of the fields that lie in a word of a record."""
+    """The names of the fields that have bytes in a word of a record."""
     return tuple(field.name for field in table.record.fields if field.offset < 2 * word + 2 and _end(field) > 2 * word)
 
 

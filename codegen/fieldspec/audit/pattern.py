@@ -1,8 +1,8 @@
 """Patterns of what looks like a fact, as specs declare them, matched in time that grows with the line alone.
 
-A pattern is text with placeholders: `{address:hex} H` is a number and an H. `*` skips as little as it can, blanks may
-be there or not, everything else is itself. Each placeholder takes as much as its form does. So a pattern is a chain of
-pieces that are looked for one behind the other, and none of them is tried twice from the same place.
+A pattern is a text with placeholders: `{address:hex} H` is a number and an H. `*` skips as little as possible, blanks
+are optional, everything else means itself. A placeholder takes as much as its form can. So a pattern is a chain of
+pieces that are searched one after the other, and no piece is tried twice from the same place.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ FORMS = {
     "span": rf"{_NUMBER} ?(?:~|-|\.\.) ?{_NUMBER}",
     "bytes": rf"{_PAIR}(?:[ |,+]{{1,5}}{_PAIR}){{1,300}}(?![0-9A-Za-z])",
 }
-"""What a placeholder may look like. `mask` is a number with one bit set, `bytes` a frame of two bytes or more."""
+"""The forms of placeholders. `mask` is a number with one bit set, `bytes` a frame of two bytes or more."""
 
 COLUMNS = {
     "address": "number",
@@ -55,19 +55,19 @@ COLUMNS = {
     "value": "number",
     "frame": "bytes",
 }
-"""What a placeholder stands for, and its form where none is given. All but `name`, `value` and `frame` are columns of
-the table of facts."""
+"""The columns of placeholders, and the form of each where a pattern gives none. All but `name`, `value` and `frame`
+are columns of the table of facts."""
 
 _PLACE = re.compile(r"\{([a-z]+)(?::([a-z0-9]+))?\}")
 _EDGE = r"(?<![0-9A-Za-z])"
 
 
 class PatternError(Exception):
-    """What is wrong with a pattern, and what would make it right."""
+    """A pattern that cannot be understood. The message says what is wrong, and what is possible."""
 
 
 class PieceValue(NamedTuple):
-    """A value of a piece: what it stands for, its form, and as it is printed."""
+    """A value in a match: its column, its form, and the printed text."""
 
     column: str
     form: str
@@ -75,7 +75,7 @@ class PieceValue(NamedTuple):
 
 
 class Match(NamedTuple):
-    """A piece of a line that looks like a fact: its values, and where it stands in the line."""
+    """A part of a line, from `start` to `end`, that looks like a fact, with its values."""
 
     values: tuple[PieceValue, ...]
     start: int
@@ -84,10 +84,10 @@ class Match(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Template:
-    """A pattern ready for use: the pieces between its `*`, with the columns and forms of their groups.
+    """A pattern ready for use: the pieces between its `*`, and the columns and forms of their groups.
 
-    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`. They
-    are compiled when they are first looked for, as a pattern has use for one or the other.
+    `whole_pieces` are the same, but tied to the ends of the text where the pattern does not begin or end with `*`.
+    Pieces are compiled at their first use, as a pattern needs only one of the two.
     """
 
     pieces: tuple[str, ...]
@@ -99,14 +99,14 @@ class Template:
         return self._chained(self.whole_pieces, text, 0)
 
     def each(self, text: str) -> Iterator[Match]:
-        """All places in a text, none within another."""
+        """All matches in a text, without overlaps."""
         at = 0
         while at <= len(text) and (match := self._chained(self.pieces, text, at)) is not None:
             yield match
             at = max(match.end, at + 1)
 
     def _chained(self, pieces: tuple[str, ...], text: str, start: int) -> Match | None:
-        """The pieces one behind the other, each at the first place behind the one before it."""
+        """The match of the pieces in their order, each at the first place after the one before it."""
         at, begin = start, start
         texts: list[str] = []
         for number, piece in enumerate(_expressions(pieces)):
@@ -143,7 +143,7 @@ def template(text: str) -> Template:
 
 
 def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
-    """The expression of a piece without `*`, and the columns and forms of its groups."""
+    """The regular expression of a piece, and the columns and forms of its groups. Raises PatternError."""
     source, at = "", 0
     names: list[tuple[str, str]] = []
     for match in _PLACE.finditer(part):
@@ -173,12 +173,12 @@ def _literal(text: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class RowPattern:
-    """The first cells of a row, each a template; the values are those of all of them."""
+    """The first cells of a row, each with a template; None is an empty cell."""
 
     cells: Sequence[Template | None]
 
     def find(self, line: str) -> Match | None:
-        """The row, where a line is one. An empty cell is only like an empty one."""
+        """The match of a line that is such a row, with the values of all cells; else None."""
         texts = line.split(CELL.strip())
         if len(texts) < len(self.cells):
             return None

@@ -1,6 +1,6 @@
-"""How an audit reads a manual, as the spec's section `audit` says it.
+"""How an audit reads a manual: the section `audit` of a spec.
 
-It says nothing of the device, so it is no part of the model.
+It says nothing about the device, so it is not in the model.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Lines = tuple[tuple[int, int], ...]
 
 @dataclass(frozen=True, slots=True)
 class ManualSection:
-    """A section of the manual, and the lines from its heading to the next one, both included."""
+    """A section of the manual, from the line of its heading to the last line before the next heading."""
 
     name: str
     title: str
@@ -37,7 +37,7 @@ _first = attrgetter("first")
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """What looks like a fact: a row, or any piece of a line. Of a `series`, the first and the last one are printed."""
+    """What looks like a fact: a row, or any part of a line. The manual prints the first and the last of a `series`."""
 
     name: str
     kind: str
@@ -50,9 +50,9 @@ class Pattern:
 
 @dataclass(frozen=True, slots=True)
 class Omission:
-    """Lines that are left out, all of them or those that are wholly like something, and why.
+    """Lines that the spec leaves out, with the reason: all of `lines`, or those that match `template` as a whole.
 
-    `like` is what they are like as the spec writes it, `template` the same ready for use.
+    `like` is the template as the spec writes it.
     """
 
     place: Place
@@ -63,13 +63,13 @@ class Omission:
 
     @property
     def exact(self) -> bool:
-        """Whether it leaves out lines one by one for what they say, so that one which says something else is not."""
+        """Whether it names single lines for their text, so that it does not apply to a line with another text."""
         return self.template is None and all(first == last for first, last in self.lines)
 
 
 @dataclass(frozen=True, slots=True)
 class Unprinted:
-    """Paths of facts, with `*` for any text, that are not printed as such where they are cited, and why."""
+    """Paths of facts, with `*` for any text, that the cited lines do not print literally, and the reason."""
 
     place: Place
     facts: tuple[str, ...]
@@ -78,9 +78,9 @@ class Unprinted:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The sections of the manual, the patterns, and what is left out.
+    """The sections of the manual, the patterns, and the omissions.
 
-    `headings` leaves out the lines in which sections begin.
+    `headings` is the omission of the lines with which sections begin.
     """
 
     place: Place
@@ -91,13 +91,13 @@ class Plan:
     unprinted: tuple[Unprinted, ...]
 
     def section(self, line: int) -> str:
-        """The name of the section in which a line stands; empty before the first one."""
+        """The name of the section of a line; empty before the first one."""
         at = bisect_right(self.sections, line, key=_first)
         return self.sections[at - 1].name if at else ""
 
 
 def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]]:
-    """The plan of a device whose manual has so many lines, or None where it has none; and what is wrong with it."""
+    """The plan of a device, None where the spec has none, and the findings about it; `lines` is the manual's length."""
     findings: list[Diagnostic] = []
     node = spec.tree.values.get("audit")
     if not isinstance(node, Mapping):
@@ -121,7 +121,7 @@ def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]
 
 
 def _sections(entry: Entry, lines: int) -> tuple[ManualSection, ...]:
-    """The sections in their order; one that begins before the one above it, or behind the end, is a finding."""
+    """The sections in their order; one that begins before the previous one, or after the last line, is a finding."""
     sections: list[ManualSection] = []
     entries = list(entry.entries("sections", "section"))
     starts = [inner.integer("line") or 1 for inner in entries]
@@ -160,7 +160,7 @@ def _left_out(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> 
 
 
 def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lines:
-    """The lines that an entry is about: those given, those of its sections, what is in both, or all."""
+    """The lines of an entry: those of `lines`, of `sections`, of both at once, or all lines."""
     intervals: list[tuple[int, int]] = []
     for part in filter(None, entry.text("lines").split(", ")):
         low, _, high = part.partition("-")

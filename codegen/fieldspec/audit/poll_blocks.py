@@ -1,8 +1,7 @@
-"""The longest reads that one request can make without touching a hole, as a list of poll blocks.
+"""Poll blocks: the longest reads of one request that touch no hole.
 
-A word may be read where the spec says that it can be read, or where it lies within what can be read and is reserved.
-What can only be written, what is cleared by reading, and what nothing says of whether it can be read, is left out. A
-value is never divided between two requests.
+A poll block has readable values, and reserved words between them. It leaves out values that can only be written, that a
+read clears, or of which the spec does not say whether they can be read. Two requests never divide a value.
 """
 
 from __future__ import annotations
@@ -30,9 +29,9 @@ WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
 
 @dataclass(frozen=True, slots=True)
 class ReadLimit:
-    """The most words that one request of a message reads, None where nothing says it, and the place that says so.
+    """The most words that one request of a message reads, None where the spec does not say, and the place of the limit.
 
-    `own` says that the device's spec gives it, and not the protocol. `sources` are the places of the manual.
+    The limit is `from_manual` where the spec of the device sets it, and not the protocol. `sources` are its citations.
     """
 
     message: str
@@ -46,7 +45,7 @@ class ReadLimit:
 
 @dataclass(frozen=True, slots=True)
 class PollUnit:
-    """Words that are read together, or not at all, with a reason why they cannot be read."""
+    """Words that are read together or not at all; `refused` is why they cannot be read."""
 
     space: str
     first: int
@@ -57,13 +56,13 @@ class PollUnit:
 
     @property
     def end(self) -> int:
-        """The address behind it."""
+        """The address after the last word."""
         return self.first + self.words
 
 
 @dataclass(frozen=True, slots=True)
 class PollBlock:
-    """One request: the space that it reads, its first address, its words, and the values in it."""
+    """One request: its space, its first address, its words, the names of its values, and its reserved words."""
 
     space: str
     start: int
@@ -76,7 +75,7 @@ class PollBlock:
 class Polling:
     """How a device is polled: the limits, the blocks, and what cannot be polled.
 
-    Spaces have names where the device declares several, and are one without a name where it does not.
+    The name of a space is empty where the device declares only one.
     """
 
     limits: tuple[ReadLimit, ...]
@@ -89,13 +88,13 @@ class Polling:
         return tuple(dict.fromkeys(limit.space for limit in self.limits))
 
     def limit(self, space: str) -> ReadLimit | None:
-        """The widest of the limits of a space: the message with it needs the fewest requests."""
+        """The largest limit of a space: its message needs the fewest requests. None where no limit is known."""
         known = [limit for limit in self.limits if limit.words is not None and limit.space == space]
         return max(known, key=lambda limit: limit.words or 0, default=None)
 
 
 def polling_of(layout: DeviceLayout) -> Polling:
-    """The poll blocks of all spaces; none where no message reads registers, or nothing limits it."""
+    """The poll blocks of all spaces; none where no message reads registers, or no limit is known."""
     device = layout.device
     limits = tuple(_limit(device, message) for message in device.messages.values() if _reads(device, message))
     unpolled = Polling(limits, (), ())
@@ -112,7 +111,7 @@ def polling_of(layout: DeviceLayout) -> Polling:
 
 
 def _polled(units: Sequence[PollUnit], most: int) -> tuple[list[PollBlock], list[PollUnit]]:
-    """The blocks of a space, and what is left out; a request reads `most` words."""
+    """The blocks of a space, and what is left out; a request reads at most `most` words."""
     too_long = [
         PollUnit(poll_unit.space, poll_unit.first, poll_unit.words, poll_unit.name, TOO_LONG)
         for poll_unit in units
@@ -134,7 +133,7 @@ def _space(device: Device, name: str) -> str:
 
 
 def _limit(device: Device, message: Message) -> ReadLimit:
-    """What bounds a message: the range of its number of words, how often its values repeat, or their size in bytes."""
+    """The limit of a message: the range of its word count, how often its values repeat, or their size in bytes."""
     access = message.accesses
     assert access is not None
     space = _space(device, access.space)
@@ -179,29 +178,29 @@ def _of_register(device: Device, register: Register) -> Iterator[PollUnit]:
 
 
 def _of_table(device: Device, table_layout: TableLayout) -> Iterator[PollUnit]:
-    """The fields of all elements. A reserved field in the midst of others is read with them."""
+    """The fields of all elements. A reserved field between others is read with them."""
     table = table_layout.table
     space = _space(device, table.space)
     fields = {field.field.place.path: field.field for field in table_layout.record.fields}
     shapes = [
-        (first, last, holder, _of_field(table_layout, fields[holder.path], holder))
-        for first, last, holder in element_runs(table_layout)
+        (first, last, occupant, _of_field(table_layout, fields[occupant.path], occupant))
+        for first, last, occupant in element_runs(table_layout)
     ]
     for number in range(table.count):
         at = number * table.stride
-        for first, last, holder, refused in shapes:
-            name = f"{table.name}[{table.index_from + number}].{holder.name}"
-            yield PollUnit(space, first + at, last - first + 1, name, refused, holder.reserved)
+        for first, last, occupant, refused in shapes:
+            name = f"{table.name}[{table.index_from + number}].{occupant.name}"
+            yield PollUnit(space, first + at, last - first + 1, name, refused, occupant.reserved)
 
 
-def _of_field(table: TableLayout, field: Field, holder: Occupant) -> str:
-    if holder.reserved and not field.access:
+def _of_field(table: TableLayout, field: Field, occupant: Occupant) -> str:
+    if occupant.reserved and not field.access:
         return ""
     return _refused(table.access(field), field.handling)
 
 
 def _refused(access: str, handling: Handling) -> str:
-    """Why a value is not polled; nothing where it may be."""
+    """Why a value is not polled; empty where it may be."""
     if access == "wo":
         return WRITE_ONLY
     if handling.clears_on_read:
@@ -210,7 +209,7 @@ def _refused(access: str, handling: Handling) -> str:
 
 
 def _together(usable: Sequence[PollUnit], stops: Sequence[PollUnit]) -> Iterator[list[PollUnit]]:
-    """Units that follow one another without a hole; what cannot be read is one, even where it shares its address."""
+    """Units without a hole between them; an address that cannot be read is a hole, even where a unit shares it."""
     closed = {address for poll_unit in stops for address in range(poll_unit.first, poll_unit.end)}
     run: list[PollUnit] = []
     end = 0
@@ -227,7 +226,7 @@ def _together(usable: Sequence[PollUnit], stops: Sequence[PollUnit]) -> Iterator
 
 
 def _cut(run: Sequence[PollUnit], most: int) -> Iterator[PollBlock]:
-    """The longest blocks of a run: each begins where the one before ends. Reserved words at its ends are left out."""
+    """The longest blocks of a run, one after the other, without reserved words at their ends."""
     at = 0
     while at < len(run):
         if run[at].reserved:

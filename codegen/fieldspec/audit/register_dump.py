@@ -34,7 +34,7 @@ _REASONS = {"out_of_range": _RANGE, "unknown_value": _KNOWN, "wrong_const": _KNO
 
 @dataclass(frozen=True, slots=True)
 class DumpValue:
-    """A value that was read: the rows of the dump that hold it, what it says, and the bits in it that are reserved."""
+    """A value of a dump: its rows, its decoded value, and the set bits without a meaning (`spare`)."""
 
     name: str
     where: str
@@ -53,7 +53,7 @@ class DumpValue:
 
     @property
     def text(self) -> str:
-        """What it means, in a few words."""
+        """The meaning in a few words."""
         names = [meaning.name or f"bit {meaning.bits}" for meaning in self.decoded.meanings]
         if self.value.flags:
             return "[" + ", ".join(names) + "]"
@@ -61,7 +61,7 @@ class DumpValue:
 
     @property
     def differs(self) -> bool:
-        """Whether it is not what the manual prints as the initial value."""
+        """Whether it is not the initial value that the manual prints."""
         default = self.value.default
         judged = not self.decoded.reason and not self.reserved and not self.unread
         return default is not None and judged and self.number != default
@@ -69,7 +69,7 @@ class DumpValue:
 
 @dataclass(frozen=True, slots=True)
 class Hole:
-    """A value of which the dump has some words and lacks others."""
+    """A value of which the dump has only some words."""
 
     name: str
     fact: Fact
@@ -79,7 +79,10 @@ class Hole:
 
 @dataclass(frozen=True, slots=True)
 class DumpReport:
-    """A dump beside a device. `base` is how its addresses were read, `twice` has rows that contradict earlier ones."""
+    """A dump compared with a device.
+
+    `base` is how its addresses were read; `twice` has rows that contradict an earlier row.
+    """
 
     base: str
     read: tuple[DumpValue, ...]
@@ -90,13 +93,13 @@ class DumpReport:
 
 
 def compared(layout: DeviceLayout, dump: Dump, offset: int = 0) -> DumpReport:
-    """A dump beside a device. Addresses are read in the way by which most are known, and then the fewest are wrong."""
+    """A dump compared with a device, with the base that has the fewest unknown addresses, then the fewest errors."""
     reports = [_report(layout, base, dump.entries(base), offset) for base in dump.bases]
     return max(reports, key=lambda report: (-len(report.unknown), -_doubtful(report)))
 
 
 def _doubtful(report: DumpReport) -> int:
-    """How much speaks against the way in which addresses were read."""
+    """The number of errors that speak against a base."""
     wrong = sum(1 for read in report.read if read.decoded.reason or read.spare)
     return wrong + len(report.holes) + len(report.too_great) + len(report.twice)
 
@@ -147,19 +150,19 @@ def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: i
 
 
 def _space(device: Device, entry: Entry) -> str:
-    """The address space that a row names; the first one where it names none."""
+    """The address space that a row names; the first one where it names none, or an unknown one."""
     named = {folded(name): name for name in device.spaces}
     return named.get(folded(entry.space), device.space_name("")) if entry.space else device.space_name("")
 
 
 def _names_a_space(layout: DeviceLayout, entry: Entry) -> bool:
-    """Whether a row says that its number is one of parameters."""
+    """Whether a row names a space of parameters."""
     spaces = {folded(parameter_set.space) for parameter_set in layout.device.parameters.values()}
     return bool(entry.space) and folded(entry.space) in spaces
 
 
 def _split(device: Device, entry: Entry, unit: AddressedValue | None) -> list[int] | None:
-    """The words of a row; a number of several words is divided as the value there is. None where it cannot be."""
+    """The words of a row; a great number is divided like the value at its address. None if it does not fit."""
     if len(entry.values) == 1:
         number = entry.values[0]
         wide = unit.words if unit is not None and unit.words > 1 else 1
@@ -189,7 +192,7 @@ def _read(device: Device, unit: AddressedValue, words: Mapping[Address, tuple[in
 
 
 def _spare(device: Device, value: Value, decoded: DecodedValue, reserved: bool) -> tuple[int, ...]:
-    """The bits that are set and have no meaning."""
+    """The set bits without a meaning."""
     word = device.flags.get(value.flags)
     if word is None or reserved or not isinstance(decoded.number, int):
         return ()
@@ -199,7 +202,7 @@ def _spare(device: Device, value: Value, decoded: DecodedValue, reserved: bool) 
 
 
 def _parameters(device: Device, entry: Entry, number: int) -> Iterator[DumpValue]:
-    """The values of a parameter by its number on the wire."""
+    """The values of the parameter with a number on the wire."""
     spaces = dict.fromkeys(parameter_set.space for parameter_set in device.parameters.values())
     named = [space for space in spaces if folded(space) == folded(entry.space)] or list(spaces)
     for space in named:
@@ -228,9 +231,9 @@ def _parameter(device: Device, where: str, parameter: Parameter, at: int, number
 
 
 def judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> list[Diagnostic]:
-    """What is wrong with a dump; `rows` has the offset at which each row begins in the file.
+    """The findings about a dump; `rows` has the offset of each row in the file.
 
-    Of each rule, no more findings are listed than of a spec: a dump may have a hundred thousand rows.
+    Findings of one rule are limited as those about a spec are: a dump may have a hundred thousand rows.
     """
     by_rule: dict[str, list[Diagnostic]] = {}
     for finding in _judged(report, file, rows):
@@ -267,7 +270,7 @@ def _judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> li
 
 
 def _wrong(read: DumpValue, span: Span) -> Iterator[Diagnostic]:
-    """What is wrong with one value."""
+    """The findings about one value."""
     if read.decoded.reason:
         raw_text = read.number.hex(" ") if isinstance(read.number, bytes) else read.number
         text = f"{read.name} is {raw_text}; it {read.decoded.verdict.removeprefix('wrong: ')}"
@@ -287,13 +290,13 @@ def _wrong(read: DumpValue, span: Span) -> Iterator[Diagnostic]:
 
 
 def finding(code: str, text: str, span: Span, fact: Fact, help: str, grave: bool = True) -> Diagnostic:
-    """A finding about a value, with the place of the spec that says otherwise; a warning where it is not grave."""
+    """A finding about a value, with the place of the spec that it contradicts; a warning if it is not `grave`."""
     label = Label(fact.place[range_key(fact.place) if code == _RANGE else "name"], "what the spec says")
     return Diagnostic(code, text, span, (label,), help, Severity.ERROR if grave else Severity.WARNING)
 
 
 def section(report: DumpReport, findings: Sequence[Diagnostic], skipped: int) -> Section:
-    """The report of a dump."""
+    """The section of a dump; `skipped` is how many rows have no address or no value."""
     wrong = [read for read in report.read if read.decoded.reason or read.spare]
     differing = [read for read in report.read if read.differs]
     base = "hexadecimal" if report.base == HEXADECIMAL else report.base

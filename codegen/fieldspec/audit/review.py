@@ -1,4 +1,4 @@
-"""Who has compared which section of the manual with the spec, what has changed since, and the section about it."""
+"""Reviews: who has compared which section of the manual with the spec, and what has changed since."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from fieldspec.model.fact import Place
 from fieldspec.reading.building.context import Entry
 from fieldspec.reading.project import DeviceSpec
 
-# The state of a section is a hash of its facts, as `fieldspec facts` has them, of all versions: what they say, their
-# names and their corrections, but not the lines on which they are printed.
+# The state of a section is a hash of its facts in all versions, as `fieldspec facts` has them: their values, names and
+# errata, but not the lines that print them.
 
 FILE = "review.yaml"
-"""Where reviews are recorded, in the folder of the device."""
+"""The file of reviews in the folder of a device."""
 
-# The columns by which a fact is known again. Another one would make all that was ever reviewed look changed.
+# The columns of a fact that a review is about. With a new column here, all that was ever reviewed would look changed.
 _STATED = (
     "kind",
     "code",
@@ -61,24 +61,24 @@ _DAY = re.compile("([0-9]{4})-([0-9]{2})-([0-9]{2})")
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """The facts of a section: a short hash of each, with the paths that have it."""
+    """The facts of a section: a short hash of each, with the paths of the facts with this hash."""
 
     facts: Mapping[str, tuple[str, ...]]
 
     @property
     def digests(self) -> list[str]:
-        """The hashes in order, each as often as there are such facts."""
+        """The sorted hashes, each as often as there are facts with it."""
         return sorted(digest for digest, paths in self.facts.items() for _ in paths)
 
     @property
     def hash(self) -> str:
-        """The state as one hash."""
+        """One hash of the whole state."""
         return state_hash(self.digests)
 
 
 @dataclass(frozen=True, slots=True)
 class SignedSection:
-    """A section as it was when somebody compared it. `facts` are the hashes of its facts."""
+    """A section in a review. `state` and `facts` are the hashes at that time, of the section and of its facts."""
 
     section: str
     place: Place
@@ -88,7 +88,7 @@ class SignedSection:
 
 @dataclass(frozen=True, slots=True)
 class Review:
-    """That somebody has compared sections with a manual, on a day."""
+    """Sections that a person has compared with a manual on one day. `manual` is the hash of its text."""
 
     place: Place
     by: str
@@ -101,7 +101,7 @@ class Review:
 
 @dataclass(frozen=True, slots=True)
 class SectionChanges:
-    """What has changed in a section: the paths of facts that are new or say something else, and how many are gone."""
+    """What has changed in a section: the paths of new or changed facts, and how many are gone or were changed."""
 
     changed: tuple[str, ...] = ()
     gone: int = 0
@@ -109,13 +109,13 @@ class SectionChanges:
 
     @property
     def same(self) -> bool:
-        """Whether all is as it was."""
+        """Whether nothing has changed."""
         return not self.changed and not self.gone and not self.other_manual
 
 
 @dataclass(frozen=True, slots=True)
 class ReviewedSection:
-    """A section of the manual with the reviews of it, the latest first, and what has changed since each."""
+    """A section of the manual, its number of facts, and its reviews, the latest first, with the changes since."""
 
     section: str
     facts: int
@@ -123,7 +123,7 @@ class ReviewedSection:
 
 
 def is_day(text: str) -> bool:
-    """Whether there is such a day, as in 2026-01-31."""
+    """Whether a text is a date such as 2026-01-31."""
     match = _DAY.fullmatch(text)
     if match is None:
         return False
@@ -132,12 +132,12 @@ def is_day(text: str) -> bool:
 
 
 def state_hash(digests: Iterable[str]) -> str:
-    """The hash of a state."""
+    """The hash of the digests of a state."""
     return hashlib.sha256(" ".join(digests).encode()).hexdigest()[:16]
 
 
 def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
-    """The state of every section that some versions of a device cite, by the rows of each."""
+    """The state of each section that facts cite; `facts` are the rows of each version."""
     by_section: dict[str, dict[str, dict[str, None]]] = {}
     digests: dict[str, str] = {}
     seen: dict[int, FactRow] = {}
@@ -154,13 +154,13 @@ def states(facts: Iterable[Iterable[FactRow]]) -> dict[str, State]:
 
 
 def _fact_text(row: FactRow) -> str:
-    """What a fact says, as text."""
+    """The text of a fact that is hashed."""
     cells = zip(_STATED, _stated(row), strict=True)
     return "\x1f".join([f"{key}={cell}" for key, cell in cells if cell is not None and cell != []])
 
 
 def _digest(fact_text: str) -> str:
-    """Three bytes of a hash of what a fact says, as four characters."""
+    """Three bytes of the hash of a fact, as four characters of Base64."""
     return b64encode(hashlib.sha256(fact_text.encode()).digest()[:3]).decode()
 
 
@@ -215,7 +215,7 @@ def _signed(entry: Entry) -> SignedSection:
 
 
 def reviewed(now: Mapping[str, State], reviews: Iterable[Review], manual: str) -> list[ReviewedSection]:
-    """Every section that facts cite, with its reviews; `manual` is the hash of the text that the spec is about."""
+    """Every section that facts cite, with its reviews; `manual` is the hash of the text that the spec cites."""
     latest = sorted(enumerate(reviews), key=lambda numbered: (numbered[1].date, numbered[0]), reverse=True)
     return [
         ReviewedSection(
@@ -233,7 +233,7 @@ def reviewed(now: Mapping[str, State], reviews: Iterable[Review], manual: str) -
 
 
 def since(state: State, signed: SignedSection, other_manual: bool) -> SectionChanges:
-    """What has changed in a section since somebody has compared it."""
+    """What has changed in a section since a review."""
     if state.hash == signed.state:
         return SectionChanges(other_manual=other_manual)
     before, now = Counter(signed.facts), Counter(state.digests)
@@ -242,7 +242,7 @@ def since(state: State, signed: SignedSection, other_manual: bool) -> SectionCha
 
 
 def uncited(now: Mapping[str, State], reviews: Iterable[Review]) -> Iterator[Diagnostic]:
-    """The reviews of sections that no fact cites."""
+    """Findings about reviews of sections that no fact cites."""
     for review in reviews:
         for signed_section in review.sections:
             if signed_section.section not in now:
@@ -254,7 +254,7 @@ def uncited(now: Mapping[str, State], reviews: Iterable[Review]) -> Iterator[Dia
 def review_entry(
     spec: DeviceSpec, signed: Mapping[str, State], by: str, day: str, manual: str, edition: str, doc: str
 ) -> str:
-    """An entry of the list of reviews, as it is written behind the others: the sections that somebody has compared."""
+    """The YAML of a new review, to be appended to the list. Facts are left out where a review has the same state."""
     known = {section.state for review in reviews_of(spec)[0] for section in review.sections}
     lines = [f"  - by: {_quoted(by)}", f"    date: {day}", f"    manual: {manual}"]
     lines += [f"    edition: {_quoted(edition)}"] if edition else []
@@ -271,7 +271,7 @@ def review_entry(
 
 
 def _quoted(text: str) -> str:
-    """A text as YAML in double quotes, whatever is in it."""
+    """Any text as YAML in double quotes."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return '"' + "".join(sign if sign.isprintable() else f"\\U{ord(sign):08x}" for sign in escaped) + '"'
 
@@ -283,7 +283,7 @@ _SAYS = (
 
 
 def sign_off(subject: Subject) -> Section:
-    """The reviews of each section."""
+    """The section with the reviews of each section of the manual."""
     reviews, wrong = reviews_of(subject.spec)
     now = states(subject.facts)
     sections = sorted(
@@ -334,7 +334,7 @@ def _sections(sections: Sequence[ReviewedSection]) -> SectionTable:
 
 
 def _text(since: SectionChanges) -> str:
-    """What has changed since a review, in a few words."""
+    """The changes since a review in a few words."""
     if since.same:
         return "as it was"
     texts = [f"{len(since.changed)} facts are new or say something else" if since.changed else ""]

@@ -1,4 +1,4 @@
-"""How well the manual supports each fact, and the section of the report about it."""
+"""How many places of the manual support each fact, and the section of the report about it."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ STANDINGS = {
     DIFFERING: "several places, which differ",
     NOWHERE: "no place",
 }
-"""How many places print a fact, with the words for it."""
+"""The standings of facts, by how many places print them, with the words for them."""
 
 
 @dataclass(frozen=True, slots=True)
 class SourcedFact:
-    """A fact with the places that print it, those of what holds it where it has none of its own.
+    """A fact with its citations; they are `inherited` from the fact that contains it where it has none of its own.
 
-    `restated` are the other places that state it again, `errata` the corrections of what some of these places print.
+    `restated` are other places that state it again, `errata` the corrections of what such places print.
     """
 
     path: str
@@ -70,7 +70,7 @@ class InferredKey:
 
 
 def sourced_facts(device: Device) -> list[SourcedFact]:
-    """All facts with their places, in the order of the spec; what a protocol defines has those of the device."""
+    """All facts with their citations, in the order of the spec; facts of a protocol have those of the device."""
     corrected: dict[str, list[str]] = {}
     for erratum in device.errata:
         corrected.setdefault(erratum.fact.partition("/restated/")[0], []).append(erratum.id)
@@ -78,7 +78,7 @@ def sourced_facts(device: Device) -> list[SourcedFact]:
     result = []
     for fact in facts(device):
         if isinstance(fact, Task) and not fact.steps:
-            continue  # a question, or a reason, is printed nowhere
+            continue  # no manual prints a question or a reason
         path = fact.place.path
         own = fact.sources
         sources = own or by_path.get(path.rpartition("/")[0], ())
@@ -111,7 +111,7 @@ _SAYS = (
 
 
 def sources(subject: Subject) -> Section:
-    """Facts by the places that print them."""
+    """The section about sources."""
     facts = sourced_facts(subject.device)
     keys = list(inferred_keys(subject.device))
     count = Counter(fact.standing for fact in facts)
@@ -188,7 +188,7 @@ def _places(fact: SourcedFact) -> str:
 
 
 def _reasons(keys: Sequence[InferredKey]) -> SectionTable:
-    """What is inferred, the facts that share a reason in one row."""
+    """The inferred keys; facts with the same reason share a row."""
     together: dict[tuple[str, str], list[InferredKey]] = {}
     for inferred_key in keys:
         together.setdefault((inferred_key.key, inferred_key.reason), []).append(inferred_key)
@@ -203,7 +203,7 @@ def _reasons(keys: Sequence[InferredKey]) -> SectionTable:
 
 
 def _elsewhere_figures(device: Device) -> list[Figure]:
-    """How much comes from elsewhere than the manual; what there is none of is left out."""
+    """The numbers of values that are not from the manual; none that are 0."""
     figures = (
         Figure("values that a standard gives", sum(len(fact.standard) for fact in facts_of(device))),
         Figure("reports of others, which no codec uses", sum(len(fact.reported) for fact in facts_of(device))),
@@ -250,7 +250,7 @@ def _computed(device: Device) -> SectionTable:
 
 
 def _without_unit(device: Device) -> SectionTable:
-    """Numbers that the print leaves without a unit, and the spec without a word about it."""
+    """Numbers without a unit in the print, and without an explanation in the spec."""
     rows = tuple(
         (fact.place.path, fact.sources[0] if fact.sources else None, fact.place["name"])
         for fact in without_unit(device)
@@ -262,7 +262,7 @@ def _without_unit(device: Device) -> SectionTable:
 
 
 def _labels_elsewhere(subject: Subject) -> SectionTable:
-    """Labels that are not on the lines that their facts cite; none where the text itself is not at hand."""
+    """Labels that are not on the lines that their facts cite; empty where the text itself is not at hand."""
     manual = subject.manual
     same = manual is not None and manual.offset == 0 and manual.sha256 == subject.device.manual.sha256
     elsewhere = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
@@ -273,7 +273,7 @@ def _labels_elsewhere(subject: Subject) -> SectionTable:
 
 
 def _empty_cells(subject: Subject) -> SectionTable:
-    """Facts whose row has an empty cell, which somebody has filled without saying so."""
+    """Facts whose row has an empty cell that the spec fills without an inference."""
     index = subject.manual or subject.recorded
     cells = empty_cells(subject.device, index) if index is not None else ()
     rows = tuple((cell.fact.place.path, cell.print, cell.fact.sources[0], cell.fact.place["name"]) for cell in cells)

@@ -1,4 +1,4 @@
-"""The section of the report about tasks: what people do with the device, and what the manual does not say about it."""
+"""The section about tasks: what people do with the device, and what the manual leaves open about it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SAYS = (
 
 
 def tasks(subject: Subject) -> Section:
-    """All tasks of the schema, with how the spec answers each."""
+    """The section with all tasks of the schema, and the answers of the spec."""
     device = subject.device
     kinds: list[str] = schema()["$defs"]["task_kind"]["enum"]
     rows: list[tuple[Cell, ...]] = []

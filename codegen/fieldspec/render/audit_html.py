@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.audit.address_map import Space
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
 from fieldspec.backends.forms import filled, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
@@ -17,17 +16,17 @@ from fieldspec.render.audit_map import Box, Drawing, maps, states
 from fieldspec.source import Span
 
 BROAD = 8
-"""A table of so many columns shares out the width, as it would else be wider than paper."""
+"""A table with this many columns or more gets column widths, as it would be wider than paper without them."""
 
 _WORD, _MOST, _WHOLE, _EDGES = 11, 60, 205, 4
-"""When the width is shared out, in letters: the longest word that is never broken, how long a text counts at most, how
-much there is to share, and what the edges of a cell and bold letters take."""
+"""For column widths, in letters: the longest word that is never broken, the most that counts of a text, the width of a
+table, and the room for the edges of a cell and for bold letters."""
 
 _LETTERS = re.compile(r"[A-Za-z]+")
 
 
 def table_html(section: str, table: SectionTable, links: Mapping[str, str]) -> Iterator[str]:
-    """A table, piece by piece; `links` leads from paths of facts to where they are documented."""
+    """A table in pieces; `links` lead from paths of facts to where they are documented."""
     anchor, title = f"{section}-{table.name}", escaped(clean(table.title))
     marked = any(table.kinds)
     full = [at for at in range(len(table.columns)) if any(row[at] not in (None, "") for row in table.rows)]
@@ -50,7 +49,7 @@ def _heading(table: SectionTable, at: int) -> str:
 
 
 def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]], marked: bool) -> tuple[str, ...]:
-    """How much of the width each column gets, in percent: room for its words, and more where there is more to read."""
+    """The width of each column in percent: room for its longest word, and more the longer its texts are."""
     needs, wishes = ([_EDGES], [0]) if marked else ([], [])
     for at, cells in cell_texts.items():
         texts = [_heading(table, at), *cells]
@@ -64,7 +63,7 @@ def _column_widths(table: SectionTable, cell_texts: Mapping[int, Sequence[str]],
 
 
 def _counts(table: SectionTable, at: int) -> bool:
-    """Whether a column holds numbers alone."""
+    """Whether a column has only numbers."""
     cells = [row[at] for row in table.rows if row[at] is not None]
     return bool(cells) and all(isinstance(cell, int) for cell in cells)
 
@@ -72,7 +71,7 @@ def _counts(table: SectionTable, at: int) -> bool:
 def _rows(
     anchor: str, table: SectionTable, texts: Mapping[int, Sequence[str]], marked: bool, links: Mapping[str, str]
 ) -> Iterator[str]:
-    """The rows, with the cells of the columns that have texts."""
+    """The rows, with the columns that are not empty."""
     columns = []
     for at, column_texts in texts.items():
         style = ' class="number"' if _counts(table, at) else ""
@@ -90,7 +89,7 @@ def _sign(kind: str) -> str:
 
 
 def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
-    """A cell with its text."""
+    """The HTML of a cell with a text."""
     if cell is None or isinstance(cell, int):
         return text
     text = escaped(text)
@@ -102,16 +101,14 @@ def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
     return text if link is None else f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
 
 
-# The form has what is on every page.
-
 OPEN = 100
-"""A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
+"""A table of details with at most this many rows is open, and printed; a longer one is folded."""
 
 _GOOD = {True: "good", False: "bad", None: ""}
 
 
 def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
-    """The page; `links` leads from paths of facts to where they are documented, where there is such a place."""
+    """The page; `links` lead from paths of facts to where they are documented, where there is such a place."""
     section_findings = [(section, finding) for section in report.sections for finding in in_order(section.findings)]
     rows = {section.name: _rows_by_place(section) for section in report.sections if section.findings}
     findings = [
@@ -136,7 +133,7 @@ def _visible(text: str) -> str:
 
 
 def _entry(section: Section) -> str:
-    """A section in the table of contents, with its tables, the folded ones behind the others."""
+    """A section in the table of contents, with its tables, those of details last."""
     inner = [
         f'<li><a href="#{_anchor(section, table)}{ending}">{_visible(table.title.partition(". ")[0])}</a></li>\n'
         for table, ending in (
@@ -157,7 +154,7 @@ def _anchor(section: Section, table: SectionTable) -> str:
 
 
 def _head(report: Report, device: Device, findings: Sequence[Diagnostic]) -> str:
-    """What the report is about, and what it comes to, with a link to each part that has questions."""
+    """What the report is about, its verdict, and links to the sections with open questions."""
     manual = device.manual
     edition = f", {manual.edition}" if manual.edition else ""
     rows = (
@@ -221,7 +218,7 @@ def _figure(figure: Figure) -> str:
 
 
 def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
-    """A section: its texts, its figures, its drawings, and its tables, the folded ones behind the others."""
+    """A section: its texts, figures, drawings and tables, those of details last."""
     yield f'<section id="{section.name}">\n<h2>{_visible(section.title)}</h2>\n'
     yield from (f"<p>{_visible(paragraph)}</p>\n" for paragraph in section.says)
     yield f"{_figures(section)}\n" if section.figures else ""
@@ -239,17 +236,15 @@ def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
 
 
 def _drawn(section: Section) -> Iterator[str]:
-    """The legend, and the drawings of each space under its title."""
-    drawn = section.drawn if isinstance(section.drawn, tuple) else ()
-    spaces = tuple(space for space in drawn if isinstance(space, Space))
+    """The legend, and the drawings of each address space under its title."""
     legend = [
         '<li><svg viewBox="0 0 38 20" aria-hidden="true" focusable="false">'
         f'<rect class="{state}" x="1" y="1" width="36" height="18"/></svg>{escaped(words)}</li>\n'
-        for state, words in states(spaces)
+        for state, words in states(section.spaces)
     ]
     if legend:
         yield "".join(['<ul class="legend" aria-label="Legend">\n', *legend, "</ul>\n"])
-    for space_map in maps(spaces):
+    for space_map in maps(section.spaces):
         yield f"<h3>{escaped(space_map.title)}</h3>\n"
         for drawing in space_map.drawings:
             yield from _drawing(drawing)
@@ -281,7 +276,7 @@ def _place(span: Span) -> str:
 
 
 def _rows_by_place(section: Section) -> dict[str, str]:
-    """The anchors of the rows that show a place of a file."""
+    """The anchors of rows by the places in files that they show."""
     anchors: dict[str, str] = {}
     for table in section.tables:
         for number, row in enumerate(table.rows, 1):
@@ -292,7 +287,7 @@ def _rows_by_place(section: Section) -> dict[str, str]:
 
 
 def _finding(number: int, section: Section, finding: Diagnostic, rows: Mapping[str, str]) -> str:
-    """A finding: how grave it is, what it says, what would make it right, and where it shows."""
+    """A finding: severity, message and help, with a link to the row that shows its place."""
     kind = "bad" if finding.severity is Severity.ERROR else "warning"
     places = [_place(finding.span), *(_place(label.span) for label in finding.labels)]
     link = next((rows[place] for place in places if place in rows), section.name)

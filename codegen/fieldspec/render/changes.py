@@ -22,7 +22,7 @@ MEANINGS = {
 
 @dataclass(frozen=True, slots=True)
 class AcceptedChange:
-    """A change, what accepts it, and the versions in which it is found; none where it is found in all."""
+    """A change, its acceptance if there is one, and the versions that have the change; none where all have it."""
 
     change: Change
     accepted: Acceptance | None = None
@@ -31,7 +31,7 @@ class AcceptedChange:
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """What differs between two things, by the names that users gave them: the gravest first."""
+    """The differences of two versions, by the names that a user gave: the gravest first."""
 
     old: str
     new: str
@@ -39,18 +39,18 @@ class Difference:
 
     @property
     def open(self) -> tuple[AcceptedChange, ...]:
-        """What nothing accepts."""
+        """The changes that are not accepted."""
         return tuple(entry for entry in self.changes if entry.accepted is None)
 
     @property
     def accepted(self) -> tuple[AcceptedChange, ...]:
-        """What something accepts."""
+        """The changes that are accepted."""
         return tuple(entry for entry in self.changes if entry.accepted is not None)
 
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """A heading and what stands below it. `effect` is None for what is accepted."""
+    """A heading and its changes. `effect` is None for accepted changes."""
 
     heading: str
     effect: Effect | None
@@ -58,7 +58,7 @@ class Group:
 
 
 def groups(difference: Difference) -> list[Group]:
-    """The changes by effect, then those that are accepted; no empty groups."""
+    """The changes by effect, then the accepted ones; no empty groups."""
     by_effect = [
         Group(
             f"{effect.value}: {meaning}",
@@ -79,12 +79,12 @@ def summary(difference: Difference) -> str:
 
 
 def places(change: Change, place_text: Callable[[Span], str] = place) -> str:
-    """`old.yaml:3:5 -> new.yaml:4:5`; one place where the other side has none."""
+    """`old.yaml:3:5 -> new.yaml:4:5`; a single place where only one version has the fact."""
     return " -> ".join(place_text(span) for span in (change.before, change.after) if span is not None)
 
 
 def remark(entry: AcceptedChange) -> str:
-    """What is to be said beside the message: in which outputs and versions, and why it is accepted."""
+    """A remark on a change: its outputs, its versions, and why it is accepted."""
     parts = []
     if entry.change.outputs:
         parts.append(f"in {enumeration(entry.change.outputs)}")
@@ -96,7 +96,7 @@ def remark(entry: AcceptedChange) -> str:
 
 
 def hurts(differences: Iterable[Difference], threshold: str) -> bool:
-    """Whether there is a change that nothing accepts and that is as grave as `breaking`, `behaviour` or `any`."""
+    """Whether a change that is not accepted is at least `breaking`, `behaviour` or `any`."""
     least = {"breaking": Effect.SOURCE, "behaviour": Effect.BEHAVIOUR, "any": Effect.DOCS}[threshold]
     return any(entry.change.effect.rank <= least.rank for difference in differences for entry in difference.open)
 
@@ -107,14 +107,14 @@ def title(difference: Difference) -> str:
 
 
 def unaccepted_changes(differences: Sequence[Difference]) -> list[AcceptedChange]:
-    """The changes of all comparisons that nothing accepts."""
+    """The changes of all comparisons that are not accepted."""
     return [entry for difference in differences for entry in difference.open]
 
 
 def findings(differences: Sequence[Difference]) -> list[Diagnostic]:
-    """A finding for each change that nothing accepts and that hurts somebody: breaking ones are errors.
+    """A finding for each change that is not accepted, except in documentation; a breaking change is an error.
 
-    It stands in the new side where the fact is there, with the old place as its label, else in the old side.
+    Its place is in the new version, with the old place as a label, or in the old one where the fact is gone.
     """
     return list(_findings(unaccepted_changes(differences)))
 

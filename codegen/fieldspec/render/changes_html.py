@@ -1,4 +1,4 @@
-"""Changes as a page that stands on its own."""
+"""Changes as an HTML page without other files."""
 
 from __future__ import annotations
 

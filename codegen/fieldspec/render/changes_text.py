@@ -1,4 +1,4 @@
-"""Changes as text for people, and one line each for comparisons."""
+"""Changes as text for people, and in a short form for tests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _STYLES = {Effect.WIRE: "red", Effect.SOURCE: "red", Effect.BEHAVIOUR: "yellow",
 
 
 def blocks(differences: Sequence[Difference]) -> Iterator[Block]:
-    """A paragraph for each comparison, and in it one for each class: the rule, what happened, and where."""
+    """A part for each comparison, with a paragraph for each class: the rule, the change, and its place."""
     for number, difference in enumerate(differences):
         if number:
             yield Line("")

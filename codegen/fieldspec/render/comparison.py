@@ -1,4 +1,4 @@
-"""A device beside someone else's list, as text, as data for JSON, and as CSV."""
+"""A device compared with somebody's list, as text, as data for JSON, and as CSV."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from fieldspec.spreadsheet import guarded
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}
 _MOST_SKIPPED = 10
-"""Row numbers without an address that a line names."""
+"""The most numbers of rows without an address that are printed."""
 
 _MOST_ROWS = 200
-"""Rows of a table that a person reads."""
+"""The most rows of a table for people."""
 
 
 def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
-    """The comparison as lines and tables, with what it rests on first."""
+    """The comparison as lines and tables, with its base and columns first."""
     yield Line(f"addresses: {listing.heading('address')}, {_ADDRESSES.get(result.base, result.base)}")
     roles = [role for role in listing.columns.places if role != "address"]
     if roles:
@@ -46,7 +46,7 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
 
 
 def as_data(result: Compared, listing: Listing) -> dict[str, object]:
-    """The comparison as data."""
+    """The comparison as data for JSON."""
     return {
         "same": result.same,
         "base": result.base,
@@ -80,7 +80,7 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
 
 
 def as_csv(result: Compared) -> str:
-    """One row for what agrees, for each difference, and for what one side has."""
+    """The comparison as CSV: a row for each agreement, each difference, and each address that only one has."""
     output = io.StringIO()
     writer = csv.writer(output, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -98,7 +98,7 @@ def as_csv(result: Compared) -> str:
 
 
 def _column(role: str, heading: str) -> str:
-    """A role and its column, where the heading is another word."""
+    """A role, with the heading of its column where that is another word."""
     return role if folded(heading) == folded(role) else f"{role} from {heading}"
 
 
@@ -147,7 +147,7 @@ def _of(gap: Missing) -> str:
 
 
 def _elements(gap: Missing) -> str:
-    """`3..126`, or nothing where the item is one."""
+    """`3..126`, or empty for a single item."""
     if gap.item.count == 1 or not gap.item.stride:
         return ""
     return str(gap.first) if gap.first == gap.last else f"{gap.first}..{gap.last}"

@@ -1,4 +1,4 @@
-"""The explanation of a frame for people, and as data for JSON."""
+"""The explanation of a frame as text for people, and as data for JSON."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
 
 
 def faults(explanation: Explanation) -> Iterator[str]:
-    """What is wrong, or beyond what the manual gives, a line each."""
+    """A line for each wrong or doubtful value."""
     for row in (*explanation.rows, *explanation.registers):
         if row.verdict.startswith("wrong"):
             place = f"{row.path} at byte {row.offset}" if row.path else f"byte {row.offset}"
@@ -52,7 +52,7 @@ def faults(explanation: Explanation) -> Iterator[str]:
 
 
 def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
-    """Every byte of the frame, in order; neighbouring elements of a list of plain numbers in one row."""
+    """Every byte of the frame in order; neighbouring elements of a list share a row where they are only numbers."""
     shape = layout.links[explanation.link].frame(explanation.direction)
     check = shape.check
     code = shape.role("code")
@@ -76,7 +76,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
 
 
 def _in_digits(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
-    """The fields whose hexadecimal digits tell most: words of bits, and numbers that the manual writes in them."""
+    """The fields that are best read in hexadecimal: words of bits, and numbers that the manual writes so."""
     message = layout.messages.get(explanation.message)
     for field in message.data(explanation.direction).fields if message and not explanation.error else ():
         value, number = field.value, explanation.values.get(field.name)
@@ -100,7 +100,7 @@ def register_table(explanation: Explanation) -> Table:
 
 
 def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
-    """The notes and errata that touch the frame, each once."""
+    """The notes and errata about the frame, each once."""
     rows = (*explanation.rows, *explanation.registers)
     seen = set()
     for row in rows:
@@ -117,7 +117,7 @@ def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 
 
 def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
-    """Where the manual prints the very frame, and where it misprints another one as these bytes."""
+    """The examples of the manual with this frame, and those that it misprints as this frame."""
     device = layout.device
     own = [example for example in device.examples.values() if _alike(example, explanation)]
     same = [example for example in own if example.frame == explanation.frame]
@@ -134,7 +134,7 @@ def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
 
 
 def _alike(example: Example, explanation: Explanation) -> bool:
-    """Whether an example is of the same kind as a frame."""
+    """Whether an example has the link, direction and message of a frame."""
     of = (example.link, example.direction, example.message or explanation.message)
     return of == (explanation.link, explanation.direction, explanation.message)
 
@@ -164,7 +164,7 @@ def meaning_text(meaning: Meaning) -> str:
 
 
 def _run(row: ExplanationRow) -> object:
-    """Equal for neighbours that may stand in one row: elements of one list, of which nothing is to be said."""
+    """A key that is equal for neighbours that share a row: elements of one list without remarks."""
     name, bracket, _ = row.path.rpartition("[")
     is_number = row.path.endswith("]") and isinstance(row.number, int) and not isinstance(row.number, bool)
     remarks = row.value or row.meanings or row.verdict or row.notes
@@ -172,7 +172,7 @@ def _run(row: ExplanationRow) -> object:
 
 
 def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, ...], bool]]:
-    """The lines of neighbouring elements of a list."""
+    """The lines of neighbouring elements of a list, some numbers a line."""
     for at in range(0, len(rows), _NUMBERS_A_LINE):
         part = rows[at : at + _NUMBERS_A_LINE]
         first, last = part[0], part[-1]
@@ -186,7 +186,7 @@ def _element_lines(rows: Sequence[ExplanationRow]) -> Iterator[tuple[tuple[str, 
 
 
 def _lines(row: ExplanationRow, first: tuple[str, ...], data: int) -> Iterator[tuple[tuple[str, ...], bool]]:
-    """The lines of one row: more than one where the bytes in cell `data`, or the meanings, are many."""
+    """The lines of a row: several where the bytes in cell `data`, or its meanings, are many."""
     meanings = [meaning_text(meaning) for meaning in row.meanings]
     chunks = _chunks(first[data])
     wrong = row.verdict.startswith("wrong")
@@ -211,12 +211,12 @@ def _hex(data: bytes) -> str:
 
 
 def _chunks(text: str) -> list[str]:
-    """Bytes in digits, some a line."""
+    """Bytes in digits, cut into lines."""
     size = 3 * _BYTES_A_LINE
     return [text[at : at + size].strip() for at in range(0, len(text), size)]
 
 
-# Bytes are pairs of hexadecimal digits in one text. What does not apply is null.
+# In JSON, bytes are a text of hexadecimal digits, and null is what does not apply.
 
 
 def as_data(
@@ -227,7 +227,7 @@ def as_data(
     remarks: Sequence[str],
     wrong: bool,
 ) -> dict[str, object]:
-    """An explanation with the readings that fit, how one was chosen, and remarks on the text and the request."""
+    """An explanation as data: with the readings that fit, how one of them was chosen, and remarks on the input."""
     errata = {number for row in (*explanation.rows, *explanation.registers) for number in row.errata} | set(
         explanation.errata
     )
@@ -300,7 +300,7 @@ def _hex_text(data: bytes) -> str:
 
 
 def _json_value(value: object) -> object:
-    """A raw value: numbers as they are, but for those that JSON does not have; bytes as digits."""
+    """A raw value for JSON: bytes, and numbers that JSON does not have, as text."""
     if isinstance(value, bytes):
         return _hex_text(value)
     if isinstance(value, float) and not math.isfinite(value):
@@ -313,5 +313,5 @@ def _json_value(value: object) -> object:
 
 
 def _printed(printed: Mapping[str, object]) -> dict[str, object]:
-    """What the manual prints, key by key; exact numbers as text."""
+    """What the manual prints, key by key; decimal numbers as text."""
     return {key: str(value) if isinstance(value, Decimal) else value for key, value in printed.items()}

@@ -1,4 +1,4 @@
-"""Findings as workflow commands that GitHub shows beside the lines of a change."""
+"""Findings as workflow commands, which GitHub shows beside the lines of a change."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fieldspec.diagnostics import Diagnostic
 
 
 def rendered(findings: Sequence[Diagnostic]) -> str:
-    """One command a finding."""
+    """A command for each finding."""
     return "".join(_command(finding) for finding in findings)
 
 

@@ -1,4 +1,4 @@
-"""One item of a device: register, message, record or any other, with its texts."""
+"""The items of a device that a user can ask for: registers, messages, records and others, with their texts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Numbered:
-    """A number of a set and its parameter; None where it has no row, and the first of a run has it for all."""
+    """A number of a parameter set, and its parameter; None where the manual has no row for the number."""
 
     words: ParameterSet
     number: int
@@ -34,7 +34,7 @@ class Numbered:
 
     @property
     def printed_text(self) -> str:
-        """The number as the manual writes it, where that is not in digits."""
+        """The number as the manual writes it; empty where that is in digits."""
         return self.words.number_text(self.number) if self.words.printed_as else ""
 
 
@@ -47,7 +47,7 @@ class Coded:
 
     @property
     def printed_text(self) -> str:
-        """The code as the manual, or the device, shows it, where that is not in digits."""
+        """The code as the manual or the device shows it; empty where that is in digits."""
         member = self.member
         form = self.enum.printed_as
         return member.printed_name or (form.format(value=member.value, number=member.number) if form else "")
@@ -55,7 +55,7 @@ class Coded:
 
 @dataclass(frozen=True, slots=True)
 class DisplayedState:
-    """A state that a word shows."""
+    """A state that the bits of a word show together."""
 
     word: Flags
     state: State
@@ -87,7 +87,7 @@ Item: TypeAlias = (
 
 
 def items(layout: DeviceLayout) -> Iterator[Item]:
-    """All items of a device that can be shown, in the order of the spec's sections."""
+    """All items of a device, in the order of the sections of a spec."""
     device = layout.device
     yield from device.spaces.values()
     yield from device.registers()
@@ -120,7 +120,7 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
 
 
 def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[Numbered]:
-    """The parameters without a row of their own that a text is as the manual writes it, or on the wire."""
+    """The numbers of parameter sets that a text means: as the manual writes them, or on the wire."""
     for words in layout.device.parameters.values():
         own = number_of_text(words, text)
         if own is None and number is not None:
@@ -130,7 +130,7 @@ def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[Num
 
 
 def fact_of(item: Item) -> Fact | Note | Example | Erratum:
-    """The fact that an item is, or that it lays out."""
+    """The fact of an item, also of an item that is a layout."""
     match item:
         case MessageLayout():
             return item.message
@@ -149,7 +149,7 @@ def fact_of(item: Item) -> Fact | Note | Example | Erratum:
 
 
 def handles(item: Item) -> tuple[str, ...]:
-    """The texts that mean an item: our name, the manual's identifier, its label."""
+    """The texts by which a user may name an item: its name, the identifier of the manual, and its label."""
     fact = fact_of(item)
     if isinstance(fact, Example | Erratum):
         return (fact.id,)
@@ -162,7 +162,7 @@ def handles(item: Item) -> tuple[str, ...]:
 
 
 def numbered(item: Item, number: int) -> bool:
-    """Whether an address lies in the item, or a number or a code is the item's."""
+    """Whether a number is an address within an item, or its number or code."""
     match item:
         case Register():
             steps = (number - item.address) // item.stride
@@ -189,7 +189,7 @@ _ENDURANCE = {"limited": "a limited number of writes, which is not printed", "un
 
 
 def fact_details(device: Device, fact: Fact) -> Details:
-    """What every fact has: its text, the versions that it holds for, its places in the manual, and the caveats."""
+    """The details that every fact has: text, versions, citations, notes, and everything that limits its certainty."""
     yield "doc", fact.doc
     yield "since", ", ".join(fact.since)
     yield "until", ", ".join(fact.until)
@@ -215,7 +215,7 @@ def fact_details(device: Device, fact: Fact) -> Details:
 
 
 def _handling(handling: Handling) -> Details:
-    """What whoever reads or writes the value must know."""
+    """What a reader or writer of a value must know."""
     yield "reading", "clears it: only the first reader gets it" if handling.clears_on_read else ""
     yield "memory", _MEMORY.get(handling.memory, "")
     yield "saved by", handling.saved_by
@@ -224,7 +224,7 @@ def _handling(handling: Handling) -> Details:
 
 
 def erratum_details(erratum: Erratum) -> Details:
-    """What an erratum says."""
+    """The details of an erratum."""
     yield "fact", erratum.fact
     yield "printed", _printed(erratum).removesuffix(". ").removeprefix("printed ")
     yield "literally", erratum.literal
@@ -236,7 +236,7 @@ def erratum_details(erratum: Erratum) -> Details:
 
 
 def example_details(example: Example) -> Details:
-    """What an example says; `decode` explains its bytes."""
+    """The details of an example; `decode` explains its bytes."""
     yield "title", example.title
     yield "message", f"{example.message or 'unknown'} {'refusal' if example.error else example.direction}"
     yield "link", example.link
@@ -250,7 +250,7 @@ def example_details(example: Example) -> Details:
 
 
 def note_details(note: Note) -> Details:
-    """What a note says."""
+    """The details of a note."""
     yield "title", note.title
     yield "text", note.text
     yield "about", ", ".join(note.about)

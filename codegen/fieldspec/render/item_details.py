@@ -1,4 +1,4 @@
-"""What is said of an item, key by key; keys without a text are left out by who prints."""
+"""The details of an item as keys with texts. Callers leave out keys without a text."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _DIRECTIONS = ("request", "response")
 
 
 def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
-    """What is said of an item alone; what every fact has is said elsewhere. `number` is what was asked for."""
+    """The details of an item, without those that every fact has; `number` is the one that a user asked for."""
     match item:
         case Register():
             yield from _register(layout, item, number)
@@ -263,7 +263,7 @@ def _link(layout: DeviceLayout, link: Link) -> Details:
 
 
 def _sends(layout: DeviceLayout, link: Link) -> str:
-    """What it calls messages and directions, where these are its own words."""
+    """The names of its messages, and the words of the link for messages and directions, where it has its own."""
     word = "" if link.message_name == "message" else f"{link.message_name}: "
     names = ", ".join(_names(layout, link))
     ways = [link.direction_name(way) for way in _DIRECTIONS]

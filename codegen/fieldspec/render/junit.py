@@ -1,4 +1,4 @@
-"""Findings as JUnit XML: one failed test case a finding, one passed case where there are none."""
+"""Findings as JUnit XML: a failed test case for each finding, one passed case where there is none."""
 
 from __future__ import annotations
 
@@ -34,5 +34,5 @@ def _attribute(text: str) -> str:
 
 
 def _visible(text: str) -> str:
-    """A text whose lines have no characters that XML does not allow: these are shown as escapes."""
+    """A text with escapes for the characters that XML does not allow."""
     return "\n".join(visible_text(line) for line in text.split("\n"))

@@ -1,4 +1,4 @@
-"""A struct in memory, drawn as boxes of bytes, and as a table."""
+"""A struct in memory as a table, and as a drawing of its bytes."""
 
 from __future__ import annotations
 
@@ -28,8 +28,11 @@ def blocks(placed: Placed, title: str) -> Iterator[Block]:
 
 
 def drawn(placed: Placed) -> Iterator[str]:
-    """Four bytes a row, each value a box. A value that goes on in the next row has no wall there; `...` are bytes
-    that hold nothing, and `:` stands for rows that look like the one before."""
+    """A drawing with four bytes in a row and a box for each value.
+
+    There is no wall where a value continues in the next row. `...` are bytes without a value, and `:` replaces rows
+    that are equal to the one before.
+    """
     names = _names(placed)
     yield " " * 6 + "".join(f"{number:<{_BYTE}}" for number in range(_A_ROW)).rstrip()
     before: list[str] = []
@@ -56,7 +59,7 @@ def _wall(above: list[str], below: list[str]) -> Iterator[str]:
 
 
 def _boxes(row: list[str], before: list[str]) -> str:
-    """The boxes of a row: bytes of one value share one."""
+    """The boxes of a row; bytes of one value share a box."""
     text, at = "|", 0
     while at < len(row):
         count = next((n for n, name in enumerate(row[at:]) if name != row[at]), len(row) - at)
@@ -73,7 +76,7 @@ def _cut(name: str, room: int) -> str:
 
 
 def _names(placed: Placed) -> list[str]:
-    """What lies in each byte."""
+    """The name of the value in each byte."""
     names = [_NOTHING] * placed.size
     _fill(names, placed, "", 0)
     return names

@@ -15,7 +15,7 @@ from fieldspec.render.blocks import Block, Line, Table, narrowed
 
 
 def value_details(value: Value) -> Iterator[tuple[str, str]]:
-    """What is said of a value, key by key; keys without a text are left out by who prints."""
+    """The details of a value as keys with texts. Callers leave out keys without a text."""
     yield "type", value.type.name if value.type.size else f"{value.type.name}, {value.size} bytes"
     yield "unit", unit_text(value)
     yield "range", range_text(value)
@@ -26,14 +26,14 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
 
 
 def unit_text(value: Value) -> str:
-    """`0.01 mm`, and the offset where there is one."""
+    """`0.01 mm`, with the offset of a value that has one."""
     scale = value.scale_text if "/" in value.scale_text else f"{value.scale:f}"
     text = f"{scale} {value.unit}".strip() if value.scaled else value.unit
     return text if value.offset == 0 else f"{text}, {value.offset:+f}"
 
 
 def range_text(value: Value) -> str:
-    """The intervals in counts, and in the unit where that is something else."""
+    """The intervals of raw values, and as quantities where these differ."""
     if value.ranges is None:
         return ""
     counts = value.ranges.text()
@@ -43,7 +43,7 @@ def range_text(value: Value) -> str:
 
 
 def field_table(record: RecordLayout, base: int | None = None) -> Block:
-    """The fields of a record: where they are, and what they hold; `base` is the address of the first word."""
+    """The fields of a record with their places and values; `base` is the address of the first word."""
     if not record.fields:
         return Line("no data")
     rows = [row for field in record.fields for row in _rows(field, base)]
@@ -131,7 +131,7 @@ def register_table(registers: Iterable[Register]) -> Table:
 
 
 def parameter_table(words: ParameterSet) -> Table:
-    """Parameters by number, as the manual counts and on the wire."""
+    """Parameters by number, in the manual and on the wire."""
     rows = []
     for parameter in words.parameters:
         label = " ".join(text for text in (parameter.printed_name, parameter.label) if text)

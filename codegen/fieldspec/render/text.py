@@ -1,4 +1,4 @@
-"""Findings as text for people: the source line, a caret under the culprit, and every other place involved."""
+"""Findings as text for people: the source line with carets under the place, and every other place involved."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _STYLES = {
 
 
 def rendered(findings: Sequence[Diagnostic], *, coloured: bool = False) -> str:
-    """All findings, and how many there are."""
+    """All findings, and how many errors and warnings they are."""
     paint = _painted if coloured else _unstyled
     blocks = [_block(finding, paint) for finding in findings]
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
@@ -61,7 +61,7 @@ def _block(finding: Diagnostic, paint: _Paint) -> str:
 
 
 def _marked(span: Span, mark: str, paint: _Paint, style: str) -> list[str]:
-    """The source line with marks under the span, cut to a window around it where the line is long."""
+    """The source line with marks under the span; of a long line, only the part around the span."""
     number, column = span.position()
     source = span.file.line(number)
     if not source.strip():
@@ -87,7 +87,7 @@ def place(span: Span) -> str:
 
 
 def concise(findings: Sequence[Diagnostic]) -> str:
-    """One line a finding, one for each label, and one for the help."""
+    """A line for each finding, each label and each help."""
     text = ""
     for finding in findings:
         text += f"{place(finding.span)}: {finding.code}: {visible_text(finding.message)}\n"
