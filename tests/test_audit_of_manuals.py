@@ -183,7 +183,7 @@ def test_lines_that_are_inserted_and_removed_move_the_citations_along(device: st
     )
     section = covered(device, other)
     assert [finding.message for finding in section.findings] == []
-    assert any("(100 %)" in text for text in section.says)
+    assert any("(100 %)" in text for text in section.paragraphs)
 
 
 @pytest.mark.parametrize("device", DEVICES)

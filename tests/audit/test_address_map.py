@@ -6,7 +6,7 @@ import pytest
 
 from fieldspec.audit.address_map import STATES, Space, spaces_of
 from fieldspec.audit.addresses import poll_rows
-from fieldspec.audit.poll_blocks import CLEARED, TOO_LONG, UNSAID, WRITE_ONLY, Polling, polling_of
+from fieldspec.audit.poll_blocks import ACCESS_UNKNOWN, CLEARED, TOO_LONG, WRITE_ONLY, Polling, polling_of
 from laid_out import SPECS, all_layouts, laid_at, newest
 from reading import gadget
 
@@ -167,7 +167,7 @@ def test_a_request_does_not_touch_what_must_not_be_read(more: str, reason: str) 
 def test_a_register_of_which_nothing_says_that_it_can_be_read_is_left_out() -> None:
     text = "registers: [{group: all, section: '1', rows: [{at: 0, name: a, type: u16, source: L1}]}]\n" + LINK
     polling = polling_of(laid_at(gadget(text + MESSAGES % (10, 10)), "1"))
-    assert [unit.refused for unit in polling.left_out] == [UNSAID]
+    assert [unit.refused for unit in polling.left_out] == [ACCESS_UNKNOWN]
 
 
 def test_reserved_words_are_read_between_values_and_not_at_the_ends() -> None:

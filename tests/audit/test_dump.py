@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from command_line import CommandLine, Ran
-from fieldspec.audit.addressed_values import units
+from fieldspec.audit.addressed_values import addressed_values
 from fieldspec.lists.workbook import workbook_sheet
 from fieldspec.reference.records import CodecError, decoded_value, value_construct
 from laid_out import MADE_UP, laid_at, newest
@@ -21,8 +21,8 @@ registers:
     section: "1"
     defaults: {type: u16, access: rw}
     rows:
-      - {at: 0x10, name: percent, range: 0..100, unit: "%", default: 50, source: L1}
-      - {at: 0x11, name: position, type: i32, unit: mm, scale: 0.01, source: L2}
+      - {at: 0x10, name: percent, range: 0..100, slot: "%", default: 50, source: L1}
+      - {at: 0x11, name: position, type: i32, slot: mm, scale: 0.01, source: L2}
       - {at: 0x13, name: mode, enum: mode, source: L3}
       - {at: 0x14, name: status, flags: status, source: L4}
       - {at: 0x15, name: spare, reserved: true, source: L5}
@@ -267,26 +267,26 @@ def test_a_value_is_wrong_exactly_where_the_reference_refuses_it(device: str, pa
 
     layout = newest(MADE_UP, device)
     seen = 0
-    for unit in units(layout):
-        value = unit.value
-        if unit.reserved or unit.unread or value.size % 2:
+    for slot in addressed_values(layout):
+        value = slot.value
+        if slot.reserved or slot.unread or value.size % 2:
             continue
         data = pattern * (value.size // 2)
-        decoded = decode_value(layout.device, value, data, unit.order, unit.swapped)
-        raw = value_construct(value, unit.order, unit.swapped).parse(data)
+        decoded = decode_value(layout.device, value, data, slot.order, slot.swapped)
+        raw = value_construct(value, slot.order, slot.swapped).parse(data)
         try:
-            decoded_value(unit.name, value, raw, layout.device, None)
+            decoded_value(slot.name, value, raw, layout.device, None)
         except CodecError:
-            assert decoded.reason, unit.name
+            assert decoded.reason, slot.name
         else:
-            assert decoded.reason in ("", "out_of_range"), unit.name
+            assert decoded.reason in ("", "out_of_range"), slot.name
         seen += 1
     assert seen or not layout.registers
 
 
 def test_every_value_of_a_table_has_an_address_of_its_own() -> None:
-    values = [unit for unit in units(newest(MADE_UP, "widget")) if unit.name.startswith("points[")]
-    assert len({(unit.address, unit.skip) for unit in values}) == len(values) == 5 * 6
+    values = [slot for slot in addressed_values(newest(MADE_UP, "widget")) if slot.name.startswith("points[")]
+    assert len({(slot.address, slot.skip) for slot in values}) == len(values) == 5 * 6
 
 
 def test_bytes_in_one_word_are_read_apart() -> None:
@@ -294,5 +294,5 @@ def test_bytes_in_one_word_are_read_apart() -> None:
 records: [{name: pair, section: "1", source: L1, fields: [{name: high, type: u8}, {name: low, type: u8}]}]
 tables: [{name: pairs, section: "1", source: L2, base: 0, stride: 1, count: 1, record: pair, access: rw}]
 """
-    values = [(unit.name, unit.address, unit.words, unit.skip) for unit in units(laid_at(gadget(text), "1"))]
+    values = [(slot.name, slot.address, slot.words, slot.skip) for slot in addressed_values(laid_at(gadget(text), "1"))]
     assert values == [("pairs[0].high", 0, 1, 0), ("pairs[0].low", 0, 1, 1)]

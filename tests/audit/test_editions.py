@@ -33,8 +33,8 @@ SHIFTED = [
 def test_lines_are_found_again_after_a_shift(insert: dict[int, str]) -> None:
     section = gauge.covered(manual=edition(insert=insert))
     assert gauge.said(section) == []
-    assert any("another edition" in text for text in section.says)
-    assert any("13 of 13 lines with text are there unchanged (100 %)" in text for text in section.says)
+    assert any("another edition" in text for text in section.paragraphs)
+    assert any("13 of 13 lines with text are there unchanged (100 %)" in text for text in section.paragraphs)
 
 
 def test_a_row_that_an_edition_adds_is_not_accounted_for() -> None:

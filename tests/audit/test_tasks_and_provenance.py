@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 
 from fieldspec.audit.manual_lines import index_of
+from fieldspec.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
 from fieldspec.audit.section import Section, Subject
 from fieldspec.audit.sources import sources
 from fieldspec.audit.tasks import tasks
-from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.model.operand import Operands
 from fieldspec.reading.project import DeviceSpec
 from laid_out import MADE_UP, SPECS, laid_at, newest

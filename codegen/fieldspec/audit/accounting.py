@@ -7,7 +7,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
-from fieldspec.audit.agreement import corrects, number_places, readings, says
+from fieldspec.audit.agreement import corrects, has_printed_value, number_places, readings
 from fieldspec.audit.line_facts import LineCitations, LineFacts
 from fieldspec.audit.manual_lines import AlignedManual
 from fieldspec.audit.pattern import Match, PieceValue
@@ -32,7 +32,7 @@ class Candidate:
 
     `line` is its line in the text at hand, `cited` the number by which the spec cites that line. `status` is one of
     STATUSES. `missing` are the values that no fact and no erratum has; a line with a number and no pattern has none.
-    `out` is the omission that applies.
+    `omission` is the omission that applies.
     """
 
     kind: str
@@ -44,7 +44,7 @@ class Candidate:
     status: str
     missing: tuple[PieceValue, ...] = ()
     pattern: Pattern | None = None
-    out: Omission | None = None
+    omission: Omission | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,10 +79,10 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
         at = manual.known[number - 1]
         section = plan.section(at)
         if number in manual.new:
-            outs = [entry for entry in of_new.get(at, ()) if entry in of_new.get(at + 1, ())]
+            omissions = [entry for entry in of_new.get(at, ()) if entry in of_new.get(at + 1, ())]
         else:
-            outs = (of_changed if at in manual.changed else left_out).get(at, [])
-        out = _left_out(outs, text)
+            omissions = (of_changed if at in manual.changed else left_out).get(at, [])
+        omission = _left_out(omissions, text)
         before = len(candidates)
         line_facts = LineFacts() if number in manual.new else cited.at(at)
         pieces = list(_pieces(patterns.get(at, ()), text))
@@ -90,20 +90,20 @@ def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Acco
         for (pattern, match), (status, missing) in zip(
             pieces, _standings(pieces, line_facts, cited, needed), strict=True
         ):
-            if status == OPEN and out is not None and not (line_facts.facts and "sections" in out.place):
+            if status == OPEN and omission is not None and not (line_facts.facts and "sections" in omission.place):
                 status, missing = LEFT_OUT, ()
             place = number, at, section, match.start, match.end
             candidates.append(
-                Candidate(pattern.kind, *place, status, missing, pattern, out if status == LEFT_OUT else None)
+                Candidate(pattern.kind, *place, status, missing, pattern, omission if status == LEFT_OUT else None)
             )
         if pieces:
             beside += ((number, *place) for place in _beside(text, pieces, line_facts, cited))
         elif _DIGIT.search(text):
             known = number not in manual.new and at not in manual.changed and at in cited.lines
-            status = COVERED if known else LEFT_OUT if out is not None else OPEN
-            omission = out if status == LEFT_OUT else None
-            candidates.append(Candidate(LINE, number, at, section, 0, len(text), status, out=omission))
-        used.update(id(entry.out) for entry in candidates[before:])
+            status = COVERED if known else LEFT_OUT if omission is not None else OPEN
+            applied = omission if status == LEFT_OUT else None
+            candidates.append(Candidate(LINE, number, at, section, 0, len(text), status, omission=applied))
+        used.update(id(entry.omission) for entry in candidates[before:])
     declared: list[Pattern | Omission] = [*plan.patterns, *plan.left_out]
     return Accounts(candidates, [entry for entry in declared if id(entry) not in used], frozenset(needed), beside)
 
@@ -118,9 +118,12 @@ def _by_line(entries: Sequence[Ruled]) -> dict[int, list[Ruled]]:
     return by_line
 
 
-def _left_out(outs: Sequence[Omission], text: str) -> Omission | None:
+def _left_out(omissions: Sequence[Omission], text: str) -> Omission | None:
     """The first omission that applies to a text."""
-    return next((out for out in outs if out.template is None or out.template.whole(text) is not None), None)
+    return next(
+        (omission for omission in omissions if omission.template is None or omission.template.whole(text) is not None),
+        None,
+    )
 
 
 def _pieces(patterns: Sequence[Pattern], text: str) -> Iterator[tuple[Pattern, Match]]:
@@ -146,7 +149,7 @@ def _beside(
             continue
         if any(corrects(erratum, value) for erratum in line_facts.errata):
             continue
-        if not any(says(row, value, cited.elided) for row in line_facts.facts):
+        if not any(has_printed_value(row, value, cited.elided) for row in line_facts.facts):
             yield start, end
 
 
@@ -181,7 +184,9 @@ def _standings(
         for value in dict.fromkeys(match.values):
             key = pattern.name, value
             seen[key] += 1
-            paths = _owners({str(row["path"]) for row in line_facts.facts if says(row, value, cited.elided)})
+            paths = _owners(
+                {str(row["path"]) for row in line_facts.facts if has_printed_value(row, value, cited.elided)}
+            )
             put_right = any(corrects(erratum, value) for erratum in line_facts.errata)
             if len(paths) == times[key] and not put_right:
                 needed.update(path.partition("/restated/")[0] for path in paths)

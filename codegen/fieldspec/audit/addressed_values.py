@@ -45,7 +45,7 @@ class AddressedValue:
         return [(self.space, address) for address in range(self.address, self.address + self.words)]
 
 
-def units(layout: DeviceLayout) -> Iterator[AddressedValue]:
+def addressed_values(layout: DeviceLayout) -> Iterator[AddressedValue]:
     """The values in the spaces of registers, in the order of the spec."""
     device = layout.device
     for register_layout in layout.registers:

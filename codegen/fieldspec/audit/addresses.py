@@ -13,11 +13,11 @@ from fieldspec.layout.device import DeviceLayout
 _NAMES = 4
 """The most names of a poll block that are printed in full; of more names, the first two and the last."""
 
-_SAYS = (
+_INTRODUCTION = (
     "Every address, number and code that the spec knows, block by block as the manual lists them. A gap is declared "
     "where the spec says that the manual leaves it out; one that is not declared may be a row that is missing."
 )
-_POLL_SAYS = (
+_POLL_INTRODUCTION = (
     "Each row is one request. It begins and ends at a value with a meaning, touches no address of which the manual "
     "says nothing, and divides no value. Equal requests at equal distances are one row."
 )
@@ -31,14 +31,16 @@ def addresses(subject: Subject) -> Section:
         figures.append(Figure(f"{space.what} in use ({space.title})", space.count(USED)))
         overlaps = [run for block in space.blocks for run in block.runs if run.state == OVERLAP and run.is_own]
         if overlaps:
-            unsaid = sum(1 for run in overlaps if not run.reason)
-            figures.append(Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unsaid))
+            unexplained = sum(1 for run in overlaps if not run.reason)
+            figures.append(
+                Figure(f"{space.what} held twice ({space.title})", space.count(OVERLAP), good=not unexplained)
+            )
         if space.what == "words":
             gaps = space.count(UNDECLARED)
             where = f" ({space.title})" if subject.device.several_spaces else ""
             figures.append(Figure(f"words in gaps that nothing declares{where}", gaps, good=gaps == 0))
     tables = (_blocks(spaces), _gaps(spaces), _overlaps(spaces), _aliases(spaces), _runs(spaces))
-    return Section("addresses", "Address map", (_SAYS,), tuple(figures), tables, spaces=spaces)
+    return Section("addresses", "Address map", (_INTRODUCTION,), tuple(figures), tables, spaces=spaces)
 
 
 def _blocks(spaces: Sequence[Space]) -> SectionTable:
@@ -156,10 +158,10 @@ def _shape(block: PollBlock) -> tuple[str, int, int, int, str]:
 def polls(subject: Subject) -> Section:
     """The section with the poll blocks."""
     polling = polling_of(subject.layout)
-    says = [_POLL_SAYS, *(_limit_text(limit) for limit in polling.limits)] if polling.limits else []
-    says += _asked(subject.layout)
-    if not says:
-        says = ["No message of the device reads registers or parameters."]
+    paragraphs = [_POLL_INTRODUCTION, *(_limit_text(limit) for limit in polling.limits)] if polling.limits else []
+    paragraphs += _parameter_reads(subject.layout)
+    if not paragraphs:
+        paragraphs = ["No message of the device reads registers or parameters."]
     figures = []
     for space in polling.spaces:
         limit, blocks = polling.limit(space), [block for block in polling.blocks if block.space == space]
@@ -169,7 +171,7 @@ def polls(subject: Subject) -> Section:
             text = f"requests of up to {limit.words} words read all {values} values{where}"
             figures.append(Figure(text, len(blocks)))
     tables = (_limits(polling), _poll_table(polling), _left_out(polling)) if polling.limits else ()
-    return Section("poll_blocks", "Poll blocks", tuple(says), tuple(figures), tables)
+    return Section("poll_blocks", "Poll blocks", tuple(paragraphs), tuple(figures), tables)
 
 
 def _limit_text(limit: ReadLimit) -> str:
@@ -249,7 +251,7 @@ def _left_out(polling: Polling) -> SectionTable:
     return SectionTable("not_polled", "What is not polled", ("start", "words", "times", "name", "reason"), rows)
 
 
-def _asked(layout: DeviceLayout) -> Iterator[str]:
+def _parameter_reads(layout: DeviceLayout) -> Iterator[str]:
     """Sentences about how messages read parameters: one, several elements of one, or all of a set."""
     for message in layout.device.messages.values():
         for field in message.response.fields:

@@ -144,7 +144,7 @@ _BOUNDS = re.compile(r"(?:(?<![0-9A-Fa-f])-)?(?:0[xX][0-9A-Fa-f]+|[0-9][0-9A-Fa-
 _FIGURES = re.compile(r"[0-9]+")
 
 
-def says(row: FactRow, value: PieceValue, elided: Collection[str]) -> bool:
+def has_printed_value(row: FactRow, value: PieceValue, elided: Collection[str]) -> bool:
     """Whether a fact has a printed value. `elided` are the paths of examples that the manual prints with gaps."""
     if value.column == "frame":
         printed, frame = bytes(byte_pairs(value.text)), _frame(row)

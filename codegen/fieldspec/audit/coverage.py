@@ -58,7 +58,7 @@ def coverage(subject: Subject) -> Section:
         _unneeded(accounts, claims),
     )
     figures = tuple(_figures(accounts, claims))
-    return Section(NAME, TITLE, tuple(_says(subject, manual)), figures, tables, tuple(findings))
+    return Section(NAME, TITLE, tuple(_introduction(subject, manual)), figures, tables, tuple(findings))
 
 
 def _head(subject: Subject) -> Span:
@@ -87,7 +87,7 @@ def _manual(subject: Subject, findings: list[Diagnostic]) -> AlignedManual | Non
     return aligned(recorded, manual) if recorded is not None else unmoved(manual)
 
 
-def _says(subject: Subject, manual: AlignedManual) -> Iterator[str]:
+def _introduction(subject: Subject, manual: AlignedManual) -> Iterator[str]:
     """Sentences about the text that is compared, and how much of it is the edition that the spec cites."""
     cited = subject.device.manual
     edition = f", {cited.edition}" if cited.edition else ""
@@ -161,12 +161,12 @@ def _by_section(accounts: Accounts, plan: Plan) -> SectionTable:
 
 def _reasons(accounts: Accounts, plan: Plan) -> SectionTable:
     """The omissions: how often each applies, and its reason."""
-    times = Counter(id(candidate.out) for candidate in accounts.candidates if candidate.out is not None)
+    times = Counter(id(candidate.omission) for candidate in accounts.candidates if candidate.omission is not None)
     rows: list[tuple[Cell, ...]] = []
-    for out in (*plan.left_out, plan.headings):
-        heads = out is plan.headings
-        lines = "" if heads else ", ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in out.lines)
-        rows.append((times[id(out)], lines, out.like, out.reason, out.place.whole))
+    for omission in (*plan.left_out, plan.headings):
+        heads = omission is plan.headings
+        lines = "" if heads else ", ".join(f"{a}" if a == b else f"{a}-{b}" for a, b in omission.lines)
+        rows.append((times[id(omission)], lines, omission.like, omission.reason, omission.place.whole))
     columns = ("number", "lines", "like", "reason", "place")
     return SectionTable("left_out", "Left out on purpose", columns, tuple(rows))
 
@@ -177,7 +177,7 @@ def _rows(accounts: Accounts, manual: AlignedManual) -> SectionTable:
     rows = []
     for candidate in candidates:
         printed = manual.index.lines[candidate.line - 1][candidate.start : candidate.end]
-        reason = candidate.out.reason if candidate.out is not None else ""
+        reason = candidate.omission.reason if candidate.omission is not None else ""
         rows.append((candidate.section, candidate.line, _KINDS[candidate.kind], candidate.status, reason, printed))
     kinds = tuple(_STATUS_KINDS[candidate.status] for candidate in candidates)
     columns = ("section", "line", "what", "how", "reason", "print")

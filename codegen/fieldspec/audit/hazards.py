@@ -277,7 +277,7 @@ def undivided(device: Device) -> list[Register]:
 COLUMNS = ("where", "fact", "why", "spec", "source")
 _LONG = 30
 
-_SAYS = (
+_INTRODUCTION = (
     "What may go wrong although every address and every value is right. It says what the manual says, and nothing "
     "where the manual says nothing."
 )
@@ -287,11 +287,11 @@ def access(subject: Subject) -> Section:
     """The section about hazards of reading and writing."""
     all_hazards = hazards(subject.layout)
     unsafe = {hazard.path for hazard in all_hazards if hazard.kind.unsafe}
-    says = [_SAYS]
+    paragraphs = [_INTRODUCTION]
     open_ones = undivided(subject.device)
     if open_ones:
         names = ", ".join(register.name for register in open_ones[:6]) + (", …" if len(open_ones) > 6 else "")
-        says.append(
+        paragraphs.append(
             f"Of {len(open_ones)} registers with several words the manual does not say whether they may be read in "
             f"parts ({names}); no poll block divides them."
         )
@@ -304,7 +304,7 @@ def access(subject: Subject) -> Section:
                 Figure(f"{'hazard' if len(of_kind) == 1 else 'hazards'}: {kind.title.lower()}", len(of_kind))
             )
             tables.append(_table(kind, of_kind))
-    return Section("access", "Access hazards", tuple(says), tuple(figures), tuple(tables))
+    return Section("access", "Access hazards", tuple(paragraphs), tuple(figures), tuple(tables))
 
 
 def _table(kind: Kind, hazards: list[Hazard]) -> SectionTable:

@@ -50,7 +50,7 @@ COLUMNS = (
 Trees: TypeAlias = dict[str, Mapping]
 """The trees of all versions of a device."""
 
-_SAYS = (
+_INTRODUCTION = (
     "Where the spec departs from the print, or where the print leaves a fact open. Each printed value has been put "
     "back into the spec, and the evidence is what the named check then finds."
 )
@@ -77,7 +77,7 @@ def ledger(subject: Subject) -> Section:
     )
     findings = tuple(fault for proof in proofs for fault in proof.faults)
     tables = (_summary(proofs), table)
-    return Section("errata", "Errata", (_SAYS,), tuple(figures), tables, findings, questions=verdicts["open"])
+    return Section("errata", "Errata", (_INTRODUCTION,), tuple(figures), tables, findings, questions=verdicts["open"])
 
 
 def by_effect(proofs: Iterable[Proof]) -> list[Proof]:

@@ -19,7 +19,7 @@ from fieldspec.model.registers import Register
 from fieldspec.model.value import Handling
 from fieldspec.source import Span
 
-WRITE_ONLY, CLEARED, UNSAID, TOO_LONG = (
+WRITE_ONLY, CLEARED, ACCESS_UNKNOWN, TOO_LONG = (
     "can only be written",
     "is cleared by reading",
     "nothing says whether it can be read",
@@ -205,7 +205,7 @@ def _refused(access: str, handling: Handling) -> str:
         return WRITE_ONLY
     if handling.clears_on_read:
         return CLEARED
-    return "" if readable(access) else UNSAID
+    return "" if readable(access) else ACCESS_UNKNOWN
 
 
 def _together(usable: Sequence[PollUnit], stops: Sequence[PollUnit]) -> Iterator[list[PollUnit]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.audit.addressed_values import Address, AddressedValue, units
+from fieldspec.audit.addressed_values import Address, AddressedValue, addressed_values
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable
 from fieldspec.checks.finding import range_key
 from fieldspec.classes import dataclass
@@ -105,13 +105,13 @@ def _doubtful(report: DumpReport) -> int:
 
 
 def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: int) -> DumpReport:
-    device_values = list(units(layout))
+    device_values = list(addressed_values(layout))
     starts: dict[Address, AddressedValue] = {}
     known: dict[Address, AddressedValue] = {}
-    for unit in device_values:
-        starts.setdefault((unit.space, unit.address), unit)
-        for address in unit.addresses:
-            known.setdefault(address, unit)
+    for slot in device_values:
+        starts.setdefault((slot.space, slot.address), slot)
+        for address in slot.addresses:
+            known.setdefault(address, slot)
     words: dict[Address, tuple[int, int]] = {}
     unknown: list[Entry] = []
     too_great: list[tuple[Entry, AddressedValue]] = []
@@ -139,13 +139,13 @@ def _report(layout: DeviceLayout, base: str, entries: Sequence[Entry], offset: i
             if before[0] != word:
                 twice.append((entry, before[1]))
     values, holes = [], []
-    for unit in device_values:
-        have = [address for address in unit.addresses if address in words]
-        if len(have) == unit.words:
-            values.append(_read(layout.device, unit, words))
+    for slot in device_values:
+        have = [address for address in slot.addresses if address in words]
+        if len(have) == slot.words:
+            values.append(_read(layout.device, slot, words))
         elif have:
-            lacking = tuple(address[1] for address in unit.addresses if address not in words)
-            holes.append(Hole(unit.name, unit.fact, tuple(words[address][1] for address in have), lacking))
+            lacking = tuple(address[1] for address in slot.addresses if address not in words)
+            holes.append(Hole(slot.name, slot.fact, tuple(words[address][1] for address in have), lacking))
     return DumpReport(base, (*values, *parameters), tuple(holes), tuple(unknown), tuple(too_great), tuple(twice))
 
 
@@ -161,11 +161,11 @@ def _names_a_space(layout: DeviceLayout, entry: Entry) -> bool:
     return bool(entry.space) and folded(entry.space) in spaces
 
 
-def _split(device: Device, entry: Entry, unit: AddressedValue | None) -> list[int] | None:
+def _split(device: Device, entry: Entry, slot: AddressedValue | None) -> list[int] | None:
     """The words of a row; a great number is divided like the value at its address. None if it does not fit."""
     if len(entry.values) == 1:
         number = entry.values[0]
-        wide = unit.words if unit is not None and unit.words > 1 else 1
+        wide = slot.words if slot is not None and slot.words > 1 else 1
         if wide > 1 and (entry.words == wide or not -(1 << (WORD - 1)) <= number <= _ALL):
             bits = WORD * wide
             if not -(1 << (bits - 1)) <= number < 1 << bits:
@@ -178,16 +178,31 @@ def _split(device: Device, entry: Entry, unit: AddressedValue | None) -> list[in
     return [number & _ALL for number in entry.values]
 
 
-def _read(device: Device, unit: AddressedValue, words: Mapping[Address, tuple[int, int]]) -> DumpValue:
-    addresses = unit.addresses
+def _read(device: Device, slot: AddressedValue, words: Mapping[Address, tuple[int, int]]) -> DumpValue:
+    addresses = slot.addresses
     order = "big" if device.byte_order == "big" else "little"
     data = b"".join(words[address][0].to_bytes(2, order) for address in addresses)  # type: ignore[arg-type]
-    data = data[unit.skip : unit.skip + unit.value.size]
-    decoded = decode_value(device, unit.value, data, unit.order, unit.swapped, unit.reserved or unit.unread)
+    data = data[slot.skip : slot.skip + slot.value.size]
+    decoded = decode_value(
+        device,
+        slot.value,
+        data,
+        slot.order,
+        slot.swapped,
+        slot.reserved or slot.unread,
+    )
     rows = tuple(dict.fromkeys(words[address][1] for address in addresses))
-    spare = _spare(device, unit.value, decoded, unit.reserved or unit.unread)
+    spare = _spare(device, slot.value, decoded, slot.reserved or slot.unread)
     return DumpValue(
-        unit.name, f"{unit.address:04X}h", unit.fact, unit.value, rows, decoded, spare, unit.reserved, unit.unread
+        slot.name,
+        f"{slot.address:04X}h",
+        slot.fact,
+        slot.value,
+        rows,
+        decoded,
+        spare,
+        slot.reserved,
+        slot.unread,
     )
 
 
@@ -253,9 +268,9 @@ def _judged(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> li
         lacking = ", ".join(f"{address:04X}h" for address in hole.missing)
         text = f"{hole.name} has more words than the dump: {lacking} is missing"
         findings.append(finding(_WHOLE, text, at(hole.rows[0]), hole.fact, "read all of its words, in one request"))
-    for entry, unit in report.too_great:
-        text = f"{unit.name} has {unit.words} words; {max(entry.values, key=abs)} is too great for what was read"
-        findings.append(finding(_RANGE, text, at(entry.row), unit.fact, "read it again, or put the address right"))
+    for entry, slot in report.too_great:
+        text = f"{slot.name} has {slot.words} words; {max(entry.values, key=abs)} is too great for what was read"
+        findings.append(finding(_RANGE, text, at(entry.row), slot.fact, "read it again, or put the address right"))
     for entry, before in report.twice:
         label = Label(at(before), "another value")
         text = "an address has two values"
@@ -300,9 +315,9 @@ def section(report: DumpReport, findings: Sequence[Diagnostic], skipped: int) ->
     wrong = [read for read in report.read if read.decoded.reason or read.spare]
     differing = [read for read in report.read if read.differs]
     base = "hexadecimal" if report.base == HEXADECIMAL else report.base
-    says = [f"Addresses were read as {base}."]
+    paragraphs = [f"Addresses were read as {base}."]
     if skipped:
-        says.append(f"{skipped} rows have no address or no value.")
+        paragraphs.append(f"{skipped} rows have no address or no value.")
     figures = (
         Figure("values decoded", len(report.read)),
         Figure("values that cannot be, or have reserved bits set", len(wrong), len(report.read), not wrong),
@@ -316,7 +331,7 @@ def section(report: DumpReport, findings: Sequence[Diagnostic], skipped: int) ->
         _unknown(report.unknown),
         _values("values", "All values", report.read, ""),
     )
-    return Section("dump", "What the device held", tuple(says), figures, tables, tuple(findings))
+    return Section("dump", "What the device held", tuple(paragraphs), figures, tables, tuple(findings))
 
 
 def _values(name: str, title: str, reads: Sequence[DumpValue], kind: str) -> SectionTable:

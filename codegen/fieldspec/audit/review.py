@@ -276,7 +276,7 @@ def _quoted(text: str) -> str:
     return '"' + "".join(sign if sign.isprintable() else f"\\U{ord(sign):08x}" for sign in escaped) + '"'
 
 
-_SAYS = (
+_INTRODUCTION = (
     "Who has compared which section of the manual with the spec, and which of its facts have been added or say "
     "something else since. A correction after a review is no fault: it is what a next reader should look at first."
 )
@@ -298,7 +298,7 @@ def sign_off(subject: Subject) -> Section:
         Figure("sections as they were when last compared", len(same), len(compared)),
     )
     tables = (_readings(reviews), _sections(sections), _changed(sections))
-    return Section("sign_off", "Sign-off", (_SAYS,), figures, tables, (*wrong, *uncited(now, reviews)))
+    return Section("sign_off", "Sign-off", (_INTRODUCTION,), figures, tables, (*wrong, *uncited(now, reviews)))
 
 
 def _readings(reviews: Sequence[Review]) -> SectionTable:

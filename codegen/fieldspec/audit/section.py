@@ -61,7 +61,7 @@ class Section:
 
     name: str
     title: str
-    says: tuple[str, ...] = ()
+    paragraphs: tuple[str, ...] = ()
     figures: tuple[Figure, ...] = ()
     tables: tuple[SectionTable, ...] = ()
     findings: tuple[Diagnostic, ...] = ()

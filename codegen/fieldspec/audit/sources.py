@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from fieldspec.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
-from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.checks.facts import facts
 from fieldspec.checks.facts import facts as facts_of
 from fieldspec.classes import dataclass
@@ -103,7 +103,7 @@ def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
     return tuple((0, int(part), "") if part.isdigit() else (1, 0, part) for part in section.split("."))
 
 
-_SAYS = (
+_INTRODUCTION = (
     "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
     "prints; where they differ, an erratum says which one is right. What the manual only implies is inferred, with the "
     "reason. What a standard gives, what others report and what we have computed is not printed at all."
@@ -146,7 +146,7 @@ def sources(subject: Subject) -> Section:
         ),
         _agreeing([fact for fact in facts if fact.standing == AGREEING]),
     )
-    return Section("sources", "Sources", (_SAYS,), tuple(figures), tables)
+    return Section("sources", "Sources", (_INTRODUCTION,), tuple(figures), tables)
 
 
 def _by_section(facts: Sequence[SourcedFact], keys: Sequence[InferredKey]) -> SectionTable:

@@ -7,7 +7,7 @@ from fieldspec.model.task import Task, step_text
 from fieldspec.schema import schema
 
 STEPS, NOT_APPLICABLE, OPEN, MISSING = "steps", "not applicable", "open question", "missing"
-_SAYS = (
+_INTRODUCTION = (
     "What people do with the device. Each task has the steps that the manual prints, a reason why the device has no "
     "such task, or the question that the manual leaves open."
 )
@@ -50,7 +50,7 @@ def tasks(subject: Subject) -> Section:
         ),
         SectionTable("steps", "Steps", ("way", "step", "what", "source", "spec"), tuple(steps), detail=True),
     )
-    return Section("tasks", "Tasks", (_SAYS,), figures, tables, questions=states.count(OPEN))
+    return Section("tasks", "Tasks", (_INTRODUCTION,), figures, tables, questions=states.count(OPEN))
 
 
 def _standing(task: Task) -> str:

@@ -50,7 +50,7 @@ def rendered(report: Report) -> str:
 def _section(section: Section) -> dict[str, object]:
     return {
         "title": section.title,
-        "says": list(section.says),
+        "says": list(section.paragraphs),
         "figures": [
             {"what": figure.what, "number": figure.number, "of": figure.whole, "good": figure.good}
             for figure in section.figures
@@ -113,7 +113,7 @@ def blocks(report: Report, everything: bool) -> Iterator[Block]:
 
 def _section_blocks(section: Section, everything: bool) -> Iterator[Block]:
     yield Line(section.title, "bold")
-    for text in section.says:
+    for text in section.paragraphs:
         yield Line(text)
     for figure in section.figures:
         yield Line(figure_text(figure), _style(figure))

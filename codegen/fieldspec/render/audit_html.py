@@ -220,7 +220,7 @@ def _figure(figure: Figure) -> str:
 def _part(section: Section, links: Mapping[str, str]) -> Iterator[str]:
     """A section: its texts, figures, drawings and tables, those of details last."""
     yield f'<section id="{section.name}">\n<h2>{_visible(section.title)}</h2>\n'
-    yield from (f"<p>{_visible(paragraph)}</p>\n" for paragraph in section.says)
+    yield from (f"<p>{_visible(paragraph)}</p>\n" for paragraph in section.paragraphs)
     yield f"{_figures(section)}\n" if section.figures else ""
     yield from _drawn(section)
     for table in _tables(section, False):
