@@ -46,9 +46,10 @@ def bounded(both: Comparison) -> Iterator[Bounded]:
         if before is not None and after is not None:
             yield Bounded(field, named(field.new), "the number of elements", "repeat", before, after)
     for link in both.of(Link):
-        before, after = (side.stations.ranges if side.stations else None for side in (link.old, link.new))
+        before, after = (side.unit_addresses.ranges if side.unit_addresses else None for side in (link.old, link.new))
         if before is not None or after is not None:
-            yield Bounded(link, named(link.new), "the address of a station", "stations", before or ANY, after or ANY)
+            what = "the address of a station"
+            yield Bounded(link, named(link.new), what, "unit_addresses", before or ANY, after or ANY)
     for word in both.of(Flags):
         if word.old.type == word.new.type and (word.old.ranges is not None or word.new.ranges is not None):
             whole = _whole(word.new.type)
