@@ -25,21 +25,21 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Numbered:
+class ParameterNumber:
     """A number of a parameter set, and its parameter; None where the manual has no row for the number."""
 
-    words: ParameterSet
+    parameter_set: ParameterSet
     number: int
     parameter: Parameter | None
 
     @property
     def printed_text(self) -> str:
         """The number as the manual writes it; empty where that is in digits."""
-        return self.words.number_text(self.number) if self.words.printed_as else ""
+        return self.parameter_set.number_text(self.number) if self.parameter_set.printed_as else ""
 
 
 @dataclass(frozen=True, slots=True)
-class Coded:
+class CodeRow:
     """A row of a table of codes."""
 
     enum: Enum
@@ -54,10 +54,10 @@ class Coded:
 
 
 @dataclass(frozen=True, slots=True)
-class DisplayedState:
+class WordState:
     """A state that the bits of a word show together."""
 
-    word: Flags
+    flags: Flags
     state: State
 
 
@@ -70,12 +70,12 @@ Item: TypeAlias = (
     | RecordLayout
     | Signal
     | Conversion
-    | Numbered
+    | ParameterNumber
     | ParameterSet
     | Enum
-    | Coded
+    | CodeRow
     | Flags
-    | DisplayedState
+    | WordState
     | Link
     | Lookup
     | Limit
@@ -97,19 +97,21 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from layout.records.values()
     yield from device.signals.values()
     yield from device.conversions.values()
-    for words in device.parameters.values():
-        yield words
-        yield from (Numbered(words, parameter.number, parameter) for parameter in words.parameters)
+    for parameter_set in device.parameters.values():
+        yield parameter_set
+        yield from (
+            ParameterNumber(parameter_set, parameter.number, parameter) for parameter in parameter_set.parameters
+        )
     for enum in device.enums.values():
         yield enum
         base = device.enums.get(enum.derived.rpartition("/")[2])
         if enum.kind != "enum":
             yield from (
-                Coded(enum, member) for member in enum.members if base is None or base.named(member.name) is None
+                CodeRow(enum, member) for member in enum.members if base is None or base.named(member.name) is None
             )
     for word in device.flags.values():
         yield word
-        yield from (DisplayedState(word, state) for state in word.states)
+        yield from (WordState(word, state) for state in word.states)
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
@@ -119,14 +121,14 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from device.errata
 
 
-def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[Numbered]:
+def unnamed(layout: DeviceLayout, text: str, number: int | None) -> Iterator[ParameterNumber]:
     """The numbers of parameter sets that a text means: as the manual writes them, or on the wire."""
-    for words in layout.device.parameters.values():
-        own = number_of_text(words, text)
+    for parameter_set in layout.device.parameters.values():
+        own = number_of_text(parameter_set, text)
         if own is None and number is not None:
-            own = number - words.base
-        if own is not None and words.holds(own):
-            yield Numbered(words, own, words.numbered(own))
+            own = number - parameter_set.base
+        if own is not None and parameter_set.holds(own):
+            yield ParameterNumber(parameter_set, own, parameter_set.numbered(own))
 
 
 def fact_of(item: Item) -> Fact | Note | Example | Erratum:
@@ -138,11 +140,11 @@ def fact_of(item: Item) -> Fact | Note | Example | Erratum:
             return item.record
         case TableLayout():
             return item.table
-        case Numbered():
-            return item.parameter or item.words
-        case Coded():
+        case ParameterNumber():
+            return item.parameter or item.parameter_set
+        case CodeRow():
             return item.member
-        case DisplayedState():
+        case WordState():
             return item.state
         case _:
             return item
@@ -155,9 +157,9 @@ def handles(item: Item) -> tuple[str, ...]:
         return (fact.id,)
     if isinstance(fact, Note):
         return (fact.name,)
-    if isinstance(item, Numbered) and item.parameter is None:
+    if isinstance(item, ParameterNumber) and item.parameter is None:
         return ("", item.printed_text, "")
-    printed_text = item.printed_text if isinstance(item, Numbered | Coded) else ""
+    printed_text = item.printed_text if isinstance(item, ParameterNumber | CodeRow) else ""
     return fact.name, fact.printed_name or printed_text, fact.label
 
 
@@ -173,10 +175,10 @@ def numbered(item: Item, number: int) -> bool:
             return table.base <= number < table.base + table.stride * (table.count - 1) + item.words
         case MessageLayout():
             return number in (item.message.code, item.message.number)
-        case Numbered():
+        case ParameterNumber():
             count = item.parameter.count if item.parameter is not None else 1
-            return any(0 <= number - first < count for first in (item.number, item.words.base + item.number))
-        case Coded():
+            return any(0 <= number - first < count for first in (item.number, item.parameter_set.base + item.number))
+        case CodeRow():
             return number in (item.member.value, item.member.number)
         case _:
             return False

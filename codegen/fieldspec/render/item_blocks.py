@@ -14,7 +14,7 @@ from fieldspec.model.registers import Parameter, ParameterSet, Register, Registe
 from fieldspec.model.texts import Lookup
 from fieldspec.model.value import Signal, Value
 from fieldspec.render.blocks import Block, Line, Table, drawn, narrowed
-from fieldspec.render.item import Item, Numbered, fact_details, fact_of, handles
+from fieldspec.render.item import Item, ParameterNumber, fact_details, fact_of, handles
 from fieldspec.render.item_details import details
 from fieldspec.render.overview import field_table, member_table, parameter_table, range_text, register_table, unit_text
 
@@ -48,7 +48,7 @@ def _inside(layout: DeviceLayout, item: Item) -> Iterator[Block]:
             yield from _record(layout, item.record, item.table.base)
         case Register() | Signal():
             yield from _names(layout, item.value)
-        case Numbered():
+        case ParameterNumber():
             if item.parameter is not None:
                 yield from _subindices(item.parameter)
                 yield from _names(layout, item.parameter.value)

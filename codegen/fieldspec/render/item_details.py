@@ -19,11 +19,11 @@ from fieldspec.model.task import Task, step_text
 from fieldspec.model.texts import Erratum, Example, Limit, Note
 from fieldspec.model.value import Conversion, Signal
 from fieldspec.render.item import (
-    Coded,
+    CodeRow,
     Details,
-    DisplayedState,
     Item,
-    Numbered,
+    ParameterNumber,
+    WordState,
     erratum_details,
     example_details,
     note_details,
@@ -49,17 +49,17 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield from _signal(layout, item)
         case Conversion():
             yield from _conversion(layout, item)
-        case Numbered():
+        case ParameterNumber():
             yield from _parameter(item, number)
         case ParameterSet():
             yield from _set(item)
         case Enum():
             yield "what", item.title
             yield "follows", f"from {item.derived}" if item.derived else ""
-        case Coded():
+        case CodeRow():
             yield from _code(item)
-        case DisplayedState():
-            yield "shown by", item.word.name
+        case WordState():
+            yield "shown by", item.flags.name
             yield "set", ", ".join(item.state.set)
             yield "clear", ", ".join(item.state.clear)
         case Link():
@@ -191,23 +191,23 @@ def _conversion(layout: DeviceLayout, conversion: Conversion) -> Details:
     yield "printed", conversion.printed
 
 
-def _parameter(item: Numbered, number: int | None) -> Details:
-    words, parameter = item.words, item.parameter
-    yield "set", words.name
-    yield "number", _number(words, item.number)
+def _parameter(item: ParameterNumber, number: int | None) -> Details:
+    parameter_set, parameter = item.parameter_set, item.parameter
+    yield "set", parameter_set.name
+    yield "number", _number(parameter_set, item.number)
     if parameter is None:
         yield "row", "none: the manual gives the number no meaning of its own"
         return
     if parameter.count > 1:
-        last = _number(words, parameter.number + parameter.count - 1)
-        yield "count", f"{parameter.count} of them, {_number(words, parameter.number)}, to {last}"
+        last = _number(parameter_set, parameter.number + parameter.count - 1)
+        yield "count", f"{parameter.count} of them, {_number(parameter_set, parameter.number)}, to {last}"
         own = [
             candidate
-            for candidate in (number, (number or 0) - words.base)
+            for candidate in (number, (number or 0) - parameter_set.base)
             if candidate is not None and candidate != item.number
         ]
-        here = next((candidate for candidate in own if words.numbered(candidate) is parameter), None)
-        yield "here", "" if here is None else _number(words, here)
+        here = next((candidate for candidate in own if parameter_set.numbered(candidate) is parameter), None)
+        yield "here", "" if here is None else _number(parameter_set, here)
     yield "access", parameter.access or "not printed"
     value = parameter.value
     yield from value_details(value if parameter.elements is None else replace(value, default=None))
@@ -222,27 +222,24 @@ def _parameter(item: Numbered, number: int | None) -> Details:
     yield "reserved", "it has no meaning to the user" if parameter.reserved else ""
 
 
-def _number(words: ParameterSet, number: int) -> str:
+def _number(parameter_set: ParameterSet, number: int) -> str:
     """`Pt317, 0x2317 on the wire`"""
-    if not words.base:
-        return words.number_text(number)
-    own = words.number_text(number) if words.printed_as else f"{number}"
-    return f"{own}, 0x{words.base + number:04X} ({words.base + number}) on the wire"
+    if not parameter_set.base:
+        return parameter_set.number_text(number)
+    own = parameter_set.number_text(number) if parameter_set.printed_as else f"{number}"
+    return f"{own}, 0x{parameter_set.base + number:04X} ({parameter_set.base + number}) on the wire"
 
 
-def _set(words: ParameterSet) -> Details:
-    yield "what", words.title
-    yield "base", f"a number on the wire is the number + 0x{words.base:04X}" if words.base else ""
-    form = words.number_text
-    for low, high in words.numbers.intervals if words.numbers is not None else ():
-        yield (
-            "numbers",
-            f"{form(low)} to {form(high)}, 0x{words.base + low:04X} to 0x{words.base + high:04X} on the wire",
-        )
-    yield "space", words.space if words.space != words.name else ""
+def _set(parameter_set: ParameterSet) -> Details:
+    yield "what", parameter_set.title
+    yield "base", f"a number on the wire is the number + 0x{parameter_set.base:04X}" if parameter_set.base else ""
+    form, base = parameter_set.number_text, parameter_set.base
+    for low, high in parameter_set.numbers.intervals if parameter_set.numbers is not None else ():
+        yield "numbers", f"{form(low)} to {form(high)}, 0x{base + low:04X} to 0x{base + high:04X} on the wire"
+    yield "space", parameter_set.space if parameter_set.space != parameter_set.name else ""
 
 
-def _code(item: Coded) -> Details:
+def _code(item: CodeRow) -> Details:
     member = item.member
     yield "value", f"{member.value} (0x{member.value:X})" if item.enum.printed_as else str(member.value)
     yield "number", "" if member.number is None else str(member.number)

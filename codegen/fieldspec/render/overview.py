@@ -105,7 +105,7 @@ def overview(layout: DeviceLayout) -> Iterator[Block]:
         _tables(device),
         _messages(device),
         _signals(device),
-        *(parameter_table(words) for words in device.parameters.values()),
+        *(parameter_table(parameter_set) for parameter_set in device.parameters.values()),
     )
     for table in tables:
         if table.rows:
@@ -130,15 +130,19 @@ def register_table(registers: Iterable[Register]) -> Table:
     return narrowed(Table(("address", "register", "label", "type", "access", "unit", "names"), tuple(rows)))
 
 
-def parameter_table(words: ParameterSet) -> Table:
+def parameter_table(parameter_set: ParameterSet) -> Table:
     """Parameters by number, in the manual and on the wire."""
     rows = []
-    for parameter in words.parameters:
+    for parameter in parameter_set.parameters:
         label = " ".join(text for text in (parameter.printed_name, parameter.label) if text)
         value = parameter.value
         last = parameter.number + parameter.count - 1
-        number = _span(words.number_text(parameter.number), words.number_text(last))
-        wire = _span(f"0x{words.base + parameter.number:04X}", f"0x{words.base + last:04X}") if words.base else ""
+        number = _span(parameter_set.number_text(parameter.number), parameter_set.number_text(last))
+        wire = (
+            _span(f"0x{parameter_set.base + parameter.number:04X}", f"0x{parameter_set.base + last:04X}")
+            if parameter_set.base
+            else ""
+        )
         kind = value.type.name + (f" x {parameter.elements}" if parameter.elements is not None else "")
         name = parameter.name or "reserved"
         first = (number, wire, name, label, kind, parameter.access or "?")
