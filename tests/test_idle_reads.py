@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from fieldspec.audit.poll_blocks import PollBlock, polling
+from fieldspec.audit.poll_blocks import PollBlock, polling_of
 from fieldspec.checks.numbers import Legal
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import RegisterLayout
@@ -18,7 +18,7 @@ from made_python import made
 BLOCKS = [
     pytest.param(newest(SPECS, name), block, id=f"{name}-{block.start:04X}")
     for name in ("ck10", "tc100")
-    for block in polling(newest(SPECS, name)).blocks
+    for block in polling_of(newest(SPECS, name)).blocks
     if any(block.start <= laid.address < block.start + block.words for laid in newest(SPECS, name).registers)
 ]
 
