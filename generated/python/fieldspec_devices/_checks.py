@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ._typing import Data
 
 
-def _shares() -> list[list[int]]:
+def _tables() -> list[list[int]]:
     bits, share = [], 1
     for _ in range(8):
         share = share >> 1 ^ (0xA001 if share & 1 else 0)
@@ -30,7 +30,7 @@ def _shares() -> list[list[int]]:
     return tables
 
 
-_TABLES = _shares()
+_TABLES = _tables()
 CRC = tuple(map(tuple, _TABLES))
 CRC_EXCHANGED = tuple(tuple((crc & 0xFF) << 8 | crc >> 8 for crc in table) for table in _TABLES)
 BYTES = tuple(bytes((number,)) for number in range(256))

@@ -46,14 +46,14 @@ def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
     if asked is None:
         return None
     for line in lines if len(lines) == 1 else [line for line in lines if _first(line) == asked[0]]:
-        held = [(number, module) for version, module in line if (number := _numbers(version)) is not None]
-        for number, module in held:
+        numbered = [(number, module) for version, module in line if (number := _numbers(version)) is not None]
+        for number, module in numbered:
             if number == asked:
                 return module
         earlier = [module for version, module in line if _before(version, asked)]
-        if earlier and all(asked < number for number, _ in held):
+        if earlier and all(asked < number for number, _ in numbered):
             return earlier[0]
-        below = [(number, module) for number, module in held if number < asked]
+        below = [(number, module) for number, module in numbered if number < asked]
         if nearest and below:
             return max(below)[1]
     return None
@@ -72,8 +72,8 @@ def _numbers(text: str) -> tuple[int, ...] | None:
 
 def _first(line: Line) -> int | None:
     """The first number of the versions of a line."""
-    found = (_numbers(version.removeprefix(EARLIER)) for version, _ in line)
-    return next((numbers[0] for numbers in found if numbers is not None), None)
+    numbers = (_numbers(version.removeprefix(EARLIER)) for version, _ in line)
+    return next((parts[0] for parts in numbers if parts is not None), None)
 
 
 def _before(version: str, asked: tuple[int, ...]) -> bool:

@@ -187,19 +187,19 @@ class Frames:
 
     def message(self, classes: dict[int, Any], code: int, body: Data, wanted: int | None = None) -> Any:
         """The data of the message with a code, which must be the `wanted` one, if any. Raises CodecError."""
-        found = classes.get(code)
-        if found is None:
+        message_class = classes.get(code)
+        if message_class is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", self.code_offset)
         if wanted is not None and wanted != code:
             raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
-        return self.body(found, body)
+        return self.body(message_class, body)
 
     def named(self, classes: dict[int | str, Any], name: int | str) -> Any:
         """The class of the message with a number or a name. Raises CodecError."""
-        found = classes.get(name)
-        if found is None:
+        message_class = classes.get(name)
+        if message_class is None:
             raise CodecError("unknown_code", f"no message here is {name!r}")
-        return found
+        return message_class
 
     def body(self, record: Any, body: Data) -> Any:
         """The data of a known message. Raises CodecError."""

@@ -138,7 +138,7 @@ class Parameter(Generic[T]):
 
     def subindex(self, index: int) -> Subindex | None:
         """What the manual tells of the element with an index; None where it makes no difference."""
-        return next((held for held in self.subindices if index in held), None)
+        return next((subindex for subindex in self.subindices if index in subindex), None)
 
     def decode(self, data: bytes) -> T:
         """The value of exactly all of its bytes. Raises CodecError."""
@@ -155,16 +155,16 @@ class Parameter(Generic[T]):
 
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
         """The value of what a message carries for it, or for its element with an index. Raises CodecError."""
-        held = self.subindex(subindex) if self.subindices else None
-        value: Value[T] = self.value if held is None else held.value
-        return value.of_carried(self._title(held), raw)
+        element = self.subindex(subindex) if self.subindices else None
+        value: Value[T] = self.value if element is None else element.value
+        return value.of_carried(self._title(element), raw)
 
     def to_raw(self, value: T, subindex: int = 0) -> Any:
         """What a message carries for a value. Raises CodecError where the value is out of range."""
-        held = self.subindex(subindex) if self.subindices else None
-        if not self.carrier or held is not None:
-            own = self.value if held is None else held.value
-            error = own.refused(self._title(held), value)
+        element = self.subindex(subindex) if self.subindices else None
+        if not self.carrier or element is not None:
+            own = self.value if element is None else element.value
+            error = own.refused(self._title(element), value)
             if error is not None:
                 raise error
             return own.to_raw(value)
@@ -181,8 +181,8 @@ class Parameter(Generic[T]):
         """What a message carries for the values of its elements. Raises CodecError."""
         return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
 
-    def _title(self, held: Subindex | None) -> str:
-        return self.title if held is None else f"{self.title}.{held.name}"
+    def _title(self, element: Subindex | None) -> str:
+        return self.title if element is None else f"{self.title}.{element.name}"
 
 
 class ParameterSet:
@@ -211,7 +211,7 @@ class ParameterSet:
         self._rows: dict[str, Any] = {}
         self._index: dict[int, Parameter[Any]] = {}
 
-    def _made(self) -> dict[int, Parameter[Any]]:
+    def _parameters(self) -> dict[int, Parameter[Any]]:
         """All rows by number; they are made when one is asked for, as few programs need many of them."""
         if not self._index:
             self._rows |= self._make()
@@ -224,30 +224,30 @@ class ParameterSet:
 
         def __getattr__(self, name):
             if not name.startswith("_"):
-                self._made()
+                self._parameters()
                 if name in self._rows:
                     return self._rows[name]
             raise AttributeError(f"{self.__class__.__name__} has no parameter {name}")
 
     def __dir__(self) -> list[str]:
-        self._made()
+        self._parameters()
         return [*super().__dir__(), *self._rows]
 
     def __len__(self) -> int:
-        return len(self._made())
+        return len(self._parameters())
 
     def __iter__(self) -> Iterator[Parameter[Any]]:
-        return iter(self._made().values())
+        return iter(self._parameters().values())
 
     def __contains__(self, number: int) -> bool:
-        return number in self._made() or any(first <= number <= last for first, last in self.numbers)
+        return number in self._parameters() or any(first <= number <= last for first, last in self.numbers)
 
     def __getitem__(self, number: int) -> Parameter[Any]:
         """The parameter with a number of the set. Raises IndexError."""
-        found = self._made().get(number)
-        if found is None and number not in self:
+        parameter = self._parameters().get(number)
+        if parameter is None and number not in self:
             raise IndexError(f"there is no parameter {number}")
-        return found or self._untold(number)
+        return parameter or self._unknown(number)
 
     def __call__(self, wire_number: int) -> Parameter[Any]:
         """The parameter with a number on the wire. Raises CodecError for a number that the set does not have."""
@@ -255,12 +255,12 @@ class ParameterSet:
             raise no_parameter(self.space, wire_number)
         return self[wire_number - self.base]
 
-    def _untold(self, number: int) -> Parameter[Any]:
+    def _unknown(self, number: int) -> Parameter[Any]:
         """A parameter of which nothing is known but that there is one."""
         unknown: Value[Any] = Unknown()
-        return Parameter("", number, unknown, printed_name=self.written(number), set=self.name, base=self.base)
+        return Parameter("", number, unknown, printed_name=self.number_text(number), set=self.name, base=self.base)
 
-    def written(self, number: int) -> str:
+    def number_text(self, number: int) -> str:
         """A number of the set as the manual writes it."""
         return self.printed_as.format(number=number) if self.printed_as else str(number)
 
@@ -285,30 +285,33 @@ class ParameterSet:
 class ParameterSpace:
     """Sets of parameters that share the numbers on the wire."""
 
-    __slots__ = ("_found", "name", "sets")
+    __slots__ = ("_parameters", "name", "sets")
 
     def __init__(self, name: str, *sets: ParameterSet) -> None:
         self.name, self.sets = name, sets
-        self._found: dict[int, Parameter[Any]] = {}
+        self._parameters: dict[int, Parameter[Any]] = {}
 
     def __call__(self, wire_number: int) -> Parameter[Any]:
         """The parameter with a number on the wire, also one of which nothing but its set is known.
 
         Raises CodecError, which is a ValueError, for a number that no set has.
         """
-        found = self._found.get(wire_number)
-        if found is None:
-            held = next((held for held in self.sets if wire_number - held.base in held), None)
-            if held is None:
+        parameter = self._parameters.get(wire_number)
+        if parameter is None:
+            parameter_set = next(
+                (parameter_set for parameter_set in self.sets if wire_number - parameter_set.base in parameter_set),
+                None,
+            )
+            if parameter_set is None:
                 raise no_parameter(self.name, wire_number)
-            found = self._found[wire_number] = held[wire_number - held.base]
-        return found
+            parameter = self._parameters[wire_number] = parameter_set[wire_number - parameter_set.base]
+        return parameter
 
     def __contains__(self, wire_number: int) -> bool:
-        return any(wire_number - held.base in held for held in self.sets)
+        return any(wire_number - parameter_set.base in parameter_set for parameter_set in self.sets)
 
     def __iter__(self) -> Iterator[Parameter[Any]]:
-        return (parameter for held in self.sets for parameter in held)
+        return (parameter for parameter_set in self.sets for parameter in parameter_set)
 
 
 def no_parameter(space: str, wire_number: int) -> CodecError:
@@ -323,12 +326,12 @@ def single(parameter: Parameter[Any], values: Sequence[T]) -> T:
     return values[0]
 
 
-def selected(parameter: Parameter[Any], formats: Mapping[str, T], given: T | None) -> T:
+def selected(parameter: Parameter[Any], formats: Mapping[str, T], selector: T | None) -> T:
     """What says the type of a parameter's values: what is given, or else what suits its type. Raises CodecError."""
-    if given is not None:
-        return given
-    found = formats.get(parameter.type)
-    if found is None:
+    if selector is not None:
+        return selector
+    selection = formats.get(parameter.type)
+    if selection is None:
         text = f"no value of the selector is known for {parameter.title}: give one"
         raise CodecError("unknown_value", text)
-    return found
+    return selection

@@ -224,13 +224,13 @@ def unreachable(register: Register[Any], operation: str) -> CodecError:
 
 def replies(register: Register[Any], responses: Iterable[object], kind: type[T]) -> list[T]:
     """Responses that carry words of the space of a register. Raises CodecError for others."""
-    found = []
+    checked = []
     for response in responses:
         if not isinstance(response, kind):
             text = f"{register.name} lies in {register.space}, of which {type(response).__name__} carries nothing"
             raise CodecError("wrong_type", text)
-        found.append(response)
-    return found
+        checked.append(response)
+    return checked
 
 
 def only(name: str, requests: list[T]) -> T:
@@ -240,17 +240,17 @@ def only(name: str, requests: list[T]) -> T:
     return requests[0]
 
 
-def found(
+def find(
     address: int,
     registers: Iterable[Register[Any] | RegisterArray[Any]],
     tables: Iterable[Table[Any]],
     space: str = "",
 ) -> Register[Any] | None:
     """The register, or the element of a table, that begins at an address of a space."""
-    for one in registers:
-        if one.space != space:
+    for entry in registers:
+        if entry.space != space:
             continue
-        for register in (one,) if isinstance(one, Register) else one:
+        for register in (entry,) if isinstance(entry, Register) else entry:
             if register.address == address:
                 return register
     return next(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.backends.python.naming import FLAGS, STATES, TYPES, Scope
-from fieldspec.backends.python.text import described, docstring, filled, literal, one_item_per_line, sentence
+from fieldspec.backends.python.text import described, docstring, filled, item_lines, literal, sentence
 from fieldspec.classes import dataclass, field, replace
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.names import Name
@@ -129,9 +129,7 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
         members=[
             MemberView(members.take(Name.of(m.name).upper()), str(m.value), docstring(_member(m), 4)) for m in available
         ],
-        printed_names=one_item_per_line(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0)
-        if printed
-        else [],
+        printed_names=item_lines(f"_{upper}_PRINTED_NAMES: dict[int, str] = {{", printed, "}", 0) if printed else [],
         numbers=filled(f"_{upper}_NUMBERS: dict[int, int] = {{", numbers, "}", 0) if numbers else [],
     )
 
@@ -163,10 +161,8 @@ def flags_view(flags: Flags, enums: Mapping[str, EnumView], scope: Scope) -> Fla
     return FlagsView(
         name=name,
         bits=bits,
-        table=one_item_per_line("_BITS = {", table, "}", 4),
-        init=one_item_per_line(
-            "def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8
-        ),
+        table=item_lines("_BITS = {", table, "}", 4),
+        init=item_lines("def __init__(", ["self", "raw: int = 0", "*", *map(_argument, bits)], ") -> None: ...", 8),
         states=states,
         fitting=[_fitting(flags, state, number, states) for number, state in enumerate(flags.states)] if states else [],
         taken=lines,

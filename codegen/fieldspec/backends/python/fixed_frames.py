@@ -84,8 +84,8 @@ def fixed_frame(
     order = next((part.order for part in frame.head if part.size > 1), shaped.order)
     size = frame.head_size + (shaped.record.size or 0)
     known = {"code": code, "length": size + frame.tail_size}
-    constants = {part.name: held for part in frame.head if (held := known.get(part.role)) is not None}
-    always = {part.name: held for part in frame.head if (held := constant(part)) is not None}
+    constants = {part.name: number for part in frame.head if (number := known.get(part.role)) is not None}
+    always = {part.name: number for part in frame.head if (number := constant(part)) is not None}
     constants |= always
     algorithm = frame.check.algorithm if frame.check else ""
     looked_up = algorithm == _WORDS and size <= TABLES and all(map(_single, shaped.fields))
@@ -100,17 +100,19 @@ def fixed_frame(
     unread = "_StructError"
     declared: list[str] = []
     if looked_up:
-        written, read = (list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", ""))
+        encoding_terms, read = (
+            list(_crc_terms(shaped, link, frame, constants, order, size, raw)) for raw in (".raw", "")
+        )
         station = frame.role("station")
         if station is not None and station.size == 1:
             most, table = greatest_part(link, station), f"_STATIONS{name}"
-            declared = [_begun(table, written, most)]
-            written, read = ([f"{table}[station]", *_others(terms)] for terms in (written, read))
+            declared = [_begun(table, encoding_terms, most)]
+            encoding_terms, read = ([f"{table}[station]", *_others(terms)] for terms in (encoding_terms, read))
             # Greater stations are not in the table, and lesser ones are not packed.
             tests = [test for test in tests if test != f"station <= {most}"]
         letters += "H"
         packed.append("check")
-        check = chained("check = ", written, "^", "", 16)
+        check = chained("check = ", encoding_terms, "^", "", 16)
         compared = chained("expected = ", read, "^", "", 12)
         unread = "_UNREAD"
         # The tables hold the shares of what must be received, so that each of it is compared with what is received.
@@ -147,8 +149,8 @@ _STATION = "[station]"
 
 def _begun(table: str, terms: list[str], most: int) -> str:
     """The statement that makes the table which begins a CRC: the constant, with the share of each station."""
-    shares = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
-    return f"{table} = tuple({terms[0]} ^ share for share in {shares}[:{most + 1}])"
+    station_terms = next(term for term in terms if term.endswith(_STATION)).removesuffix(_STATION)
+    return f"{table} = tuple({terms[0]} ^ share for share in {station_terms}[:{most + 1}])"
 
 
 def _others(terms: list[str]) -> list[str]:
@@ -221,12 +223,12 @@ def _crc_terms(
     constant, same = CHECKSUMS[_WORDS](bytes(base)), frame.check is not None and frame.check.order == order
     yield str(constant if same else (constant & 0xFF) << 8 | constant >> 8)
     table = "_C" if same else "_X"
-    for at, width, signed, most, held in varying:
+    for at, width, signed, most, expression in varying:
         for place in range(width):
             shift = 8 * (place if order == "little" else width - 1 - place)
             if shift and not signed and not most >> shift:
                 continue
-            byte = f"{held} >> {shift}" if shift else held
+            byte = f"{expression} >> {shift}" if shift else expression
             if signed or most >> shift > 255:
                 byte += " & 255"
             yield f"{table}{size - 1 - at - place}[{byte}]"

@@ -43,14 +43,14 @@ def letter(part: PartLayout) -> str:
 
 def _argument_view(part: PartLayout, place: int, words: Words) -> PartView:
     flags = part.value.flags if part.value else ""
-    made = f"{words.flags[flags]}({{}})" if flags else "{}"
+    construction = f"{words.flags[flags]}({{}})" if flags else "{}"
     name = Scope(frozenset({"station", "message", "self", "frame", "request"})).take(part.name)
     return PartView(
         name=name,
         variable=variable(part),
         type=words.flags[flags] if flags else "int",
-        expression=made.format(f"head[{place}]"),
-        quickly=made.format(variable(part)),
+        expression=construction.format(f"head[{place}]"),
+        quickly=construction.format(variable(part)),
     )
 
 
@@ -63,8 +63,8 @@ def head_value(part: PartLayout, code: str) -> str:
     """What a part of the head holds before its length is known."""
     if part.role in ("length", "check"):
         return "0"
-    held = constant(part)
-    return code if part.role == "code" else number(part) if held is None else str(held)
+    fixed_number = constant(part)
+    return code if part.role == "code" else number(part) if fixed_number is None else str(fixed_number)
 
 
 def _allowed(link: LinkLayout, part: PartLayout) -> tuple[tuple[tuple[int, int], ...], tuple[int, ...]]:
@@ -126,9 +126,9 @@ def argument_views(frame: FrameLayout, words: Words) -> list[PartView]:
 def constants(frame: FrameLayout) -> list[str]:
     """The parts that are always the same: place, name, value and offset of each."""
     return [
-        f"({place}, {literal(part.name)}, {held}, {part.offset})"
+        f"({place}, {literal(part.name)}, {number}, {part.offset})"
         for place, part in enumerate(frame.head)
-        if (held := constant(part)) is not None
+        if (number := constant(part)) is not None
     ]
 
 
@@ -152,7 +152,7 @@ def greatest_part(link: LinkLayout, part: PartLayout) -> int:
 
 def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
     """The expressions that say what is wrong with them."""
-    found = []
+    refusals = []
     for part in head_arguments(frame):
         assert part.value is not None
         intervals, beside = _allowed(link, part)
@@ -160,12 +160,12 @@ def head_refusals(link: LinkLayout, frame: FrameLayout) -> list[str]:
         if intervals:
             limits.append(pairs(Ranges(intervals)))
         if part.value.flags:
-            found.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
+            refusals.append(f"_refused_flags({literal(part.name)}, {variable(part)}, {', '.join(limits[1:])})")
             continue
         if beside:
             limits.append(tuple_of(beside))
-        found.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
-    return found
+        refusals.append(f"_refused_number({literal(part.name)}, {variable(part)}, {', '.join(limits)})")
+    return refusals
 
 
 Carried = Sequence[tuple[str, int | None, RecordLayout]]

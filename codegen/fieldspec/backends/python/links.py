@@ -21,7 +21,7 @@ from fieldspec.backends.python.frames import (
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
 from fieldspec.backends.python.slots import Words
-from fieldspec.backends.python.text import chained, described, docstring, literal, one_item_per_line, union
+from fieldspec.backends.python.text import chained, described, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
 from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
@@ -143,7 +143,7 @@ def link_view(
     name = scope.take(link.name)
     pascal = Name.of(link.name).pascal()
     coded = any(part.role == "code" for part in link.request.head)
-    carried = [one for one in exchanges if carries(link, one.message)]
+    carried = [exchange for exchange in exchanges if carries(link, exchange.message)]
     stations = link.link.stations
     views = {
         direction: _direction(link, direction, carried, records, words, pascal, scope)
@@ -183,25 +183,25 @@ _KINDS = {
 }
 
 
-def _wrapper(name: str, kind: str, held: list[str], plain: list[PartView]) -> WrapperView:
-    """The class for one kind of frame; `held` are what every frame of its kind has behind the station."""
+def _wrapper(name: str, kind: str, attributes: list[str], arguments: list[PartView]) -> WrapperView:
+    """The class for one kind of frame; `attributes` are what every frame of its kind has behind the station."""
     base, text = _KINDS[kind]
-    names = [one.partition(":")[0] for one in held]
-    quoted = "".join(f'"{part.name}", ' for part in plain).rstrip()
+    names = [attribute.partition(":")[0] for attribute in attributes]
+    quoted = "".join(f'"{part.name}", ' for part in arguments).rstrip()
     return WrapperView(
         name=name,
         base=base,
         doc=docstring([text], 4),
         slots=quoted,
         match_args=", ".join(["station", *names]).replace(", ", '", "'),
-        init=one_item_per_line(
+        init=item_lines(
             "def __init__(",
-            ["self", "station: int", *held, *(f"{part.name}: {part.type}" for part in plain)],
+            ["self", "station: int", *attributes, *(f"{part.name}: {part.type}" for part in arguments)],
             ") -> None:",
             4,
         ),
         parameters=", ".join(["station", *names]),
-        head_parts=plain,
+        head_parts=arguments,
     )
 
 
@@ -233,11 +233,14 @@ def _direction(
     station = frame.role("station")
     wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
-    views = [_exchange(link, direction, one, frames, wrapper, plain) for one in carried]
-    messages = [(one.message.name, one.message.message.code, one.side(direction)[0].record) for one in carried]
+    views = [_exchange(link, direction, exchange, frames, wrapper, plain) for exchange in carried]
+    messages = [
+        (exchange.message.name, exchange.message.message.code, exchange.side(direction)[0].record)
+        for exchange in carried
+    ]
     refusal = records[link.link.error.record] if link.link.error and direction == "response" else None
     framing, arguments, doc = framer(link, direction, messages, refusal, frames)
-    held = f"head[{frame.head.index(station)}]" if station else "0"
+    station_expression = f"head[{frame.head.index(station)}]" if station else "0"
     return DirectionView(
         direction=direction,
         frames=frames,
@@ -254,7 +257,7 @@ def _direction(
         before="station: int, " if station else "",
         after="".join(f", {part.name}: {part.type}" for part in plain).replace(", ", ", *, ", 1),
         call=", ".join(["station"] * bool(station) + [part.name for part in plain]),
-        construction=", ".join([held, "{}", *(part.expression for part in plain)]),
+        construction=", ".join([station_expression, "{}", *(part.expression for part in plain)]),
         code=f"head[{frame.head.index(code)}]" if code else "",
         framer=framing,
         framer_arguments=arguments,
@@ -314,12 +317,12 @@ def _part_arguments(frame: FrameLayout) -> list[str]:
 
 
 def _exchange(
-    link: LinkLayout, direction: str, one: Exchange, frames: str, wrapper: str, plain: list[PartView]
+    link: LinkLayout, direction: str, exchange: Exchange, frames: str, wrapper: str, arguments: list[PartView]
 ) -> ExchangeView:
-    shaped, name = one.side(direction)
+    shaped, name = exchange.side(direction)
     frame = link.frame(direction)
-    code = one.message.message.code
-    upper = f"_{Name.of(one.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
+    code = exchange.message.message.code
+    upper = f"_{Name.of(exchange.message.name).upper()}_{Name.of(link.name).upper()}_{direction.upper()}"
     part, station = frame.role("code"), frame.role("station")
     flag = link.link.error.flag if link.link.error and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
@@ -332,18 +335,19 @@ def _exchange(
         reader=f"_from_{link.name}" if reads else "",
         message=name,
         key=code_literal(code) if part is not None else name,
-        known=_known(one.message) if part is None else [],
+        known=_known(exchange.message) if part is None else [],
         fused=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
-            [", station: int"] * (station is not None) + [f", {held.variable}: {held.type}" for held in plain]
+            [", station: int"] * (station is not None)
+            + [f", {argument.variable}: {argument.type}" for argument in arguments]
         ),
         frames=frames,
-        head=f"[{', '.join(head_value(held, code_literal(code)) for held in frame.head)}]",
+        head=f"[{', '.join(head_value(part, code_literal(code)) for part in frame.head)}]",
         refusals=chained("error = ", refusals, "or", "None", 8) if refusals else [],
         refuse=chained("raise ", ["self._refused()", *refusals, unfit], "or", "", 8),
         wrapper=wrapper,
         station="station" if station is not None else "0",
-        head_parts=plain,
+        head_parts=arguments,
     )
 
 
@@ -354,13 +358,13 @@ def _error(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> ErrorVi
         return None
     head = [head_value(part, f"code | {error.flag:#x}") for part in frame.head]
     limit = f"_refused_number({literal(code.name)}, code, {code.value.type.low}, {code.value.type.high})"
-    plain = argument_views(frame, words)
+    arguments = argument_views(frame, words)
     return ErrorView(
-        wrapper=scope.take(f"{pascal}ErrorReply") if plain else "_ErrorReply",
+        wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
         flag=f"{error.flag:#x}",
         mask=f"{~error.flag & code.value.type.high:#x}",
         record=words.records[error.record],
         head=f"[{', '.join(head)}]",
-        bind=[f"{part.variable} = {part.name}" for part in plain],
+        bind=[f"{part.variable} = {part.name}" for part in arguments],
         refusals=chained("error = ", [*head_refusals(link, frame), limit], "or", "", 8),
     )

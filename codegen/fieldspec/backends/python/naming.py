@@ -37,7 +37,7 @@ FLAGS = _words("_ flags raw self")
 STATES = _words("state")
 PARAMETERS = _words(
     "base from_raws name numbers printed_as read_request read_value read_values self space title to_raws write_request"
-    " write_values_request written"
+    " write_values_request number_text"
 )
 
 

@@ -55,7 +55,7 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
     """The intervals outside of which one record alone would be refused when it is decoded."""
     measure = field.field.field.measures
     if measure is not None:
-        other = next(one for one in shaped.fields if one.title == measure.field)
+        other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
         size = max(other.count, 1) * (other.field.size if measure.of == "bytes" else 1)
         return pairs(Ranges(((size, size),)))
     if field.constant is not None:
@@ -101,9 +101,9 @@ def _field_doc(field: Slots) -> str:
 
 def _type_doc(field: Slots) -> str:
     named = field.field.record is not None or field.decided or field.value.enum or field.value.flags
-    one = field.element_type if named else field.value.type.name
+    type_text = field.element_type if named else field.value.type.name
     if field.field.field.choice is not None:
-        one += f", as `{field.field.field.choice.by}` says"
+        type_text += f", as `{field.field.field.choice.by}` says"
     if field.repeated and field.field.field.repeat is not None:
-        return f"{field.field.field.repeat.text()} times {one}"
-    return f"{field.count} times {one}" if field.is_list else one
+        return f"{field.field.field.repeat.text()} times {type_text}"
+    return f"{field.count} times {type_text}" if field.is_list else type_text

@@ -45,7 +45,7 @@ class Slots:
     @property
     def slot(self) -> str:
         """The attribute that is filled from the wire."""
-        return f"_held_{self.name}" if self.deferred else self.name
+        return f"_word_{self.name}" if self.deferred else self.name
 
     @property
     def decided(self) -> bool:

@@ -27,10 +27,10 @@ _HIDDEN = (
 _ESCAPED = re.compile("[" + "".join(f"{chr(low)}-{chr(high)}" for low, high in _HIDDEN) + r"\\]")
 
 
-def _escape(found: re.Match[str]) -> str:
-    if found[0] == "\\":
+def _escape(match: re.Match[str]) -> str:
+    if match[0] == "\\":
         return "\\\\"
-    code = ord(found[0])
+    code = ord(match[0])
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 
@@ -70,12 +70,12 @@ def _within_quotes(line: str) -> str:
 @lru_cache(maxsize=20_000)  # versions of a device have most texts in common
 def _wrapped(text: str, width: int) -> tuple[str, ...]:
     """A text in lines; a leading blank stands for an indented line, whose continuation is indented more."""
-    listed = text.startswith(" ")
+    is_item = text.startswith(" ")
     filled = textwrap.wrap(
         " ".join(text.split()),
         width - 8,
-        initial_indent="    " if listed else "",
-        subsequent_indent="        " if listed else "",
+        initial_indent="    " if is_item else "",
+        subsequent_indent="        " if is_item else "",
         break_long_words=False,
         break_on_hyphens=False,
     )
@@ -100,8 +100,8 @@ def cited(sources: Iterable[Citation]) -> str:
 
 def printed(fact: Fact) -> str:
     """What the manual calls a fact, in parentheses: `(SrvCmd, 伺服ON/OFF)`, or nothing."""
-    shown = [text for text in (fact.printed_name, fact.label) if text]
-    return f"({', '.join(shown)})" if shown else ""
+    names = [text for text in (fact.printed_name, fact.label) if text]
+    return f"({', '.join(names)})" if names else ""
 
 
 def availability(fact: Fact) -> str:
@@ -145,7 +145,7 @@ def unpacked(names: Sequence[str], source: str, indent: int) -> list[str]:
     return [line] if len(line) + indent <= WIDTH else filled("(", names, f") = {source}", indent + WIDTH)
 
 
-def one_item_per_line(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:
+def item_lines(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:
     """The same as `filled`, but one item a line where not all fit one."""
     line = f"{start}{', '.join(items)}{end}"
     if len(line) + indent <= WIDTH or not items:

@@ -47,7 +47,7 @@ from .._refusals import unfit as _unfit
 from .._registers import Register as _Register
 from .._registers import RegisterArray as _RegisterArray
 from .._registers import Table as _Table
-from .._registers import found as _found
+from .._registers import find as _find
 from .._registers import only as _only
 from .._registers import spans as _spans
 from .._registers import writable as _writable
@@ -3178,29 +3178,29 @@ class ExceptionRecord(_Record):
     Source: 1.4 L225-229.
     """
 
-    __slots__ = ("_held_exception_code",)
+    __slots__ = ("_word_exception_code",)
     __match_args__ = ("exception_code",)
     _SIZE: _ClassVar[int] = 1
 
     def __init__(self, exception_code: ExceptionCode | int) -> None:
-        self._held_exception_code: ExceptionCode | int = exception_code
+        self._word_exception_code: ExceptionCode | int = exception_code
 
     @property
     def exception_code(self) -> ExceptionCode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_exception_code
-        return _EXCEPTION_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_exception_code
+        return _EXCEPTION_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @exception_code.setter
     def exception_code(self, value: ExceptionCode | int) -> None:
-        self._held_exception_code = value
+        self._word_exception_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
+            (record._word_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
         return record
@@ -3208,7 +3208,7 @@ class ExceptionRecord(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _EXCEPTION_RECORD_PACK(self._held_exception_code)
+            return _EXCEPTION_RECORD_PACK(self._word_exception_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("exception")
@@ -3290,7 +3290,7 @@ class Point(_Record):
     __slots__ = (
         "position", "low_speed", "high_speed", "acceleration_time", "deceleration_time", "command",
         "waiting_time", "jump_point", "jump_point_of_input_0", "jump_point_of_input_1",
-        "jump_point_of_input_2", "loop_count", "loop_jump_point", "_held_output_setting",
+        "jump_point_of_input_2", "loop_count", "loop_jump_point", "_word_output_setting",
         "clear_loop_counter_of", "check_in_position", "trigger_position", "trigger_time", "push_torque_ratio",
         "push_speed", "push_position", "push_mode",
     )
@@ -3355,7 +3355,7 @@ class Point(_Record):
         self.jump_point_of_input_2 = jump_point_of_input_2
         self.loop_count = loop_count
         self.loop_jump_point = loop_jump_point
-        self._held_output_setting: PointOutputSetting | int = output_setting
+        self._word_output_setting: PointOutputSetting | int = output_setting
         self.clear_loop_counter_of = clear_loop_counter_of
         self.check_in_position = check_in_position
         self.trigger_position = trigger_position
@@ -3368,14 +3368,14 @@ class Point(_Record):
     @property
     def output_setting(self) -> PointOutputSetting:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_output_setting
-        if isinstance(held, int):
-            held = self._held_output_setting = PointOutputSetting(held)
-        return held
+        word = self._word_output_setting
+        if isinstance(word, int):
+            word = self._word_output_setting = PointOutputSetting(word)
+        return word
 
     @output_setting.setter
     def output_setting(self, value: PointOutputSetting | int) -> None:
-        self._held_output_setting = value
+        self._word_output_setting = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -3396,7 +3396,7 @@ class Point(_Record):
                 record.jump_point_of_input_2,
                 record.loop_count,
                 record.loop_jump_point,
-                record._held_output_setting,
+                record._word_output_setting,
                 record.clear_loop_counter_of,
                 raw_check_in_position,
                 record.trigger_position,
@@ -3435,7 +3435,7 @@ class Point(_Record):
             raw_jump_point_of_input_2 = self.jump_point_of_input_2
             raw_loop_count = self.loop_count
             raw_loop_jump_point = self.loop_jump_point
-            raw_output_setting = _index(self._held_output_setting)
+            raw_output_setting = _index(self._word_output_setting)
             raw_clear_loop_counter_of = self.clear_loop_counter_of
             raw_check_in_position = self.check_in_position
             raw_push_torque_ratio = self.push_torque_ratio
@@ -7836,5 +7836,5 @@ TABLES: tuple[_Table[_Any], ...] = (points, flash_points, )
 
 def register_at(address: int) -> _Register[_Any] | None:
     """The register, or the element of an array or a table, that begins at an address; None where there is none."""
-    return _found(address, REGISTERS, TABLES)
+    return _find(address, REGISTERS, TABLES)
 

@@ -1339,31 +1339,31 @@ class AlarmHistoryEntry(_Record):
     Source: 9.4.4 L956; 10.1 L1229-1232.
     """
 
-    __slots__ = ("hours", "minutes", "_held_alarm_code")
+    __slots__ = ("hours", "minutes", "_word_alarm_code")
     __match_args__ = ("hours", "minutes", "alarm_code")
     _SIZE: _ClassVar[int] = 4
 
     def __init__(self, hours: int, minutes: int, alarm_code: AlarmCode | int) -> None:
         self.hours = hours
         self.minutes = minutes
-        self._held_alarm_code: AlarmCode | int = alarm_code
+        self._word_alarm_code: AlarmCode | int = alarm_code
 
     @property
     def alarm_code(self) -> AlarmCode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_alarm_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_alarm_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @alarm_code.setter
     def alarm_code(self, value: AlarmCode | int) -> None:
-        self._held_alarm_code = value
+        self._word_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            record.hours, record.minutes, record._held_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
+            record.hours, record.minutes, record._word_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
         except _StructError:
             raise _wrong_length("alarm_history_entry", len(data), 4, 4) from None
         return record
@@ -1373,7 +1373,7 @@ class AlarmHistoryEntry(_Record):
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
-                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._held_alarm_code)
+                return _ALARM_HISTORY_ENTRY_PACK(self.hours, raw_minutes, self._word_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("alarm_history_entry")
@@ -2012,7 +2012,7 @@ class ReadIoStatusResponse(_Record):
     Source: 9.4.3 L936-940, 934.
     """
 
-    __slots__ = ("_held_inputs", "_held_outputs", "_held_state_outputs")
+    __slots__ = ("_word_inputs", "_word_outputs", "_word_state_outputs")
     __match_args__ = ("inputs", "outputs", "state_outputs")
     _SIZE: _ClassVar[int] = 3
     CODE: _ClassVar[int | None] = 0x52
@@ -2023,45 +2023,45 @@ class ReadIoStatusResponse(_Record):
         outputs: IoOutputs | int,
         state_outputs: IoStateOutputs | int,
     ) -> None:
-        self._held_inputs: IoInputs | int = inputs
-        self._held_outputs: IoOutputs | int = outputs
-        self._held_state_outputs: IoStateOutputs | int = state_outputs
+        self._word_inputs: IoInputs | int = inputs
+        self._word_outputs: IoOutputs | int = outputs
+        self._word_state_outputs: IoStateOutputs | int = state_outputs
 
     @property
     def inputs(self) -> IoInputs:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_inputs
-        if isinstance(held, int):
-            held = self._held_inputs = IoInputs(held)
-        return held
+        word = self._word_inputs
+        if isinstance(word, int):
+            word = self._word_inputs = IoInputs(word)
+        return word
 
     @inputs.setter
     def inputs(self, value: IoInputs | int) -> None:
-        self._held_inputs = value
+        self._word_inputs = value
 
     @property
     def outputs(self) -> IoOutputs:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_outputs
-        if isinstance(held, int):
-            held = self._held_outputs = IoOutputs(held)
-        return held
+        word = self._word_outputs
+        if isinstance(word, int):
+            word = self._word_outputs = IoOutputs(word)
+        return word
 
     @outputs.setter
     def outputs(self, value: IoOutputs | int) -> None:
-        self._held_outputs = value
+        self._word_outputs = value
 
     @property
     def state_outputs(self) -> IoStateOutputs:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_state_outputs
-        if isinstance(held, int):
-            held = self._held_state_outputs = IoStateOutputs(held)
-        return held
+        word = self._word_state_outputs
+        if isinstance(word, int):
+            word = self._word_state_outputs = IoStateOutputs(word)
+        return word
 
     @state_outputs.setter
     def state_outputs(self, value: IoStateOutputs | int) -> None:
-        self._held_state_outputs = value
+        self._word_state_outputs = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -2069,9 +2069,9 @@ class ReadIoStatusResponse(_Record):
         record = _new(cls)
         try:
             (
-                record._held_inputs,
-                record._held_outputs,
-                record._held_state_outputs,
+                record._word_inputs,
+                record._word_outputs,
+                record._word_state_outputs,
             ) = _READ_IO_STATUS_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_io_status_response", len(data), 3, 3) from None
@@ -2081,7 +2081,7 @@ class ReadIoStatusResponse(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _READ_IO_STATUS_RESPONSE_PACK(
-                self._held_inputs, self._held_outputs, self._held_state_outputs,
+                self._word_inputs, self._word_outputs, self._word_state_outputs,
             )
         except _UNFIT:
             pass
@@ -2108,8 +2108,8 @@ class ReadIoStatusResponse(_Record):
         try:
             if station <= 15:
                 data = _PACK_READ_IO_STATUS_SERIAL_RESPONSE(
-                    7, station, part_status.raw, self._held_inputs, self._held_outputs,
-                    self._held_state_outputs,
+                    7, station, part_status.raw, self._word_inputs, self._word_outputs,
+                    self._word_state_outputs,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -2129,9 +2129,9 @@ class ReadIoStatusResponse(_Record):
                 part_length,
                 station,
                 part_status,
-                message._held_inputs,
-                message._held_outputs,
-                message._held_state_outputs,
+                message._word_inputs,
+                message._word_outputs,
+                message._word_state_outputs,
                 check,
             ) = _UNPACK_READ_IO_STATUS_SERIAL_RESPONSE(data)
         except _StructError:
@@ -3329,31 +3329,31 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     Source: 9.6.3 L1108-1114, 1106.
     """
 
-    __slots__ = ("_held_actuator_type",)
+    __slots__ = ("_word_actuator_type",)
     __match_args__ = ("actuator_type",)
     _SIZE: _ClassVar[int] = 2
     CODE: _ClassVar[int | None] = 0x72
     _RESPONSE = InitializeParametersResponse
 
     def __init__(self, actuator_type: ActuatorType | int) -> None:
-        self._held_actuator_type: ActuatorType | int = actuator_type
+        self._word_actuator_type: ActuatorType | int = actuator_type
 
     @property
     def actuator_type(self) -> ActuatorType | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_actuator_type
-        return _ACTUATOR_TYPE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_actuator_type
+        return _ACTUATOR_TYPE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @actuator_type.setter
     def actuator_type(self, value: ActuatorType | int) -> None:
-        self._held_actuator_type = value
+        self._word_actuator_type = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
+            (record._word_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("initialize_parameters_request", len(data), 2, 2) from None
         return record
@@ -3361,7 +3361,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._held_actuator_type)
+            return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._word_actuator_type)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("initialize_parameters_request")
@@ -3380,7 +3380,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
     def _to_serial(self, station: int) -> bytes:
         try:
             if station <= 15:
-                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._held_actuator_type)
+                data = _PACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(6, station, 0x72, self._word_actuator_type)
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
             pass
@@ -3398,7 +3398,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
                 part_length,
                 station,
                 _,
-                message._held_actuator_type,
+                message._word_actuator_type,
                 check,
             ) = _UNPACK_INITIALIZE_PARAMETERS_SERIAL_REQUEST(data)
         except _StructError:
@@ -7825,30 +7825,30 @@ class ReadAlarmCodeResponse(_Record):
     Source: 9.3.8 L853-856, 851.
     """
 
-    __slots__ = ("_held_alarm_code",)
+    __slots__ = ("_word_alarm_code",)
     __match_args__ = ("alarm_code",)
     _SIZE: _ClassVar[int] = 1
     CODE: _ClassVar[int | None] = 0x47
 
     def __init__(self, alarm_code: AlarmCode | int) -> None:
-        self._held_alarm_code: AlarmCode | int = alarm_code
+        self._word_alarm_code: AlarmCode | int = alarm_code
 
     @property
     def alarm_code(self) -> AlarmCode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_alarm_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_alarm_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @alarm_code.setter
     def alarm_code(self, value: AlarmCode | int) -> None:
-        self._held_alarm_code = value
+        self._word_alarm_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
+            (record._word_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("read_alarm_code_response", len(data), 1, 1) from None
         return record
@@ -7856,7 +7856,7 @@ class ReadAlarmCodeResponse(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _READ_ALARM_CODE_RESPONSE_PACK(self._held_alarm_code)
+            return _READ_ALARM_CODE_RESPONSE_PACK(self._word_alarm_code)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("read_alarm_code_response")
@@ -7876,7 +7876,7 @@ class ReadAlarmCodeResponse(_Record):
         try:
             if station <= 15:
                 data = _PACK_READ_ALARM_CODE_SERIAL_RESPONSE(
-                    5, station, part_status.raw, self._held_alarm_code,
+                    5, station, part_status.raw, self._word_alarm_code,
                 )
                 return data + _BYTES[sum(data) & 255]
         except _UNFIT:
@@ -7896,7 +7896,7 @@ class ReadAlarmCodeResponse(_Record):
                 part_length,
                 station,
                 part_status,
-                message._held_alarm_code,
+                message._word_alarm_code,
                 check,
             ) = _UNPACK_READ_ALARM_CODE_SERIAL_RESPONSE(data)
         except _StructError:

@@ -5306,29 +5306,29 @@ class ParameterError(_Record):
     Source: 4.3.1 L1267-1277.
     """
 
-    __slots__ = ("_held_error_number",)
+    __slots__ = ("_word_error_number",)
     __match_args__ = ("error_number",)
     _SIZE: _ClassVar[int] = 4
 
     def __init__(self, error_number: ParameterErrorNumber | int) -> None:
-        self._held_error_number: ParameterErrorNumber | int = error_number
+        self._word_error_number: ParameterErrorNumber | int = error_number
 
     @property
     def error_number(self) -> ParameterErrorNumber | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_error_number
-        return _PARAMETER_ERROR_NUMBER_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_error_number
+        return _PARAMETER_ERROR_NUMBER_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @error_number.setter
     def error_number(self, value: ParameterErrorNumber | int) -> None:
-        self._held_error_number = value
+        self._word_error_number = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            raw_format, raw_value_count, record._held_error_number = _PARAMETER_ERROR_UNPACK(data)
+            raw_format, raw_value_count, record._word_error_number = _PARAMETER_ERROR_UNPACK(data)
         except _StructError:
             raise _wrong_length("parameter_error", len(data), 4, 4) from None
         if raw_format != 68:
@@ -5340,7 +5340,7 @@ class ParameterError(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            return _PARAMETER_ERROR_PACK(68, 1, self._held_error_number)
+            return _PARAMETER_ERROR_PACK(68, 1, self._word_error_number)
         except _UNFIT:
             pass
         raise self._refused() or _unfit("parameter_error")
@@ -5757,7 +5757,7 @@ class Telegram3Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_encoder_1_status_word",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_encoder_1_status_word",
         "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
@@ -5777,48 +5777,48 @@ class Telegram3Response(_Record):
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2 | int = status_word_2
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2 | int = status_word_2
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2(held)
-        return held
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2 | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -5826,10 +5826,10 @@ class Telegram3Response(_Record):
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM3_RESPONSE_UNPACK(data)
@@ -5841,8 +5841,8 @@ class Telegram3Response(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM3_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -5885,8 +5885,8 @@ class Telegram3Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_3_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -5897,10 +5897,10 @@ class Telegram3Response(_Record):
         message = _new(Telegram3Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_3_CYCLIC_RESPONSE(data)
@@ -5934,7 +5934,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "_held_encoder_1_control_word",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "_word_encoder_1_control_word",
     )
     __match_args__ = ("control_word_1", "speed_setpoint_b", "control_word_2", "encoder_1_control_word")
     _SIZE: _ClassVar[int] = 10
@@ -5949,46 +5949,46 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         control_word_2: ControlWord2 | int,
         encoder_1_control_word: Encoder1ControlWord | int,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2 | int = control_word_2
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_control_word_2: ControlWord2 | int = control_word_2
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
 
     @property
     def control_word_1(self) -> ControlWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2(held)
-        return held
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2 | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -5996,10 +5996,10 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
-                record._held_encoder_1_control_word,
+                record._word_control_word_2,
+                record._word_encoder_1_control_word,
             ) = _TELEGRAM3_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_3_request", len(data), 10, 10) from None
@@ -6009,8 +6009,8 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM3_REQUEST_PACK(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word,
             )
         except _UNFIT:
             pass
@@ -6049,8 +6049,8 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_3_CYCLIC_REQUEST(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word,
             )
         except _UNFIT:
             pass
@@ -6061,10 +6061,10 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         message = _new(Telegram3Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
-                message._held_encoder_1_control_word,
+                message._word_control_word_2,
+                message._word_encoder_1_control_word,
             ) = _UNPACK_TELEGRAM_3_CYCLIC_REQUEST(data)
         except _StructError:
             return None
@@ -6098,7 +6098,7 @@ class Telegram5Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_encoder_1_status_word",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_encoder_1_status_word",
         "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
@@ -6118,48 +6118,48 @@ class Telegram5Response(_Record):
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2 | int = status_word_2
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2 | int = status_word_2
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2(held)
-        return held
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2 | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6167,10 +6167,10 @@ class Telegram5Response(_Record):
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM5_RESPONSE_UNPACK(data)
@@ -6182,8 +6182,8 @@ class Telegram5Response(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM5_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6226,8 +6226,8 @@ class Telegram5Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_5_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_encoder_1_status_word, self.encoder_1_position_1, self.encoder_1_position_2,
             )
         except _UNFIT:
             pass
@@ -6238,10 +6238,10 @@ class Telegram5Response(_Record):
         message = _new(Telegram5Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_5_CYCLIC_RESPONSE(data)
@@ -6280,7 +6280,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "_held_encoder_1_control_word",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "_word_encoder_1_control_word",
         "position_error", "position_controller_gain",
     )
     __match_args__ = (
@@ -6301,48 +6301,48 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         position_error: int,
         position_controller_gain: int,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2 | int = control_word_2
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_control_word_2: ControlWord2 | int = control_word_2
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
         self.position_error = position_error
         self.position_controller_gain = position_controller_gain
 
     @property
     def control_word_1(self) -> ControlWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2(held)
-        return held
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2 | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6350,10 +6350,10 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
-                record._held_encoder_1_control_word,
+                record._word_control_word_2,
+                record._word_encoder_1_control_word,
                 record.position_error,
                 record.position_controller_gain,
             ) = _TELEGRAM5_REQUEST_UNPACK(data)
@@ -6365,8 +6365,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM5_REQUEST_PACK(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word, self.position_error, self.position_controller_gain,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word, self.position_error, self.position_controller_gain,
             )
         except _UNFIT:
             pass
@@ -6420,8 +6420,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_5_CYCLIC_REQUEST(
-                self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                self._held_encoder_1_control_word, self.position_error, self.position_controller_gain,
+                self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                self._word_encoder_1_control_word, self.position_error, self.position_controller_gain,
             )
         except _UNFIT:
             pass
@@ -6432,10 +6432,10 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         message = _new(Telegram5Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
-                message._held_encoder_1_control_word,
+                message._word_control_word_2,
+                message._word_encoder_1_control_word,
                 message.position_error,
                 message.position_controller_gain,
             ) = _UNPACK_TELEGRAM_5_CYCLIC_REQUEST(data)
@@ -6466,7 +6466,7 @@ class Telegram9Response(_Record):
     Source: 3.2 L524, 549-560.
     """
 
-    __slots__ = ("_held_status_word_1", "_held_selected_block", "_held_status_word_2", "position_actual_a")
+    __slots__ = ("_word_status_word_1", "_word_selected_block", "_word_status_word_2", "position_actual_a")
     __match_args__ = ("status_word_1", "selected_block", "status_word_2", "position_actual_a")
     _SIZE: _ClassVar[int] = 10
     CODE: _ClassVar[int | None] = None
@@ -6479,46 +6479,46 @@ class Telegram9Response(_Record):
         status_word_2: StatusWord2PulseCommand | int,
         position_actual_a: int,
     ) -> None:
-        self._held_status_word_1: StatusWord1Positioning | int = status_word_1
-        self._held_selected_block: SelectedBlock | int = selected_block
-        self._held_status_word_2: StatusWord2PulseCommand | int = status_word_2
+        self._word_status_word_1: StatusWord1Positioning | int = status_word_1
+        self._word_selected_block: SelectedBlock | int = selected_block
+        self._word_status_word_2: StatusWord2PulseCommand | int = status_word_2
         self.position_actual_a = position_actual_a
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1Positioning(held)
-        return held
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1Positioning(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1Positioning | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def selected_block(self) -> SelectedBlock:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_selected_block
-        if isinstance(held, int):
-            held = self._held_selected_block = SelectedBlock(held)
-        return held
+        word = self._word_selected_block
+        if isinstance(word, int):
+            word = self._word_selected_block = SelectedBlock(word)
+        return word
 
     @selected_block.setter
     def selected_block(self, value: SelectedBlock | int) -> None:
-        self._held_selected_block = value
+        self._word_selected_block = value
 
     @property
     def status_word_2(self) -> StatusWord2PulseCommand:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2PulseCommand(held)
-        return held
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2PulseCommand(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2PulseCommand | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6526,9 +6526,9 @@ class Telegram9Response(_Record):
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
-                record._held_selected_block,
-                record._held_status_word_2,
+                record._word_status_word_1,
+                record._word_selected_block,
+                record._word_status_word_2,
                 record.position_actual_a,
             ) = _TELEGRAM9_RESPONSE_UNPACK(data)
         except _StructError:
@@ -6539,7 +6539,7 @@ class Telegram9Response(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM9_RESPONSE_PACK(
-                self._held_status_word_1, self._held_selected_block, self._held_status_word_2,
+                self._word_status_word_1, self._word_selected_block, self._word_status_word_2,
                 self.position_actual_a,
             )
         except _UNFIT:
@@ -6568,7 +6568,7 @@ class Telegram9Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_9_CYCLIC_RESPONSE(
-                self._held_status_word_1, self._held_selected_block, self._held_status_word_2,
+                self._word_status_word_1, self._word_selected_block, self._word_status_word_2,
                 self.position_actual_a,
             )
         except _UNFIT:
@@ -6580,9 +6580,9 @@ class Telegram9Response(_Record):
         message = _new(Telegram9Response)
         try:
             (
-                message._held_status_word_1,
-                message._held_selected_block,
-                message._held_status_word_2,
+                message._word_status_word_1,
+                message._word_selected_block,
+                message._word_status_word_2,
                 message.position_actual_a,
             ) = _UNPACK_TELEGRAM_9_CYCLIC_RESPONSE(data)
         except _StructError:
@@ -6623,8 +6623,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "_held_block_selection", "_held_control_word_2", "mdi_target_position",
-        "mdi_velocity", "mdi_acceleration", "mdi_deceleration", "_held_mdi_mode",
+        "_word_control_word_1", "_word_block_selection", "_word_control_word_2", "mdi_target_position",
+        "mdi_velocity", "mdi_acceleration", "mdi_deceleration", "_word_mdi_mode",
     )
     __match_args__ = (
         "control_word_1", "block_selection", "control_word_2", "mdi_target_position", "mdi_velocity",
@@ -6646,62 +6646,62 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         mdi_deceleration: int,
         mdi_mode: MdiMode | int,
     ) -> None:
-        self._held_control_word_1: ControlWord1Positioning | int = control_word_1
-        self._held_block_selection: BlockSelection | int = block_selection
-        self._held_control_word_2: ControlWord2 | int = control_word_2
+        self._word_control_word_1: ControlWord1Positioning | int = control_word_1
+        self._word_block_selection: BlockSelection | int = block_selection
+        self._word_control_word_2: ControlWord2 | int = control_word_2
         self.mdi_target_position = mdi_target_position
         self.mdi_velocity = mdi_velocity
         self.mdi_acceleration = mdi_acceleration
         self.mdi_deceleration = mdi_deceleration
-        self._held_mdi_mode: MdiMode | int = mdi_mode
+        self._word_mdi_mode: MdiMode | int = mdi_mode
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1Positioning(held)
-        return held
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1Positioning(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1Positioning | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def block_selection(self) -> BlockSelection:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_block_selection
-        if isinstance(held, int):
-            held = self._held_block_selection = BlockSelection(held)
-        return held
+        word = self._word_block_selection
+        if isinstance(word, int):
+            word = self._word_block_selection = BlockSelection(word)
+        return word
 
     @block_selection.setter
     def block_selection(self, value: BlockSelection | int) -> None:
-        self._held_block_selection = value
+        self._word_block_selection = value
 
     @property
     def control_word_2(self) -> ControlWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2(held)
-        return held
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2 | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def mdi_mode(self) -> MdiMode:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_mdi_mode
-        if isinstance(held, int):
-            held = self._held_mdi_mode = MdiMode(held)
-        return held
+        word = self._word_mdi_mode
+        if isinstance(word, int):
+            word = self._word_mdi_mode = MdiMode(word)
+        return word
 
     @mdi_mode.setter
     def mdi_mode(self, value: MdiMode | int) -> None:
-        self._held_mdi_mode = value
+        self._word_mdi_mode = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6709,14 +6709,14 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
-                record._held_block_selection,
-                record._held_control_word_2,
+                record._word_control_word_1,
+                record._word_block_selection,
+                record._word_control_word_2,
                 record.mdi_target_position,
                 record.mdi_velocity,
                 record.mdi_acceleration,
                 record.mdi_deceleration,
-                record._held_mdi_mode,
+                record._word_mdi_mode,
             ) = _TELEGRAM9_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_9_request", len(data), 20, 20) from None
@@ -6730,9 +6730,9 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
             raw_mdi_deceleration = self.mdi_deceleration
             if raw_mdi_velocity >= 0 and raw_mdi_acceleration <= 16384 and raw_mdi_deceleration <= 16384:
                 return _TELEGRAM9_REQUEST_PACK(
-                    self._held_control_word_1, self._held_block_selection, self._held_control_word_2,
+                    self._word_control_word_1, self._word_block_selection, self._word_control_word_2,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
-                    self._held_mdi_mode,
+                    self._word_mdi_mode,
                 )
         except _UNFIT:
             pass
@@ -6805,9 +6805,9 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
             raw_mdi_deceleration = self.mdi_deceleration
             if raw_mdi_velocity >= 0 and raw_mdi_acceleration <= 16384 and raw_mdi_deceleration <= 16384:
                 return _PACK_TELEGRAM_9_CYCLIC_REQUEST(
-                    self._held_control_word_1, self._held_block_selection, self._held_control_word_2,
+                    self._word_control_word_1, self._word_block_selection, self._word_control_word_2,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
-                    self._held_mdi_mode,
+                    self._word_mdi_mode,
                 )
         except _UNFIT:
             pass
@@ -6818,14 +6818,14 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         message = _new(Telegram9Request)
         try:
             (
-                message._held_control_word_1,
-                message._held_block_selection,
-                message._held_control_word_2,
+                message._word_control_word_1,
+                message._word_block_selection,
+                message._word_control_word_2,
                 message.mdi_target_position,
                 message.mdi_velocity,
                 message.mdi_acceleration,
                 message.mdi_deceleration,
-                message._held_mdi_mode,
+                message._word_mdi_mode,
             ) = _UNPACK_TELEGRAM_9_CYCLIC_REQUEST(data)
         except _StructError:
             return None
@@ -6860,8 +6860,8 @@ class Telegram102Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_message_word",
-        "_held_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_message_word",
+        "_word_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
@@ -6881,61 +6881,61 @@ class Telegram102Response(_Record):
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2FixedStop | int = status_word_2
-        self._held_message_word: MessageWord | int = message_word
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2FixedStop | int = status_word_2
+        self._word_message_word: MessageWord | int = message_word
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2FixedStop(held)
-        return held
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2FixedStop(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2FixedStop | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def message_word(self) -> MessageWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_message_word
-        if isinstance(held, int):
-            held = self._held_message_word = MessageWord(held)
-        return held
+        word = self._word_message_word
+        if isinstance(word, int):
+            word = self._word_message_word = MessageWord(word)
+        return word
 
     @message_word.setter
     def message_word(self, value: MessageWord | int) -> None:
-        self._held_message_word = value
+        self._word_message_word = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -6943,11 +6943,11 @@ class Telegram102Response(_Record):
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_message_word,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_message_word,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM102_RESPONSE_UNPACK(data)
@@ -6959,8 +6959,8 @@ class Telegram102Response(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM102_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7006,8 +7006,8 @@ class Telegram102Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_102_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7019,11 +7019,11 @@ class Telegram102Response(_Record):
         message = _new(Telegram102Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_message_word,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_message_word,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_102_CYCLIC_RESPONSE(data)
@@ -7060,8 +7060,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "torque_reduction",
-        "_held_encoder_1_control_word",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "torque_reduction",
+        "_word_encoder_1_control_word",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
@@ -7079,47 +7079,47 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         torque_reduction: int,
         encoder_1_control_word: Encoder1ControlWord | int,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
+        self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.torque_reduction = torque_reduction
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
 
     @property
     def control_word_1(self) -> ControlWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2FixedStop(held)
-        return held
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2FixedStop(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7127,11 +7127,11 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
+                record._word_control_word_2,
                 record.torque_reduction,
-                record._held_encoder_1_control_word,
+                record._word_encoder_1_control_word,
             ) = _TELEGRAM102_REQUEST_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_102_request", len(data), 12, 12) from None
@@ -7143,8 +7143,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _TELEGRAM102_REQUEST_PACK(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word,
                 )
         except _UNFIT:
             pass
@@ -7198,8 +7198,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _PACK_TELEGRAM_102_CYCLIC_REQUEST(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word,
                 )
         except _UNFIT:
             pass
@@ -7210,11 +7210,11 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         message = _new(Telegram102Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
+                message._word_control_word_2,
                 message.torque_reduction,
-                message._held_encoder_1_control_word,
+                message._word_encoder_1_control_word,
             ) = _UNPACK_TELEGRAM_102_CYCLIC_REQUEST(data)
         except _StructError:
             return None
@@ -7250,8 +7250,8 @@ class Telegram105Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "speed_actual_b", "_held_status_word_2", "_held_message_word",
-        "_held_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
+        "_word_status_word_1", "speed_actual_b", "_word_status_word_2", "_word_message_word",
+        "_word_encoder_1_status_word", "encoder_1_position_1", "encoder_1_position_2",
     )
     __match_args__ = (
         "status_word_1", "speed_actual_b", "status_word_2", "message_word", "encoder_1_status_word",
@@ -7271,61 +7271,61 @@ class Telegram105Response(_Record):
         encoder_1_position_1: int,
         encoder_1_position_2: int,
     ) -> None:
-        self._held_status_word_1: StatusWord1 | int = status_word_1
+        self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
-        self._held_status_word_2: StatusWord2FixedStop | int = status_word_2
-        self._held_message_word: MessageWord | int = message_word
-        self._held_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
+        self._word_status_word_2: StatusWord2FixedStop | int = status_word_2
+        self._word_message_word: MessageWord | int = message_word
+        self._word_encoder_1_status_word: Encoder1StatusWord | int = encoder_1_status_word
         self.encoder_1_position_1 = encoder_1_position_1
         self.encoder_1_position_2 = encoder_1_position_2
 
     @property
     def status_word_1(self) -> StatusWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1(held)
-        return held
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1 | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2FixedStop(held)
-        return held
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2FixedStop(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2FixedStop | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def message_word(self) -> MessageWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_message_word
-        if isinstance(held, int):
-            held = self._held_message_word = MessageWord(held)
-        return held
+        word = self._word_message_word
+        if isinstance(word, int):
+            word = self._word_message_word = MessageWord(word)
+        return word
 
     @message_word.setter
     def message_word(self, value: MessageWord | int) -> None:
-        self._held_message_word = value
+        self._word_message_word = value
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_status_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_status_word = Encoder1StatusWord(held)
-        return held
+        word = self._word_encoder_1_status_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
+        return word
 
     @encoder_1_status_word.setter
     def encoder_1_status_word(self, value: Encoder1StatusWord | int) -> None:
-        self._held_encoder_1_status_word = value
+        self._word_encoder_1_status_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7333,11 +7333,11 @@ class Telegram105Response(_Record):
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
+                record._word_status_word_1,
                 record.speed_actual_b,
-                record._held_status_word_2,
-                record._held_message_word,
-                record._held_encoder_1_status_word,
+                record._word_status_word_2,
+                record._word_message_word,
+                record._word_encoder_1_status_word,
                 record.encoder_1_position_1,
                 record.encoder_1_position_2,
             ) = _TELEGRAM105_RESPONSE_UNPACK(data)
@@ -7349,8 +7349,8 @@ class Telegram105Response(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM105_RESPONSE_PACK(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7396,8 +7396,8 @@ class Telegram105Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_105_CYCLIC_RESPONSE(
-                self._held_status_word_1, self.speed_actual_b, self._held_status_word_2,
-                self._held_message_word, self._held_encoder_1_status_word, self.encoder_1_position_1,
+                self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
+                self._word_message_word, self._word_encoder_1_status_word, self.encoder_1_position_1,
                 self.encoder_1_position_2,
             )
         except _UNFIT:
@@ -7409,11 +7409,11 @@ class Telegram105Response(_Record):
         message = _new(Telegram105Response)
         try:
             (
-                message._held_status_word_1,
+                message._word_status_word_1,
                 message.speed_actual_b,
-                message._held_status_word_2,
-                message._held_message_word,
-                message._held_encoder_1_status_word,
+                message._word_status_word_2,
+                message._word_message_word,
+                message._word_encoder_1_status_word,
                 message.encoder_1_position_1,
                 message.encoder_1_position_2,
             ) = _UNPACK_TELEGRAM_105_CYCLIC_RESPONSE(data)
@@ -7455,8 +7455,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "speed_setpoint_b", "_held_control_word_2", "torque_reduction",
-        "_held_encoder_1_control_word", "position_error", "position_controller_gain",
+        "_word_control_word_1", "speed_setpoint_b", "_word_control_word_2", "torque_reduction",
+        "_word_encoder_1_control_word", "position_error", "position_controller_gain",
     )
     __match_args__ = (
         "control_word_1", "speed_setpoint_b", "control_word_2", "torque_reduction", "encoder_1_control_word",
@@ -7477,49 +7477,49 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         position_error: int,
         position_controller_gain: int,
     ) -> None:
-        self._held_control_word_1: ControlWord1 | int = control_word_1
+        self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
-        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
+        self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.torque_reduction = torque_reduction
-        self._held_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
+        self._word_encoder_1_control_word: Encoder1ControlWord | int = encoder_1_control_word
         self.position_error = position_error
         self.position_controller_gain = position_controller_gain
 
     @property
     def control_word_1(self) -> ControlWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1(held)
-        return held
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1 | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2FixedStop(held)
-        return held
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2FixedStop(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_encoder_1_control_word
-        if isinstance(held, int):
-            held = self._held_encoder_1_control_word = Encoder1ControlWord(held)
-        return held
+        word = self._word_encoder_1_control_word
+        if isinstance(word, int):
+            word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
+        return word
 
     @encoder_1_control_word.setter
     def encoder_1_control_word(self, value: Encoder1ControlWord | int) -> None:
-        self._held_encoder_1_control_word = value
+        self._word_encoder_1_control_word = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7527,11 +7527,11 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
+                record._word_control_word_1,
                 record.speed_setpoint_b,
-                record._held_control_word_2,
+                record._word_control_word_2,
                 record.torque_reduction,
-                record._held_encoder_1_control_word,
+                record._word_encoder_1_control_word,
                 record.position_error,
                 record.position_controller_gain,
             ) = _TELEGRAM105_REQUEST_UNPACK(data)
@@ -7545,8 +7545,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _TELEGRAM105_REQUEST_PACK(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word, self.position_error,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word, self.position_error,
                     self.position_controller_gain,
                 )
         except _UNFIT:
@@ -7616,8 +7616,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
                 return _PACK_TELEGRAM_105_CYCLIC_REQUEST(
-                    self._held_control_word_1, self.speed_setpoint_b, self._held_control_word_2,
-                    raw_torque_reduction, self._held_encoder_1_control_word, self.position_error,
+                    self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
+                    raw_torque_reduction, self._word_encoder_1_control_word, self.position_error,
                     self.position_controller_gain,
                 )
         except _UNFIT:
@@ -7629,11 +7629,11 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         message = _new(Telegram105Request)
         try:
             (
-                message._held_control_word_1,
+                message._word_control_word_1,
                 message.speed_setpoint_b,
-                message._held_control_word_2,
+                message._word_control_word_2,
                 message.torque_reduction,
-                message._held_encoder_1_control_word,
+                message._word_encoder_1_control_word,
                 message.position_error,
                 message.position_controller_gain,
             ) = _UNPACK_TELEGRAM_105_CYCLIC_REQUEST(data)
@@ -7673,9 +7673,9 @@ class Telegram111Response(_Record):
     """
 
     __slots__ = (
-        "_held_status_word_1", "_held_positioning_status_word_1", "_held_positioning_status_word_2",
-        "_held_status_word_2", "_held_message_word", "position_actual_a", "speed_actual_b",
-        "_held_fault_code", "_held_warning_code",
+        "_word_status_word_1", "_word_positioning_status_word_1", "_word_positioning_status_word_2",
+        "_word_status_word_2", "_word_message_word", "position_actual_a", "speed_actual_b",
+        "_word_fault_code", "_word_warning_code",
     )
     __match_args__ = (
         "status_word_1", "positioning_status_word_1", "positioning_status_word_2", "status_word_2",
@@ -7697,95 +7697,95 @@ class Telegram111Response(_Record):
         fault_code: AlarmCode | int,
         warning_code: WarningCode | int,
     ) -> None:
-        self._held_status_word_1: StatusWord1Positioning | int = status_word_1
-        self._held_positioning_status_word_1: PositioningStatusWord1 | int = positioning_status_word_1
-        self._held_positioning_status_word_2: PositioningStatusWord2 | int = positioning_status_word_2
-        self._held_status_word_2: StatusWord2Positioning | int = status_word_2
-        self._held_message_word: MessageWord | int = message_word
+        self._word_status_word_1: StatusWord1Positioning | int = status_word_1
+        self._word_positioning_status_word_1: PositioningStatusWord1 | int = positioning_status_word_1
+        self._word_positioning_status_word_2: PositioningStatusWord2 | int = positioning_status_word_2
+        self._word_status_word_2: StatusWord2Positioning | int = status_word_2
+        self._word_message_word: MessageWord | int = message_word
         self.position_actual_a = position_actual_a
         self.speed_actual_b = speed_actual_b
-        self._held_fault_code: AlarmCode | int = fault_code
-        self._held_warning_code: WarningCode | int = warning_code
+        self._word_fault_code: AlarmCode | int = fault_code
+        self._word_warning_code: WarningCode | int = warning_code
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_1
-        if isinstance(held, int):
-            held = self._held_status_word_1 = StatusWord1Positioning(held)
-        return held
+        word = self._word_status_word_1
+        if isinstance(word, int):
+            word = self._word_status_word_1 = StatusWord1Positioning(word)
+        return word
 
     @status_word_1.setter
     def status_word_1(self, value: StatusWord1Positioning | int) -> None:
-        self._held_status_word_1 = value
+        self._word_status_word_1 = value
 
     @property
     def positioning_status_word_1(self) -> PositioningStatusWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_status_word_1
-        if isinstance(held, int):
-            held = self._held_positioning_status_word_1 = PositioningStatusWord1(held)
-        return held
+        word = self._word_positioning_status_word_1
+        if isinstance(word, int):
+            word = self._word_positioning_status_word_1 = PositioningStatusWord1(word)
+        return word
 
     @positioning_status_word_1.setter
     def positioning_status_word_1(self, value: PositioningStatusWord1 | int) -> None:
-        self._held_positioning_status_word_1 = value
+        self._word_positioning_status_word_1 = value
 
     @property
     def positioning_status_word_2(self) -> PositioningStatusWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_status_word_2
-        if isinstance(held, int):
-            held = self._held_positioning_status_word_2 = PositioningStatusWord2(held)
-        return held
+        word = self._word_positioning_status_word_2
+        if isinstance(word, int):
+            word = self._word_positioning_status_word_2 = PositioningStatusWord2(word)
+        return word
 
     @positioning_status_word_2.setter
     def positioning_status_word_2(self, value: PositioningStatusWord2 | int) -> None:
-        self._held_positioning_status_word_2 = value
+        self._word_positioning_status_word_2 = value
 
     @property
     def status_word_2(self) -> StatusWord2Positioning:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_status_word_2
-        if isinstance(held, int):
-            held = self._held_status_word_2 = StatusWord2Positioning(held)
-        return held
+        word = self._word_status_word_2
+        if isinstance(word, int):
+            word = self._word_status_word_2 = StatusWord2Positioning(word)
+        return word
 
     @status_word_2.setter
     def status_word_2(self, value: StatusWord2Positioning | int) -> None:
-        self._held_status_word_2 = value
+        self._word_status_word_2 = value
 
     @property
     def message_word(self) -> MessageWord:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_message_word
-        if isinstance(held, int):
-            held = self._held_message_word = MessageWord(held)
-        return held
+        word = self._word_message_word
+        if isinstance(word, int):
+            word = self._word_message_word = MessageWord(word)
+        return word
 
     @message_word.setter
     def message_word(self, value: MessageWord | int) -> None:
-        self._held_message_word = value
+        self._word_message_word = value
 
     @property
     def fault_code(self) -> AlarmCode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_fault_code
-        return _ALARM_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_fault_code
+        return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @fault_code.setter
     def fault_code(self, value: AlarmCode | int) -> None:
-        self._held_fault_code = value
+        self._word_fault_code = value
 
     @property
     def warning_code(self) -> WarningCode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_warning_code
-        return _WARNING_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_warning_code
+        return _WARNING_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @warning_code.setter
     def warning_code(self, value: WarningCode | int) -> None:
-        self._held_warning_code = value
+        self._word_warning_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -7793,15 +7793,15 @@ class Telegram111Response(_Record):
         record = _new(cls)
         try:
             (
-                record._held_status_word_1,
-                record._held_positioning_status_word_1,
-                record._held_positioning_status_word_2,
-                record._held_status_word_2,
-                record._held_message_word,
+                record._word_status_word_1,
+                record._word_positioning_status_word_1,
+                record._word_positioning_status_word_2,
+                record._word_status_word_2,
+                record._word_message_word,
                 record.position_actual_a,
                 record.speed_actual_b,
-                record._held_fault_code,
-                record._held_warning_code,
+                record._word_fault_code,
+                record._word_warning_code,
             ) = _TELEGRAM111_RESPONSE_UNPACK(data)
         except _StructError:
             raise _wrong_length("telegram_111_response", len(data), 24, 24) from None
@@ -7811,9 +7811,9 @@ class Telegram111Response(_Record):
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
             return _TELEGRAM111_RESPONSE_PACK(
-                self._held_status_word_1, self._held_positioning_status_word_1,
-                self._held_positioning_status_word_2, self._held_status_word_2, self._held_message_word,
-                self.position_actual_a, self.speed_actual_b, self._held_fault_code, self._held_warning_code,
+                self._word_status_word_1, self._word_positioning_status_word_1,
+                self._word_positioning_status_word_2, self._word_status_word_2, self._word_message_word,
+                self.position_actual_a, self.speed_actual_b, self._word_fault_code, self._word_warning_code,
             )
         except _UNFIT:
             pass
@@ -7862,9 +7862,9 @@ class Telegram111Response(_Record):
     def _to_cyclic(self) -> bytes:
         try:
             return _PACK_TELEGRAM_111_CYCLIC_RESPONSE(
-                self._held_status_word_1, self._held_positioning_status_word_1,
-                self._held_positioning_status_word_2, self._held_status_word_2, self._held_message_word,
-                self.position_actual_a, self.speed_actual_b, self._held_fault_code, self._held_warning_code,
+                self._word_status_word_1, self._word_positioning_status_word_1,
+                self._word_positioning_status_word_2, self._word_status_word_2, self._word_message_word,
+                self.position_actual_a, self.speed_actual_b, self._word_fault_code, self._word_warning_code,
             )
         except _UNFIT:
             pass
@@ -7875,15 +7875,15 @@ class Telegram111Response(_Record):
         message = _new(Telegram111Response)
         try:
             (
-                message._held_status_word_1,
-                message._held_positioning_status_word_1,
-                message._held_positioning_status_word_2,
-                message._held_status_word_2,
-                message._held_message_word,
+                message._word_status_word_1,
+                message._word_positioning_status_word_1,
+                message._word_positioning_status_word_2,
+                message._word_status_word_2,
+                message._word_message_word,
                 message.position_actual_a,
                 message.speed_actual_b,
-                message._held_fault_code,
-                message._held_warning_code,
+                message._word_fault_code,
+                message._word_warning_code,
             ) = _UNPACK_TELEGRAM_111_CYCLIC_RESPONSE(data)
         except _StructError:
             return None
@@ -7926,8 +7926,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     """
 
     __slots__ = (
-        "_held_control_word_1", "_held_positioning_control_word_1", "_held_positioning_control_word_2",
-        "_held_control_word_2", "velocity_override", "mdi_target_position", "mdi_velocity",
+        "_word_control_word_1", "_word_positioning_control_word_1", "_word_positioning_control_word_2",
+        "_word_control_word_2", "velocity_override", "mdi_target_position", "mdi_velocity",
         "mdi_acceleration", "mdi_deceleration",
     )
     __match_args__ = (
@@ -7951,10 +7951,10 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         mdi_acceleration: int,
         mdi_deceleration: int,
     ) -> None:
-        self._held_control_word_1: ControlWord1Positioning | int = control_word_1
-        self._held_positioning_control_word_1: PositioningControlWord1 | int = positioning_control_word_1
-        self._held_positioning_control_word_2: PositioningControlWord2 | int = positioning_control_word_2
-        self._held_control_word_2: ControlWord2FixedStop | int = control_word_2
+        self._word_control_word_1: ControlWord1Positioning | int = control_word_1
+        self._word_positioning_control_word_1: PositioningControlWord1 | int = positioning_control_word_1
+        self._word_positioning_control_word_2: PositioningControlWord2 | int = positioning_control_word_2
+        self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
         self.velocity_override = velocity_override
         self.mdi_target_position = mdi_target_position
         self.mdi_velocity = mdi_velocity
@@ -7964,50 +7964,50 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     @property
     def control_word_1(self) -> ControlWord1Positioning:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_1
-        if isinstance(held, int):
-            held = self._held_control_word_1 = ControlWord1Positioning(held)
-        return held
+        word = self._word_control_word_1
+        if isinstance(word, int):
+            word = self._word_control_word_1 = ControlWord1Positioning(word)
+        return word
 
     @control_word_1.setter
     def control_word_1(self, value: ControlWord1Positioning | int) -> None:
-        self._held_control_word_1 = value
+        self._word_control_word_1 = value
 
     @property
     def positioning_control_word_1(self) -> PositioningControlWord1:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_control_word_1
-        if isinstance(held, int):
-            held = self._held_positioning_control_word_1 = PositioningControlWord1(held)
-        return held
+        word = self._word_positioning_control_word_1
+        if isinstance(word, int):
+            word = self._word_positioning_control_word_1 = PositioningControlWord1(word)
+        return word
 
     @positioning_control_word_1.setter
     def positioning_control_word_1(self, value: PositioningControlWord1 | int) -> None:
-        self._held_positioning_control_word_1 = value
+        self._word_positioning_control_word_1 = value
 
     @property
     def positioning_control_word_2(self) -> PositioningControlWord2:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_positioning_control_word_2
-        if isinstance(held, int):
-            held = self._held_positioning_control_word_2 = PositioningControlWord2(held)
-        return held
+        word = self._word_positioning_control_word_2
+        if isinstance(word, int):
+            word = self._word_positioning_control_word_2 = PositioningControlWord2(word)
+        return word
 
     @positioning_control_word_2.setter
     def positioning_control_word_2(self, value: PositioningControlWord2 | int) -> None:
-        self._held_positioning_control_word_2 = value
+        self._word_positioning_control_word_2 = value
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_control_word_2
-        if isinstance(held, int):
-            held = self._held_control_word_2 = ControlWord2FixedStop(held)
-        return held
+        word = self._word_control_word_2
+        if isinstance(word, int):
+            word = self._word_control_word_2 = ControlWord2FixedStop(word)
+        return word
 
     @control_word_2.setter
     def control_word_2(self, value: ControlWord2FixedStop | int) -> None:
-        self._held_control_word_2 = value
+        self._word_control_word_2 = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -8015,10 +8015,10 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         record = _new(cls)
         try:
             (
-                record._held_control_word_1,
-                record._held_positioning_control_word_1,
-                record._held_positioning_control_word_2,
-                record._held_control_word_2,
+                record._word_control_word_1,
+                record._word_positioning_control_word_1,
+                record._word_positioning_control_word_2,
+                record._word_control_word_2,
                 record.velocity_override,
                 record.mdi_target_position,
                 record.mdi_velocity,
@@ -8043,8 +8043,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
                 and raw_mdi_deceleration <= 16384
             ):
                 return _TELEGRAM111_REQUEST_PACK(
-                    self._held_control_word_1, self._held_positioning_control_word_1,
-                    self._held_positioning_control_word_2, self._held_control_word_2, raw_velocity_override,
+                    self._word_control_word_1, self._word_positioning_control_word_1,
+                    self._word_positioning_control_word_2, self._word_control_word_2, raw_velocity_override,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
                 )
         except _UNFIT:
@@ -8137,8 +8137,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
                 and raw_mdi_deceleration <= 16384
             ):
                 return _PACK_TELEGRAM_111_CYCLIC_REQUEST(
-                    self._held_control_word_1, self._held_positioning_control_word_1,
-                    self._held_positioning_control_word_2, self._held_control_word_2, raw_velocity_override,
+                    self._word_control_word_1, self._word_positioning_control_word_1,
+                    self._word_positioning_control_word_2, self._word_control_word_2, raw_velocity_override,
                     self.mdi_target_position, raw_mdi_velocity, raw_mdi_acceleration, raw_mdi_deceleration,
                 )
         except _UNFIT:
@@ -8150,10 +8150,10 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         message = _new(Telegram111Request)
         try:
             (
-                message._held_control_word_1,
-                message._held_positioning_control_word_1,
-                message._held_positioning_control_word_2,
-                message._held_control_word_2,
+                message._word_control_word_1,
+                message._word_positioning_control_word_1,
+                message._word_positioning_control_word_2,
+                message._word_control_word_2,
                 message.velocity_override,
                 message.mdi_target_position,
                 message.mdi_velocity,
@@ -8600,8 +8600,8 @@ class CyclicLink:
                 return request
         kind = message if isinstance(message, type) else _CYCLIC_REQUESTS.named(_CYCLIC_REQUEST_CLASSES, message)
         head, body = _CYCLIC_REQUESTS.split(data)
-        found = _CYCLIC_REQUESTS.body(kind, body)
-        return _Request(0, found)
+        record = _CYCLIC_REQUESTS.body(kind, body)
+        return _Request(0, record)
 
     @_overload
     def decode_response(

@@ -47,7 +47,7 @@ from .._refusals import unfit as _unfit
 from .._registers import Register as _Register
 from .._registers import RegisterArray as _RegisterArray
 from .._registers import Table as _Table
-from .._registers import found as _found
+from .._registers import find as _find
 from .._registers import only as _only
 from .._registers import spans as _spans
 from .._registers import writable as _writable
@@ -1747,29 +1747,29 @@ class ExceptionRecord(_Record):
     Source: 8.3 L1748-1752.
     """
 
-    __slots__ = ("_held_exception_code",)
+    __slots__ = ("_word_exception_code",)
     __match_args__ = ("exception_code",)
     _SIZE: _ClassVar[int] = 1
 
     def __init__(self, exception_code: ExceptionCode | int) -> None:
-        self._held_exception_code: ExceptionCode | int = exception_code
+        self._word_exception_code: ExceptionCode | int = exception_code
 
     @property
     def exception_code(self) -> ExceptionCode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_exception_code
-        return _EXCEPTION_CODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_exception_code
+        return _EXCEPTION_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @exception_code.setter
     def exception_code(self, value: ExceptionCode | int) -> None:
-        self._held_exception_code = value
+        self._word_exception_code = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
         """The fields of exactly all of its bytes. Raises CodecError."""
         record = _new(cls)
         try:
-            (record._held_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
+            (record._word_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
         except _StructError:
             raise _wrong_length("exception", len(data), 1, 1) from None
         return record
@@ -1777,7 +1777,7 @@ class ExceptionRecord(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            raw_exception_code = _index(self._held_exception_code)
+            raw_exception_code = _index(self._word_exception_code)
             if 1 <= raw_exception_code <= 3:
                 return _EXCEPTION_RECORD_PACK(raw_exception_code)
         except _UNFIT:
@@ -1833,7 +1833,7 @@ class Point(_Record):
     """
 
     __slots__ = (
-        "_held_mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit",
+        "_word_mode", "position", "speed", "torque_limit", "zone_lower_limit", "zone_upper_limit",
         "wait_time", "next_point",
     )
     __match_args__ = (
@@ -1857,7 +1857,7 @@ class Point(_Record):
         wait_time: int,
         next_point: int,
     ) -> None:
-        self._held_mode: PointMode | int = mode
+        self._word_mode: PointMode | int = mode
         self.position = position
         self.speed = speed
         self.torque_limit = torque_limit
@@ -1869,12 +1869,12 @@ class Point(_Record):
     @property
     def mode(self) -> PointMode | int:
         """Made of the number from the wire when it is asked for; the class says what it is."""
-        held = self._held_mode
-        return _POINT_MODE_MEMBERS.get(held, held) if isinstance(held, int) else held
+        word = self._word_mode
+        return _POINT_MODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
     @mode.setter
     def mode(self, value: PointMode | int) -> None:
-        self._held_mode = value
+        self._word_mode = value
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
@@ -1882,7 +1882,7 @@ class Point(_Record):
         record = _new(cls)
         try:
             (
-                record._held_mode,
+                record._word_mode,
                 record.position,
                 record.speed,
                 record.torque_limit,
@@ -1898,7 +1898,7 @@ class Point(_Record):
     def encode(self) -> bytes:
         """Its bytes. Raises CodecError that names the field which is out of range."""
         try:
-            raw_mode = _index(self._held_mode)
+            raw_mode = _index(self._word_mode)
             raw_speed = self.speed
             raw_torque_limit = self.torque_limit
             raw_wait_time = self.wait_time
@@ -4855,5 +4855,5 @@ TABLES: tuple[_Table[_Any], ...] = (points, )
 
 def register_at(address: int) -> _Register[_Any] | None:
     """The register, or the element of an array or a table, that begins at an address; None where there is none."""
-    return _found(address, REGISTERS, TABLES)
+    return _find(address, REGISTERS, TABLES)
 

@@ -59,9 +59,9 @@ if not TYPE_CHECKING:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         from importlib import import_module
 
-        held = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
-        globals()[name] = held
-        return held
+        value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+        globals()[name] = value
+        return value
 
     def __dir__():
         return [*globals(), *_HOMES]

@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 class Case:
     """Elements of one type. `letters` are those of one element in the Struct of its record."""
 
-    __slots__ = ("_native", "_plain", "size", "structs", "value")
+    __slots__ = ("_direct", "_native", "size", "structs", "value")
 
     def __init__(self, fixed: str, letters: str, value: Value[Any]) -> None:
         self.value, self.size = value, value.size
         self.structs = Repeated(fixed, letters)
         self._native = not letters.endswith("s")
         # Structs make these as they are, but for those that lie in more bytes than their type has.
-        self._plain = self._native and type(value) in (Number, Float)
+        self._direct = self._native and type(value) in (Number, Float)
 
     def values(self, name: str, raws: Sequence[Any], at: int) -> tuple[Any, ...]:
         """The elements of a field whose first byte is byte `at`. Raises CodecError."""
-        if self._plain:
+        if self._direct:
             return tuple(raws)
         return tuple([self._value(name, raw, at + number * self.size) for number, raw in enumerate(raws)])
 
@@ -131,6 +131,6 @@ class Choice:
         """Why elements cannot be encoded; None for those that can. The selector has this value."""
         return refused_list(name, values, self.least, self.most, self.cases[number].value.refused)
 
-    def refused_one(self, name: str, number: int, value: Any) -> CodecError | None:
+    def refused_element(self, name: str, number: int, value: Any) -> CodecError | None:
         """The same for a field that is not repeated."""
         return self.cases[number].value.refused(name, value)

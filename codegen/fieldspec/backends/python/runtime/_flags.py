@@ -10,10 +10,10 @@ if TYPE_CHECKING:
 
 
 def _bits() -> tuple[tuple[bool, ...], ...]:
-    held: list[tuple[bool, ...]] = [()]
+    patterns: list[tuple[bool, ...]] = [()]
     for _ in range(8):
-        held = [(*bits, value) for value in (False, True) for bits in held]
-    return tuple(held)
+        patterns = [(*bits, value) for value in (False, True) for bits in patterns]
+    return tuple(patterns)
 
 
 BITS_OF = _bits()
@@ -58,8 +58,8 @@ class Flags:
         return hash((self.__class__, self.raw))
 
     def __repr__(self) -> str:
-        shown = [name if held is True else f"{name}={int(held)}" for name, held in self.flags().items() if held]
-        return f"<{self.__class__.__name__} {self.raw:#x}: {', '.join(shown) or 'none'}>"
+        texts = [name if value is True else f"{name}={int(value)}" for name, value in self.flags().items() if value]
+        return f"<{self.__class__.__name__} {self.raw:#x}: {', '.join(texts) or 'none'}>"
 
     def flags(self) -> dict[str, bool | int]:
         """All bits and fields by name."""

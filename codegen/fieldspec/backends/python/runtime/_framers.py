@@ -66,7 +66,7 @@ class Framer:
         """The frames that these bytes complete, each with its marks and check."""
         buffer = self._buffer
         buffer += data
-        found: list[bytes] = []
+        frames: list[bytes] = []
         at, size, shortest = 0, len(buffer), self.shortest
         while size - at >= shortest:
             extent = self._extent(buffer, at)
@@ -76,7 +76,7 @@ class Framer:
                 if size - at < self.longest:
                     break
             elif extent and self._holds(frame := bytes(buffer[at : at + extent])):
-                found.append(frame)
+                frames.append(frame)
                 at += extent
                 continue
             seen = self._search(buffer, at + 1)
@@ -84,21 +84,21 @@ class Framer:
             self.dropped += begins - at
             at = begins
         del buffer[:at]
-        return found
+        return frames
 
     def idle(self) -> list[bytes]:
         """The line has been silent: what has come so far will not go on. Gives the frames in it, drops the rest."""
-        found: list[bytes] = []
+        frames: list[bytes] = []
         while self._buffer:
             whole = bytes(self._buffer)
             if len(whole) >= self.shortest and self._extent(self._buffer, 0) < 0 and self._holds(whole):
                 self._buffer.clear()
-                found.append(whole)
+                frames.append(whole)
                 break
             del self._buffer[:1]
             self.dropped += 1
-            found += self.feed(b"")
-        return found
+            frames += self.feed(b"")
+        return frames
 
     def reset(self) -> None:
         """Forgets what has come so far."""
@@ -254,7 +254,7 @@ class MarkFramer(Framer):
         """The frames that these bytes complete, each with its marks and check."""
         buffer, start, end = self._buffer, self.frames.start, self.frames.end
         buffer += data
-        found: list[bytes] = []
+        frames: list[bytes] = []
         at = done = 0
         while (close := buffer.find(end, at)) >= 0:
             at = close + len(end)
@@ -262,7 +262,7 @@ class MarkFramer(Framer):
             if open_ >= 0:
                 frame = bytes(buffer[open_:at])
                 if self._holds(frame):
-                    found.append(frame)
+                    frames.append(frame)
                     self.dropped += open_ - done
                     done = at
                     continue
@@ -273,7 +273,7 @@ class MarkFramer(Framer):
         keep = open_ if open_ >= 0 and len(buffer) - open_ < self.longest else max(done, len(buffer) - len(start) + 1)
         self.dropped += keep - done
         del buffer[:keep]
-        return found
+        return frames
 
     def idle(self) -> list[bytes]:
         """The line has been silent. Frames with marks may pause, so that decides nothing here."""

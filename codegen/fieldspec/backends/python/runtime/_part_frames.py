@@ -64,15 +64,15 @@ class PartFrames(Frames):
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
         """Each part of a frame that is long enough: its row, its offset and its number."""
-        found = []
+        numbers = []
         at = 0
         for place, row in enumerate((*self.rows, *self.tail)):
             if place == len(self.rows):
                 at = len(data) - self.tail_size
             _, size, order, signed, _, _ = row
-            found.append((row, at, int.from_bytes(data[at : at + size], order, signed=signed)))
+            numbers.append((row, at, int.from_bytes(data[at : at + size], order, signed=signed)))
             at += size
-        return found
+        return numbers
 
     def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
         """What is wrong with the check, or else with the first constant that is another number."""

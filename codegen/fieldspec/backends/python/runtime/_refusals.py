@@ -58,13 +58,13 @@ def refused_float(
         _F32.pack(value)
     except OverflowError:
         return CodecError("out_of_range", f"{name} is {value}, more than 32 bits can hold")
-    if not ranges or any(least <= value <= most for least, most in ranges) or is_one_of(value, others):
+    if not ranges or any(least <= value <= most for least, most in ranges) or is_among(value, others):
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges)
     return CodecError("out_of_range", f"{name} is {value}, not in {allowed}")
 
 
-def is_one_of(value: float, others: tuple[float, ...]) -> bool:
+def is_among(value: float, others: tuple[float, ...]) -> bool:
     """Whether a number is one of some others, of which every NaN is like any other NaN."""
     return any(value == other or (value != value and other != other) for other in others)
 

@@ -7,7 +7,7 @@ from struct import Struct
 from ._conversions import counts, text, turned
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
 from ._flags import Flags
-from ._refusals import is_one_of, refused_bytes, refused_flags, refused_float, refused_number, refused_text
+from ._refusals import is_among, refused_bytes, refused_flags, refused_float, refused_number, refused_text
 from ._typing import TYPE_CHECKING, Generic, T
 
 if TYPE_CHECKING:
@@ -302,7 +302,7 @@ class Float(Value[float]):
 
     def in_unit(self, count: float) -> float | None:
         """The number itself, which counts in the unit; None for one that stands for an absent value."""
-        return None if is_one_of(count, self.others) else float(count)
+        return None if is_among(count, self.others) else float(count)
 
 
 class Text(Value[str]):

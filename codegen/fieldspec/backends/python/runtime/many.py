@@ -109,26 +109,26 @@ def arrays(record: type[Record], data: Data) -> Arrays:
     The elements of a list follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
     """
     number = _number(record, data)
-    held = data if isinstance(data, bytes) else bytes(data)
-    return _arrays(record, held, 0, record._SIZE, number, record)
+    buffer = data if isinstance(data, bytes) else bytes(data)
+    return _arrays(record, buffer, 0, record._SIZE, number, record)
 
 
 def _arrays(record: type[Record], data: bytes, base: int, size: int, number: int, whole: type[Record]) -> Arrays:
-    found: Arrays = {}
+    columns: Arrays = {}
     for column in record._columns():
         if column.record is not None:
             each = [
                 _arrays(column.record, data, base + column.offset + element * column.size, size, number, whole)
                 for element in range(column.count or 1)
             ]
-            found[column.name] = each[0] if not column.count else _interleaved(each, number)
+            columns[column.name] = each[0] if not column.count else _interleaved(each, number)
             continue
-        held = _array(column, data, base, size, number)
+        values = _array(column, data, base, size, number)
         if column.tests or column.text:
-            _test_each(column, held, data, size, whole)
+            _test_each(column, values, data, size, whole)
         if column.name:
-            found[column.name] = held
-    return found
+            columns[column.name] = values
+    return columns
 
 
 def _array(column: Column, data: bytes, base: int, size: int, number: int) -> array[Any] | list[bytes]:
@@ -144,30 +144,30 @@ def _array(column: Column, data: bytes, base: int, size: int, number: int) -> ar
             places.reverse()
         for place, at in enumerate(places):
             joined[element * width + place :: width * count] = data[base + at :: size]
-    held: array[Any] = array(column.letter)
-    held.frombytes(joined)
-    return held
+    values: array[Any] = array(column.letter)
+    values.frombytes(joined)
+    return values
 
 
 def _interleaved(each: list[Arrays], number: int) -> Arrays:
     """The columns of records in a list, whose elements then follow each other."""
-    found: Arrays = {}
+    columns: Arrays = {}
     for name, first in each[0].items():
-        parts: list[Any] = [one[name] for one in each]
+        parts: list[Any] = [part[name] for part in each]
         if isinstance(first, dict):
-            found[name] = _interleaved(parts, number)
+            columns[name] = _interleaved(parts, number)
             continue
         share = len(first) // number if number else 0
         together = (item for at in range(number) for part in parts for item in part[at * share : (at + 1) * share])
-        found[name] = list(together) if isinstance(first, list) else array(first.typecode, together)
-    return found
+        columns[name] = list(together) if isinstance(first, list) else array(first.typecode, together)
+    return columns
 
 
-def _test_each(column: Column, held: array[Any] | list[bytes], data: bytes, size: int, whole: type[Record]) -> None:
-    if isinstance(held, list):
-        right = not column.text or all(map(bytes.isascii, held))
+def _test_each(column: Column, values: array[Any] | list[bytes], data: bytes, size: int, whole: type[Record]) -> None:
+    if isinstance(values, list):
+        right = not column.text or all(map(bytes.isascii, values))
     else:
-        right = all(any(low <= value <= high for low, high in column.tests) for value in {*held})
+        right = all(any(low <= value <= high for low, high in column.tests) for value in {*values})
     if not right:
         _refuse(whole, data, size)
 
@@ -192,16 +192,16 @@ def decode_many(record: type[Record], data: Data) -> Columns:
 def _empty(record: type[Record], number: int, *lists: int) -> Columns:
     import numpy
 
-    found: Columns = {}
+    columns: Columns = {}
     for place, column in enumerate(record._columns()):
         shape = (number, *lists, column.count) if column.count else (number, *lists)
         key = column.name or f" {place}"
         if column.record is not None:
-            found[key] = _empty(column.record, number, *shape[1:])
+            columns[key] = _empty(column.record, number, *shape[1:])
         else:
             kind = f"S{column.size}" if column.letter == "s" else _TYPES[column.letter]
-            found[key] = numpy.empty(shape, kind)
-    return found
+            columns[key] = numpy.empty(shape, kind)
+    return columns
 
 
 def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, where: slice) -> None:
@@ -214,13 +214,13 @@ def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, whe
             columns[key][where] = _straight(column, raw[key])
 
 
-def _straight(column: Column, held: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+def _straight(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     """Numbers whose words lie in the other order than their bytes, as numbers; others as they are."""
     if not column.swapped:
-        return held
+        return values
     import numpy
 
-    words = held.astype(f"u{column.size}")
+    words = values.astype(f"u{column.size}")
     shifts = numpy.arange(0, 8 * column.size, 16, dtype=words.dtype)
     if column.order == "little":
         shifts = shifts[::-1]
@@ -233,17 +233,17 @@ def _allowed(record: type[Record], columns: Columns) -> bool:
     import numpy
 
     for place, column in enumerate(record._columns()):
-        held = columns[column.name or f" {place}"]
+        values = columns[column.name or f" {place}"]
         if column.record is not None:
-            if not _allowed(column.record, held):
+            if not _allowed(column.record, values):
                 return False
         elif column.text:
-            if held.size and int(numpy.ascontiguousarray(held).view("u1").max(initial=0)) > 127:
+            if values.size and int(numpy.ascontiguousarray(values).view("u1").max(initial=0)) > 127:
                 return False
         elif column.tests:
-            inside = numpy.zeros(held.shape, bool)
+            inside = numpy.zeros(values.shape, bool)
             for low, high in column.tests:
-                inside |= (held >= low) & (held <= high)
+                inside |= (values >= low) & (values <= high)
             if not inside.all():
                 return False
     return True
@@ -251,8 +251,8 @@ def _allowed(record: type[Record], columns: Columns) -> bool:
 
 def _named(columns: Columns) -> Columns:
     return {
-        name: _named(held) if isinstance(held, dict) else held
-        for name, held in columns.items()
+        name: _named(column) if isinstance(column, dict) else column
+        for name, column in columns.items()
         if not name.startswith(" ")
     }
 
@@ -300,8 +300,8 @@ def records(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
 
     Raises CodecError for bytes left over.
     """
-    held: np.ndarray[Any, Any] = view(record, data).astype(dtype(record).newbyteorder("="))
-    return held
+    copy: np.ndarray[Any, Any] = view(record, data).astype(dtype(record).newbyteorder("="))
+    return copy
 
 
 def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
@@ -317,19 +317,19 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
 
     A count that stands for an absent value becomes NaN.
     """
-    for one in record._columns():
-        if one.name == name and one.ratio is not None:
-            a, b, c = one.ratio
-            held = column.astype("f8")
+    for candidate in record._columns():
+        if candidate.name == name and candidate.ratio is not None:
+            a, b, c = candidate.ratio
+            quantities = column.astype("f8")
             if a != 1:
-                held *= a
+                quantities *= a
             if b:
-                held += b
+                quantities += b
             if c != 1:
-                held /= c
-            for count in one.absent:
-                held[column == count] = float("nan")
-            return held
+                quantities /= c
+            for count in candidate.absent:
+                quantities[column == count] = float("nan")
+            return quantities
     raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
 
 
