@@ -61,9 +61,11 @@ def test_pyright_is_content_with_the_package(package: Path) -> None:
     assert report["summary"]["filesAnalyzed"] > 10
 
 
-USER = """
-from typing import assert_type
-from fieldspec_devices import CodecError, ErrorReply, Parameter, Register, Request, Response, glider_x, widget
+USER = """# pyright: strict
+from decimal import Decimal
+from fractions import Fraction
+from typing_extensions import assert_type
+from fieldspec_devices import ErrorReply, Parameter, Register, Request, Response, glider_x, widget
 from fieldspec_devices.widget import before_2_0
 
 request = widget.ReadRegistersRequest(0x1000, 2)
@@ -85,6 +87,11 @@ assert_type(widget.read_value(widget.STATUS_WORD), widget.Status)
 assert_type(widget.parameters.read_value(widget.parameters.HOME, widget.ReadOneResponse(2, 0)), widget.Direction)
 assert_type(widget.Point.decode(b"").speed, int)
 assert_type(widget.Corner(1, 2).x_mm, float)
+assert_type(widget.Corner(x_mm=0.5, y=12), widget.Corner)
+assert_type(widget.Corner(5, y_mm=Decimal("1.2")), widget.Corner)
+assert_type(widget.Corner(x_mm=Fraction(1, 2), y_mm=1), widget.Corner)
+widget.Corner(1, 2).x_mm = Decimal("0.1")
+assert_type(glider_x.commanded_speed_to_raw(Decimal("1.5"), 3000), int)
 assert_type(before_2_0.LAMP, Register[before_2_0.Color])
 
 cyclic = glider_x.cyclic
@@ -120,6 +127,10 @@ widget.Corner(x=1)
 widget.Status(redy=True)
 widget.LAMP.encode(1.5)
 widget.Corner(1, 2).x_mm = "1"
+widget.Corner(x=1, x_mm=0.1, y=2)
+widget.Corner(x_mm=0.1)
+widget.Corner(x_mm="0.1", y=2)
+widget.Corner(1, 2, 0.1)
 glider_x.ControlWord(onn=True)
 glider_x.servo.REFERENCE_SPED
 glider_x.pnu.write_request(glider_x.servo.REFERENCE_SPEED, "fast")
@@ -135,12 +146,21 @@ def test_a_type_checker_knows_what_users_get(package: Path) -> None:
     assert done.returncode == 0, done.stdout[-5000:]
 
 
+def test_pyright_knows_what_users_get(package: Path) -> None:
+    (package / "user_of_pyright.py").write_text(USER, encoding="utf-8")
+    command = [sys.executable, "-m", "pyright", "--pythonversion=3.11", "--outputjson", "user_of_pyright.py"]
+    done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
+    report = json.loads(done.stdout)
+    assert [finding["message"] for finding in report["generalDiagnostics"]] == []
+    assert report["summary"]["filesAnalyzed"] == 1
+
+
 def test_a_type_checker_finds_what_users_get_wrong(package: Path) -> None:
     (package / "wrong.py").write_text(WRONG, encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "wrong.py"]
     done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
     lines = sorted(int(line) for line in re.findall(r"wrong\.py:(\d+): error", done.stdout))
-    assert lines == [*range(3, 14)], done.stdout[-5000:]
+    assert lines == [*range(3, 18)], done.stdout[-5000:]
 
 
 @pytest.mark.parametrize("version", PYTHONS)
@@ -202,7 +222,9 @@ ALLOWED = {
     "array",
     "binascii",
     "collections.abc",
+    "decimal",
     "enum",
+    "fractions",
     "importlib",
     "operator",
     "re",

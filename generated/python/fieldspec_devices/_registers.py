@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
     from typing import Any
 
-    from ._typing import Data
+    from ._typing import Data, Quantity
 
 
 class Register(Generic[T]):
@@ -101,7 +101,7 @@ class Register(Generic[T]):
         """A count in the unit; None for one that stands for an absent value."""
         return self.value.in_unit(count)
 
-    def from_unit(self, value: float) -> int:
+    def from_unit(self, value: Quantity) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.

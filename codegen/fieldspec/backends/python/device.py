@@ -125,11 +125,11 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
         "parameters": sets,
         "spaces": space_views(layout, sets, words, exchanges, scope),
     }
-    made = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
-    made += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
-    made += ["write_request", "write_requests"] * bool(view["write_requests"])
-    made += ["register_at"] * bool(view["registers"] or view["tables"])
-    return {**view, "names": [*made, *scope.names]}
+    public = ["DEVICE", "IDENTITY", "REGISTERS", "TABLES", "VERSION"]
+    public += ["read_request", "read_requests", "read_value"] * (view["read"] is not None)
+    public += ["write_request", "write_requests"] * bool(view["write_requests"])
+    public += ["register_at"] * bool(view["registers"] or view["tables"])
+    return {**view, "names": [*public, *scope.names]}
 
 
 def union(names: Iterable[str]) -> str:

@@ -229,11 +229,11 @@ def _direction(
     upper = Name.of(link.name).upper()
     frames = f"_{upper}_{direction.upper()}S"
     code = frame.role("code")
-    plain = argument_views(frame, words)
+    parts = argument_views(frame, words)
     station = frame.role("station")
-    wrapper = scope.take(f"{pascal}{direction.capitalize()}") if plain else f"_{direction.capitalize()}"
+    wrapper = scope.take(f"{pascal}{direction.capitalize()}") if parts else f"_{direction.capitalize()}"
     alias = scope.take(f"Any{pascal}{direction.capitalize()}")
-    views = [_exchange(link, direction, exchange, frames, wrapper, plain) for exchange in carried]
+    views = [_exchange(link, direction, exchange, frames, wrapper, parts) for exchange in carried]
     messages = [
         (exchange.message.name, exchange.message.message.code, exchange.side(direction)[0].record)
         for exchange in carried
@@ -253,11 +253,11 @@ def _direction(
         union=union(alias, [view.message for view in views]),
         exchanges=views,
         wrapper=wrapper,
-        head_parts=plain,
+        head_parts=parts,
         before="station: int, " if station else "",
-        after="".join(f", {part.name}: {part.type}" for part in plain).replace(", ", ", *, ", 1),
-        call=", ".join(["station"] * bool(station) + [part.name for part in plain]),
-        construction=", ".join([station_expression, "{}", *(part.expression for part in plain)]),
+        after="".join(f", {part.name}: {part.type}" for part in parts).replace(", ", ", *, ", 1),
+        call=", ".join(["station"] * bool(station) + [part.name for part in parts]),
+        construction=", ".join([station_expression, "{}", *(part.expression for part in parts)]),
         code=f"head[{frame.head.index(code)}]" if code else "",
         framer=framing,
         framer_arguments=arguments,

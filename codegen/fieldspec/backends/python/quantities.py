@@ -154,7 +154,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
             ScaledView(
                 name,
                 f"list[{kind}]" if field.is_list else kind,
-                "list[float]" if field.is_list else "float",
+                "_Sequence[_Quantity]" if field.is_list else "_Quantity",
                 f"[{read} for item in self.{field.name}]" if field.is_list else read,
                 f"[{write} for item in value]" if field.is_list else write,
                 field.name,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.backends.python.constructors import ConstructorView, constructor_view
 from fieldspec.backends.python.naming import MESSAGE, TYPES, Scope
 from fieldspec.backends.python.quantities import ConstantView, ScaledView, scaled_views, sentinel_views
 from fieldspec.backends.python.reading import (
@@ -16,7 +17,7 @@ from fieldspec.backends.python.reading import (
     targets,
 )
 from fieldspec.backends.python.slots import Slots, Words, native_order, slots
-from fieldspec.backends.python.text import chained, docstring, filled, item_lines, literal, unpacked
+from fieldspec.backends.python.text import chained, docstring, filled, literal, unpacked
 from fieldspec.backends.python.writing import conditions, fixed, measured, pairs, refusal, values, within
 from fieldspec.classes import dataclass, replace
 from fieldspec.layout.record import RecordLayout
@@ -91,7 +92,7 @@ class RecordView:
     refusals: list[str]
     slots: list[str]
     match_args: list[str]
-    init: list[str]
+    constructor: ConstructorView
     size: int | None
     columns: tuple[str, ...] = ()
 
@@ -112,6 +113,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     upper = "_" + "".join(f"_{char}" if char.isupper() else char for char in name).strip("_").upper()
     binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT")
     names = [field.name for field in stored]
+    scaled = scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(names)))
     read, taken = _read(shaped, upper)
     return RecordView(
         name=name,
@@ -123,7 +125,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
             for field in stored
         ],
         constants=sentinel_views(stored),
-        scaled=scaled_views(stored, Scope(MESSAGE, TYPES, frozenset(field.name for field in stored))),
+        scaled=scaled,
         read=read,
         make=[*taken, *construction_lines(shaped, "record", 0)],
         bind=binding.bind,
@@ -132,9 +134,7 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         refusals=chained("return ", binding.refusals, "or", "None", 8),
         slots=_quoted("__slots__", [field.slot for field in stored]),
         match_args=_quoted("__match_args__", names),
-        init=item_lines(
-            "def __init__(", ["self", *(f"{field.name}: {field.accepted}" for field in stored)], ") -> None:", 4
-        ),
+        constructor=constructor_view(stored, scaled),
         size=record.size,
     )
 

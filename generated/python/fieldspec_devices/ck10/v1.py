@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column

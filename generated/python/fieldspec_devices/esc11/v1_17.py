@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -1424,6 +1425,7 @@ class Point(_Record):
     __match_args__ = ("number", "mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     _SIZE: _ClassVar[int] = 16
 
+    @_overload
     def __init__(
         self,
         number: int,
@@ -1433,7 +1435,53 @@ class Point(_Record):
         force: int,
         zone_limit_1: int,
         zone_limit_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        number: int,
+        mode: PointMode,
+        *,
+        distance: int | None = None,
+        distance_mm: _Quantity | None = None,
+        speed: int,
+        force: int,
+        zone_limit_1: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2: int | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        number: int,
+        mode: PointMode,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        distance_mm: _Quantity | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
     ) -> None:
+        if (
+            distance is None
+            or speed is None
+            or force is None
+            or zone_limit_1 is None
+            or zone_limit_2 is None
+            or distance_mm is not None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                number, mode, distance, speed, force, zone_limit_1, zone_limit_2,
+                distance=("distance_mm", distance_mm), zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.number = number
         self.mode = mode
         self.distance = distance
@@ -1524,7 +1572,7 @@ class Point(_Record):
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
@@ -1535,7 +1583,7 @@ class Point(_Record):
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
@@ -1546,7 +1594,7 @@ class Point(_Record):
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
@@ -1572,6 +1620,7 @@ class TemporaryPoint(_Record):
     __match_args__ = ("mode", "distance", "speed", "force", "zone_limit_1", "zone_limit_2")
     _SIZE: _ClassVar[int] = 16
 
+    @_overload
     def __init__(
         self,
         mode: PointMode,
@@ -1580,7 +1629,51 @@ class TemporaryPoint(_Record):
         force: int,
         zone_limit_1: int,
         zone_limit_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        mode: PointMode,
+        *,
+        distance: int | None = None,
+        distance_mm: _Quantity | None = None,
+        speed: int,
+        force: int,
+        zone_limit_1: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2: int | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        mode: PointMode,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        distance_mm: _Quantity | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
     ) -> None:
+        if (
+            distance is None
+            or speed is None
+            or force is None
+            or zone_limit_1 is None
+            or zone_limit_2 is None
+            or distance_mm is not None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                mode, distance, speed, force, zone_limit_1, zone_limit_2,
+                distance=("distance_mm", distance_mm), zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.mode = mode
         self.distance = distance
         self.speed = speed
@@ -1668,7 +1761,7 @@ class TemporaryPoint(_Record):
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
@@ -1679,7 +1772,7 @@ class TemporaryPoint(_Record):
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
@@ -1690,7 +1783,7 @@ class TemporaryPoint(_Record):
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
 
@@ -4047,7 +4140,22 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
     CODE: _ClassVar[int | None] = 0x12
     _RESPONSE = MovePositiveDistanceResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
@@ -4099,7 +4207,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4237,7 +4345,22 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
     CODE: _ClassVar[int | None] = 0x13
     _RESPONSE = MoveNegativeDistanceResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
@@ -4289,7 +4412,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4730,7 +4853,21 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
     CODE: _ClassVar[int | None] = 0x16
     _RESPONSE = MoveRelativeResponse
 
-    def __init__(self, distance: int, speed: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or distance_mm is not None:
+            self._set_fields(distance, speed, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
 
@@ -4778,7 +4915,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -4909,7 +5046,21 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
     CODE: _ClassVar[int | None] = 0x17
     _RESPONSE = MoveAbsoluteResponse
 
-    def __init__(self, position: int, speed: int) -> None:
+    @_overload
+    def __init__(self, position: int, speed: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity, speed: int) -> None: ...
+
+    def __init__(
+        self,
+        position: int | None = None,
+        speed: int | None = None,
+        position_mm: _Quantity | None = None,
+    ) -> None:
+        if position is None or speed is None or position_mm is not None:
+            self._set_fields(position, speed, position=("position_mm", position_mm))
+            return
         self.position = position
         self.speed = speed
 
@@ -4957,7 +5108,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5597,7 +5748,22 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
     CODE: _ClassVar[int | None] = 0x22
     _RESPONSE = GripRelativeResponse
 
-    def __init__(self, distance: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, distance: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, distance_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        distance: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        distance_mm: _Quantity | None = None,
+    ) -> None:
+        if distance is None or speed is None or force is None or distance_mm is not None:
+            self._set_fields(distance, speed, force, distance=("distance_mm", distance_mm))
+            return
         self.distance = distance
         self.speed = speed
         self.force = force
@@ -5649,7 +5815,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return self.distance / 100
 
     @distance_mm.setter
-    def distance_mm(self, value: float) -> None:
+    def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5792,7 +5958,22 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
     CODE: _ClassVar[int | None] = 0x23
     _RESPONSE = GripAbsoluteResponse
 
-    def __init__(self, position: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, position: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    def __init__(
+        self,
+        position: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        position_mm: _Quantity | None = None,
+    ) -> None:
+        if position is None or speed is None or force is None or position_mm is not None:
+            self._set_fields(position, speed, force, position=("position_mm", position_mm))
+            return
         self.position = position
         self.speed = speed
         self.force = force
@@ -5844,7 +6025,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -5991,7 +6172,47 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
     CODE: _ClassVar[int | None] = 0x24
     _RESPONSE = GripOpenWithZoneResponse
 
-    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, zone_limit_1: int, *, zone_limit_2_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, zone_limit_1_mm: _Quantity, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        zone_limit_1_mm: _Quantity,
+        zone_limit_2_mm: _Quantity,
+        speed: int,
+        force: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None:
+        if (
+            zone_limit_1 is None
+            or zone_limit_2 is None
+            or speed is None
+            or force is None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                zone_limit_1, zone_limit_2, speed, force, zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.zone_limit_1 = zone_limit_1
         self.zone_limit_2 = zone_limit_2
         self.speed = speed
@@ -6059,7 +6280,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
@@ -6070,7 +6291,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -6220,7 +6441,47 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
     CODE: _ClassVar[int | None] = 0x25
     _RESPONSE = GripCloseWithZoneResponse
 
-    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None:
+    @_overload
+    def __init__(self, zone_limit_1: int, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, zone_limit_1: int, *, zone_limit_2_mm: _Quantity, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, zone_limit_1_mm: _Quantity, zone_limit_2: int, speed: int, force: int) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        zone_limit_1_mm: _Quantity,
+        zone_limit_2_mm: _Quantity,
+        speed: int,
+        force: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        zone_limit_1: int | None = None,
+        zone_limit_2: int | None = None,
+        speed: int | None = None,
+        force: int | None = None,
+        zone_limit_1_mm: _Quantity | None = None,
+        zone_limit_2_mm: _Quantity | None = None,
+    ) -> None:
+        if (
+            zone_limit_1 is None
+            or zone_limit_2 is None
+            or speed is None
+            or force is None
+            or zone_limit_1_mm is not None
+            or zone_limit_2_mm is not None
+        ):
+            self._set_fields(
+                zone_limit_1, zone_limit_2, speed, force, zone_limit_1=("zone_limit_1_mm", zone_limit_1_mm),
+                zone_limit_2=("zone_limit_2_mm", zone_limit_2_mm),
+            )
+            return
         self.zone_limit_1 = zone_limit_1
         self.zone_limit_2 = zone_limit_2
         self.speed = speed
@@ -6288,7 +6549,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return self.zone_limit_1 / 100
 
     @zone_limit_1_mm.setter
-    def zone_limit_1_mm(self, value: float) -> None:
+    def zone_limit_1_mm(self, value: _Quantity) -> None:
         self.zone_limit_1 = _counts("zone_limit_1", value, (1, 0, 100), ((-134217727, 134217727),))
 
     @property
@@ -6299,7 +6560,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return self.zone_limit_2 / 100
 
     @zone_limit_2_mm.setter
-    def zone_limit_2_mm(self, value: float) -> None:
+    def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int) -> bytes:
@@ -6823,7 +7084,16 @@ class ReadCurrentPositionResponse(_Record):
     _SIZE: _ClassVar[int] = 4
     CODE: _ClassVar[int | None] = 0x41
 
-    def __init__(self, position: int) -> None:
+    @_overload
+    def __init__(self, position: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, position_mm: _Quantity) -> None: ...
+
+    def __init__(self, position: int | None = None, position_mm: _Quantity | None = None) -> None:
+        if position is None or position_mm is not None:
+            self._set_fields(position, position=("position_mm", position_mm))
+            return
         self.position = position
 
     @classmethod
@@ -6865,7 +7135,7 @@ class ReadCurrentPositionResponse(_Record):
         return self.position / 100
 
     @position_mm.setter
-    def position_mm(self, value: float) -> None:
+    def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
     def _to_serial(self, station: int, part_status: CommunicationStatus) -> bytes:

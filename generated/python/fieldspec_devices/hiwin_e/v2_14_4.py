@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -5893,6 +5894,7 @@ class Telegram3Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 3
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -5901,7 +5903,43 @@ class Telegram3Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2 | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2 | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, encoder_1_status_word, encoder_1_position_1,
+                encoder_1_position_2, speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
         self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
         self._word_status_word_2: StatusWord2 | int = status_word_2
@@ -6004,7 +6042,7 @@ class Telegram3Response(_Record):
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -6067,13 +6105,44 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
     NUMBER: _ClassVar[int] = 3
     _RESPONSE = Telegram3Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
         speed_setpoint_b: int,
         control_word_2: ControlWord2 | int,
         encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2 | int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or encoder_1_control_word is None
+            or speed_setpoint_b_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, encoder_1_control_word,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+            )
+            return
         self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
         self._word_control_word_2: ControlWord2 | int = control_word_2
@@ -6168,7 +6237,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -6234,6 +6303,7 @@ class Telegram5Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 5
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -6242,7 +6312,43 @@ class Telegram5Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2 | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2 | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, encoder_1_status_word, encoder_1_position_1,
+                encoder_1_position_2, speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
         self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
         self._word_status_word_2: StatusWord2 | int = status_word_2
@@ -6345,7 +6451,7 @@ class Telegram5Response(_Record):
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -6417,6 +6523,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
     NUMBER: _ClassVar[int] = 5
     _RESPONSE = Telegram5Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
@@ -6425,7 +6532,71 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         encoder_1_control_word: Encoder1ControlWord | int,
         position_error: int,
         position_controller_gain: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        *,
+        position_controller_gain_per_s: _Quantity,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        position_controller_gain: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2 | int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        position_controller_gain_per_s: _Quantity,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2 | int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        position_error: int | None = None,
+        position_controller_gain: int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        position_controller_gain_per_s: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or encoder_1_control_word is None
+            or position_error is None
+            or position_controller_gain is None
+            or speed_setpoint_b_percent is not None
+            or position_controller_gain_per_s is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, encoder_1_control_word, position_error,
+                position_controller_gain,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+                position_controller_gain=("position_controller_gain_per_s", position_controller_gain_per_s),
+            )
+            return
         self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
         self._word_control_word_2: ControlWord2 | int = control_word_2
@@ -6528,7 +6699,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     @property
@@ -6539,7 +6710,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         return self.position_controller_gain / 1000
 
     @position_controller_gain_per_s.setter
-    def position_controller_gain_per_s(self, value: float) -> None:
+    def position_controller_gain_per_s(self, value: _Quantity) -> None:
         self.position_controller_gain = _counts("position_controller_gain", value, (1, 0, 1000), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -6760,6 +6931,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
     NUMBER: _ClassVar[int] = 9
     _RESPONSE = Telegram9Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1Positioning | int,
@@ -6770,7 +6942,56 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         mdi_acceleration: int,
         mdi_deceleration: int,
         mdi_mode: MdiMode | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        block_selection: BlockSelection | int,
+        control_word_2: ControlWord2 | int,
+        mdi_target_position: int,
+        *,
+        mdi_velocity: int | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration: int | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
+        mdi_mode: MdiMode | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        block_selection: BlockSelection | int,
+        control_word_2: ControlWord2 | int,
+        mdi_target_position: int,
+        mdi_velocity: int | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_deceleration: int | None = None,
+        mdi_mode: MdiMode | int | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            mdi_velocity is None
+            or mdi_acceleration is None
+            or mdi_deceleration is None
+            or mdi_mode is None
+            or mdi_velocity_control_unit_per_min is not None
+            or mdi_acceleration_percent is not None
+            or mdi_deceleration_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, block_selection, control_word_2, mdi_target_position, mdi_velocity,
+                mdi_acceleration, mdi_deceleration, mdi_mode,
+                mdi_velocity=("mdi_velocity_control_unit_per_min", mdi_velocity_control_unit_per_min),
+                mdi_acceleration=("mdi_acceleration_percent", mdi_acceleration_percent),
+                mdi_deceleration=("mdi_deceleration_percent", mdi_deceleration_percent),
+            )
+            return
         self._word_control_word_1: ControlWord1Positioning | int = control_word_1
         self._word_block_selection: BlockSelection | int = block_selection
         self._word_control_word_2: ControlWord2 | int = control_word_2
@@ -6898,7 +7119,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         return float(self.mdi_velocity * 1000)
 
     @mdi_velocity_control_unit_per_min.setter
-    def mdi_velocity_control_unit_per_min(self, value: float) -> None:
+    def mdi_velocity_control_unit_per_min(self, value: _Quantity) -> None:
         self.mdi_velocity = _counts("mdi_velocity", value, (1000, 0, 1), ((0, 2147483647),))
 
     @property
@@ -6909,7 +7130,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         return self.mdi_acceleration * 25 / 4096
 
     @mdi_acceleration_percent.setter
-    def mdi_acceleration_percent(self, value: float) -> None:
+    def mdi_acceleration_percent(self, value: _Quantity) -> None:
         self.mdi_acceleration = _counts("mdi_acceleration", value, (25, 0, 4096), ((0, 16384),))
 
     @property
@@ -6920,7 +7141,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         return self.mdi_deceleration * 25 / 4096
 
     @mdi_deceleration_percent.setter
-    def mdi_deceleration_percent(self, value: float) -> None:
+    def mdi_deceleration_percent(self, value: _Quantity) -> None:
         self.mdi_deceleration = _counts("mdi_deceleration", value, (25, 0, 4096), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
@@ -6996,6 +7217,7 @@ class Telegram102Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 102
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -7005,7 +7227,47 @@ class Telegram102Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2FixedStop | int,
+        message_word: MessageWord | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2FixedStop | int | None = None,
+        message_word: MessageWord | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or message_word is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, message_word, encoder_1_status_word,
+                encoder_1_position_1, encoder_1_position_2,
+                speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
         self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
         self._word_status_word_2: StatusWord2FixedStop | int = status_word_2
@@ -7125,7 +7387,7 @@ class Telegram102Response(_Record):
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -7196,6 +7458,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
     NUMBER: _ClassVar[int] = 102
     _RESPONSE = Telegram102Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
@@ -7203,7 +7466,65 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         control_word_2: ControlWord2FixedStop | int,
         torque_reduction: int,
         encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int,
+        control_word_2: ControlWord2FixedStop | int,
+        *,
+        torque_reduction_percent: _Quantity,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2FixedStop | int,
+        torque_reduction: int,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b_percent: _Quantity,
+        control_word_2: ControlWord2FixedStop | int,
+        torque_reduction_percent: _Quantity,
+        encoder_1_control_word: Encoder1ControlWord | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2FixedStop | int | None = None,
+        torque_reduction: int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        torque_reduction_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or torque_reduction is None
+            or encoder_1_control_word is None
+            or speed_setpoint_b_percent is not None
+            or torque_reduction_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, torque_reduction, encoder_1_control_word,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+                torque_reduction=("torque_reduction_percent", torque_reduction_percent),
+            )
+            return
         self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
         self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
@@ -7304,7 +7625,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     @property
@@ -7315,7 +7636,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         return self.torque_reduction * 25 / 4096
 
     @torque_reduction_percent.setter
-    def torque_reduction_percent(self, value: float) -> None:
+    def torque_reduction_percent(self, value: _Quantity) -> None:
         self.torque_reduction = _counts("torque_reduction", value, (25, 0, 4096), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
@@ -7386,6 +7707,7 @@ class Telegram105Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 105
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1 | int,
@@ -7395,7 +7717,47 @@ class Telegram105Response(_Record):
         encoder_1_status_word: Encoder1StatusWord | int,
         encoder_1_position_1: int,
         encoder_1_position_2: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        status_word_2: StatusWord2FixedStop | int,
+        message_word: MessageWord | int,
+        encoder_1_status_word: Encoder1StatusWord | int,
+        encoder_1_position_1: int,
+        encoder_1_position_2: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1 | int,
+        speed_actual_b: int | None = None,
+        status_word_2: StatusWord2FixedStop | int | None = None,
+        message_word: MessageWord | int | None = None,
+        encoder_1_status_word: Encoder1StatusWord | int | None = None,
+        encoder_1_position_1: int | None = None,
+        encoder_1_position_2: int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_actual_b is None
+            or status_word_2 is None
+            or message_word is None
+            or encoder_1_status_word is None
+            or encoder_1_position_1 is None
+            or encoder_1_position_2 is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, speed_actual_b, status_word_2, message_word, encoder_1_status_word,
+                encoder_1_position_1, encoder_1_position_2,
+                speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
         self._word_status_word_1: StatusWord1 | int = status_word_1
         self.speed_actual_b = speed_actual_b
         self._word_status_word_2: StatusWord2FixedStop | int = status_word_2
@@ -7515,7 +7877,7 @@ class Telegram105Response(_Record):
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -7592,6 +7954,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
     NUMBER: _ClassVar[int] = 105
     _RESPONSE = Telegram105Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1 | int,
@@ -7601,7 +7964,56 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         encoder_1_control_word: Encoder1ControlWord | int,
         position_error: int,
         position_controller_gain: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        *,
+        speed_setpoint_b: int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        control_word_2: ControlWord2FixedStop | int,
+        torque_reduction: int | None = None,
+        torque_reduction_percent: _Quantity | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int,
+        position_error: int,
+        position_controller_gain: int | None = None,
+        position_controller_gain_per_s: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1 | int,
+        speed_setpoint_b: int | None = None,
+        control_word_2: ControlWord2FixedStop | int | None = None,
+        torque_reduction: int | None = None,
+        encoder_1_control_word: Encoder1ControlWord | int | None = None,
+        position_error: int | None = None,
+        position_controller_gain: int | None = None,
+        speed_setpoint_b_percent: _Quantity | None = None,
+        torque_reduction_percent: _Quantity | None = None,
+        position_controller_gain_per_s: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_setpoint_b is None
+            or control_word_2 is None
+            or torque_reduction is None
+            or encoder_1_control_word is None
+            or position_error is None
+            or position_controller_gain is None
+            or speed_setpoint_b_percent is not None
+            or torque_reduction_percent is not None
+            or position_controller_gain_per_s is not None
+        ):
+            self._set_fields(
+                control_word_1, speed_setpoint_b, control_word_2, torque_reduction, encoder_1_control_word,
+                position_error, position_controller_gain,
+                speed_setpoint_b=("speed_setpoint_b_percent", speed_setpoint_b_percent),
+                torque_reduction=("torque_reduction_percent", torque_reduction_percent),
+                position_controller_gain=("position_controller_gain_per_s", position_controller_gain_per_s),
+            )
+            return
         self._word_control_word_1: ControlWord1 | int = control_word_1
         self.speed_setpoint_b = speed_setpoint_b
         self._word_control_word_2: ControlWord2FixedStop | int = control_word_2
@@ -7711,7 +8123,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         return self.speed_setpoint_b * 25 / 268435456
 
     @speed_setpoint_b_percent.setter
-    def speed_setpoint_b_percent(self, value: float) -> None:
+    def speed_setpoint_b_percent(self, value: _Quantity) -> None:
         self.speed_setpoint_b = _counts("speed_setpoint_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     @property
@@ -7722,7 +8134,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         return self.torque_reduction * 25 / 4096
 
     @torque_reduction_percent.setter
-    def torque_reduction_percent(self, value: float) -> None:
+    def torque_reduction_percent(self, value: _Quantity) -> None:
         self.torque_reduction = _counts("torque_reduction", value, (25, 0, 4096), ((0, 16384),))
 
     @property
@@ -7733,7 +8145,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         return self.position_controller_gain / 1000
 
     @position_controller_gain_per_s.setter
-    def position_controller_gain_per_s(self, value: float) -> None:
+    def position_controller_gain_per_s(self, value: _Quantity) -> None:
         self.position_controller_gain = _counts("position_controller_gain", value, (1, 0, 1000), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -7810,6 +8222,7 @@ class Telegram111Response(_Record):
     CODE: _ClassVar[int | None] = None
     NUMBER: _ClassVar[int] = 111
 
+    @_overload
     def __init__(
         self,
         status_word_1: StatusWord1Positioning | int,
@@ -7821,7 +8234,48 @@ class Telegram111Response(_Record):
         speed_actual_b: int,
         fault_code: AlarmCode | int,
         warning_code: WarningCode | int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        status_word_1: StatusWord1Positioning | int,
+        positioning_status_word_1: PositioningStatusWord1 | int,
+        positioning_status_word_2: PositioningStatusWord2 | int,
+        status_word_2: StatusWord2Positioning | int,
+        message_word: MessageWord | int,
+        position_actual_a: int,
+        *,
+        speed_actual_b_percent: _Quantity,
+        fault_code: AlarmCode | int,
+        warning_code: WarningCode | int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        status_word_1: StatusWord1Positioning | int,
+        positioning_status_word_1: PositioningStatusWord1 | int,
+        positioning_status_word_2: PositioningStatusWord2 | int,
+        status_word_2: StatusWord2Positioning | int,
+        message_word: MessageWord | int,
+        position_actual_a: int,
+        speed_actual_b: int | None = None,
+        fault_code: AlarmCode | int | None = None,
+        warning_code: WarningCode | int | None = None,
+        speed_actual_b_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            speed_actual_b is None
+            or fault_code is None
+            or warning_code is None
+            or speed_actual_b_percent is not None
+        ):
+            self._set_fields(
+                status_word_1, positioning_status_word_1, positioning_status_word_2, status_word_2,
+                message_word, position_actual_a, speed_actual_b, fault_code, warning_code,
+                speed_actual_b=("speed_actual_b_percent", speed_actual_b_percent),
+            )
+            return
         self._word_status_word_1: StatusWord1Positioning | int = status_word_1
         self._word_positioning_status_word_1: PositioningStatusWord1 | int = positioning_status_word_1
         self._word_positioning_status_word_2: PositioningStatusWord2 | int = positioning_status_word_2
@@ -7981,7 +8435,7 @@ class Telegram111Response(_Record):
         return self.speed_actual_b * 25 / 268435456
 
     @speed_actual_b_percent.setter
-    def speed_actual_b_percent(self, value: float) -> None:
+    def speed_actual_b_percent(self, value: _Quantity) -> None:
         self.speed_actual_b = _counts("speed_actual_b", value, (25, 0, 268435456), ((-2147483648, 2147483647),))
 
     def _to_cyclic(self) -> bytes:
@@ -8064,6 +8518,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     NUMBER: _ClassVar[int] = 111
     _RESPONSE = Telegram111Response
 
+    @_overload
     def __init__(
         self,
         control_word_1: ControlWord1Positioning | int,
@@ -8075,7 +8530,63 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         mdi_velocity: int,
         mdi_acceleration: int,
         mdi_deceleration: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        positioning_control_word_1: PositioningControlWord1 | int,
+        positioning_control_word_2: PositioningControlWord2 | int,
+        control_word_2: ControlWord2FixedStop | int,
+        *,
+        velocity_override: int | None = None,
+        velocity_override_percent: _Quantity | None = None,
+        mdi_target_position: int,
+        mdi_velocity: int | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration: int | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        control_word_1: ControlWord1Positioning | int,
+        positioning_control_word_1: PositioningControlWord1 | int,
+        positioning_control_word_2: PositioningControlWord2 | int,
+        control_word_2: ControlWord2FixedStop | int,
+        velocity_override: int | None = None,
+        mdi_target_position: int | None = None,
+        mdi_velocity: int | None = None,
+        mdi_acceleration: int | None = None,
+        mdi_deceleration: int | None = None,
+        velocity_override_percent: _Quantity | None = None,
+        mdi_velocity_control_unit_per_min: _Quantity | None = None,
+        mdi_acceleration_percent: _Quantity | None = None,
+        mdi_deceleration_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            velocity_override is None
+            or mdi_target_position is None
+            or mdi_velocity is None
+            or mdi_acceleration is None
+            or mdi_deceleration is None
+            or velocity_override_percent is not None
+            or mdi_velocity_control_unit_per_min is not None
+            or mdi_acceleration_percent is not None
+            or mdi_deceleration_percent is not None
+        ):
+            self._set_fields(
+                control_word_1, positioning_control_word_1, positioning_control_word_2, control_word_2,
+                velocity_override, mdi_target_position, mdi_velocity, mdi_acceleration, mdi_deceleration,
+                velocity_override=("velocity_override_percent", velocity_override_percent),
+                mdi_velocity=("mdi_velocity_control_unit_per_min", mdi_velocity_control_unit_per_min),
+                mdi_acceleration=("mdi_acceleration_percent", mdi_acceleration_percent),
+                mdi_deceleration=("mdi_deceleration_percent", mdi_deceleration_percent),
+            )
+            return
         self._word_control_word_1: ControlWord1Positioning | int = control_word_1
         self._word_positioning_control_word_1: PositioningControlWord1 | int = positioning_control_word_1
         self._word_positioning_control_word_2: PositioningControlWord2 | int = positioning_control_word_2
@@ -8213,7 +8724,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return self.velocity_override * 25 / 4096
 
     @velocity_override_percent.setter
-    def velocity_override_percent(self, value: float) -> None:
+    def velocity_override_percent(self, value: _Quantity) -> None:
         self.velocity_override = _counts("velocity_override", value, (25, 0, 4096), ((0, 32767),))
 
     @property
@@ -8224,7 +8735,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return float(self.mdi_velocity * 1000)
 
     @mdi_velocity_control_unit_per_min.setter
-    def mdi_velocity_control_unit_per_min(self, value: float) -> None:
+    def mdi_velocity_control_unit_per_min(self, value: _Quantity) -> None:
         self.mdi_velocity = _counts("mdi_velocity", value, (1000, 0, 1), ((0, 2147483647),))
 
     @property
@@ -8235,7 +8746,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return self.mdi_acceleration * 25 / 4096
 
     @mdi_acceleration_percent.setter
-    def mdi_acceleration_percent(self, value: float) -> None:
+    def mdi_acceleration_percent(self, value: _Quantity) -> None:
         self.mdi_acceleration = _counts("mdi_acceleration", value, (25, 0, 4096), ((0, 16384),))
 
     @property
@@ -8246,7 +8757,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return self.mdi_deceleration * 25 / 4096
 
     @mdi_deceleration_percent.setter
-    def mdi_deceleration_percent(self, value: float) -> None:
+    def mdi_deceleration_percent(self, value: _Quantity) -> None:
         self.mdi_deceleration = _counts("mdi_deceleration", value, (25, 0, 4096), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
@@ -8317,7 +8828,20 @@ class Telegram750Response(_Record):
     NUMBER: _ClassVar[int] = 750
     SUPPLEMENTS: _ClassVar[tuple[str, ...]] = ("telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111")
 
-    def __init__(self, torque_actual: int) -> None:
+    @_overload
+    def __init__(self, torque_actual: int) -> None: ...
+
+    @_overload
+    def __init__(self, *, torque_actual_percent: _Quantity) -> None: ...
+
+    def __init__(
+        self,
+        torque_actual: int | None = None,
+        torque_actual_percent: _Quantity | None = None,
+    ) -> None:
+        if torque_actual is None or torque_actual_percent is not None:
+            self._set_fields(torque_actual, torque_actual=("torque_actual_percent", torque_actual_percent))
+            return
         self.torque_actual = torque_actual
 
     @classmethod
@@ -8357,7 +8881,7 @@ class Telegram750Response(_Record):
         return self.torque_actual * 25 / 4096
 
     @torque_actual_percent.setter
-    def torque_actual_percent(self, value: float) -> None:
+    def torque_actual_percent(self, value: _Quantity) -> None:
         self.torque_actual = _counts("torque_actual", value, (25, 0, 4096), ((-32768, 32767),))
 
     def _to_cyclic(self) -> bytes:
@@ -8411,12 +8935,50 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
     SUPPLEMENTS: _ClassVar[tuple[str, ...]] = ("telegram_3", "telegram_5", "telegram_9", "telegram_102", "telegram_105", "telegram_111")
     _RESPONSE = Telegram750Response
 
+    @_overload
     def __init__(
         self,
         additional_torque: int,
         positive_torque_limit: int,
         negative_torque_limit: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        *,
+        additional_torque: int | None = None,
+        additional_torque_percent: _Quantity | None = None,
+        positive_torque_limit: int | None = None,
+        positive_torque_limit_percent: _Quantity | None = None,
+        negative_torque_limit: int | None = None,
+        negative_torque_limit_percent: _Quantity | None = None,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        additional_torque: int | None = None,
+        positive_torque_limit: int | None = None,
+        negative_torque_limit: int | None = None,
+        additional_torque_percent: _Quantity | None = None,
+        positive_torque_limit_percent: _Quantity | None = None,
+        negative_torque_limit_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            additional_torque is None
+            or positive_torque_limit is None
+            or negative_torque_limit is None
+            or additional_torque_percent is not None
+            or positive_torque_limit_percent is not None
+            or negative_torque_limit_percent is not None
+        ):
+            self._set_fields(
+                additional_torque, positive_torque_limit, negative_torque_limit,
+                additional_torque=("additional_torque_percent", additional_torque_percent),
+                positive_torque_limit=("positive_torque_limit_percent", positive_torque_limit_percent),
+                negative_torque_limit=("negative_torque_limit_percent", negative_torque_limit_percent),
+            )
+            return
         self.additional_torque = additional_torque
         self.positive_torque_limit = positive_torque_limit
         self.negative_torque_limit = negative_torque_limit
@@ -8473,7 +9035,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         return self.additional_torque * 25 / 4096
 
     @additional_torque_percent.setter
-    def additional_torque_percent(self, value: float) -> None:
+    def additional_torque_percent(self, value: _Quantity) -> None:
         self.additional_torque = _counts("additional_torque", value, (25, 0, 4096), ((-32768, 32767),))
 
     @property
@@ -8484,7 +9046,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         return self.positive_torque_limit * 25 / 4096
 
     @positive_torque_limit_percent.setter
-    def positive_torque_limit_percent(self, value: float) -> None:
+    def positive_torque_limit_percent(self, value: _Quantity) -> None:
         self.positive_torque_limit = _counts("positive_torque_limit", value, (25, 0, 4096), ((0, 32767),))
 
     @property
@@ -8495,7 +9057,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         return self.negative_torque_limit * 25 / 4096
 
     @negative_torque_limit_percent.setter
-    def negative_torque_limit_percent(self, value: float) -> None:
+    def negative_torque_limit_percent(self, value: _Quantity) -> None:
         self.negative_torque_limit = _counts("negative_torque_limit", value, (25, 0, 4096), ((-32768, 0),))
 
     def _to_cyclic(self) -> bytes:
@@ -9007,7 +9569,7 @@ parameter_channel: _Final = ParameterChannelLink()
 _COMMANDED_SPEED_CONVERSION = _Conversion("commanded_speed", 0x40000000, ((-2147483648, 2147483647),))
 
 
-def commanded_speed(raw: int, reference: float) -> float:
+def commanded_speed(raw: int, reference: _Quantity) -> float:
     """Speed from NSOLL_B: reference * raw / 0x40000000.
 
     The reference is Pt317 for rotary motors, in rpm, and Pt386 for linear ones, in mm/s.
@@ -9024,7 +9586,7 @@ def commanded_speed(raw: int, reference: float) -> float:
     return _COMMANDED_SPEED_CONVERSION.quantity(raw, reference)
 
 
-def commanded_speed_to_raw(quantity: float, reference: float) -> int:
+def commanded_speed_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NSOLL_B.
 
     The count is that of `speed_setpoint_b`.
@@ -9040,7 +9602,7 @@ def commanded_speed_to_raw(quantity: float, reference: float) -> int:
 _ACTUAL_SPEED_CONVERSION = _Conversion("actual_speed", 0x40000000, ((-2147483648, 2147483647),))
 
 
-def actual_speed(raw: int, reference: float) -> float:
+def actual_speed(raw: int, reference: _Quantity) -> float:
     """Speed from NIST_B: reference * raw / 0x40000000.
 
     The reference is Pt317 for rotary motors, in rpm, and Pt386 for linear ones, in mm/s.
@@ -9057,7 +9619,7 @@ def actual_speed(raw: int, reference: float) -> float:
     return _ACTUAL_SPEED_CONVERSION.quantity(raw, reference)
 
 
-def actual_speed_to_raw(quantity: float, reference: float) -> int:
+def actual_speed_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NIST_B.
 
     The count is that of `speed_actual_b`.
@@ -9073,7 +9635,7 @@ def actual_speed_to_raw(quantity: float, reference: float) -> int:
 _COMMANDED_SPEED_A_CONVERSION = _Conversion("commanded_speed_a", 0x4000, ((-32768, 32767),))
 
 
-def commanded_speed_a(raw: int, reference: float) -> float:
+def commanded_speed_a(raw: int, reference: _Quantity) -> float:
     """Speed from NSOLL_A: reference * raw / 0x4000.
 
     The form of 16 bits, which is in no telegram of this drive. The reference is Pt317 for rotary
@@ -9094,7 +9656,7 @@ def commanded_speed_a(raw: int, reference: float) -> float:
     return _COMMANDED_SPEED_A_CONVERSION.quantity(raw, reference)
 
 
-def commanded_speed_a_to_raw(quantity: float, reference: float) -> int:
+def commanded_speed_a_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NSOLL_A.
 
     The count is of type i16.
@@ -9110,7 +9672,7 @@ def commanded_speed_a_to_raw(quantity: float, reference: float) -> int:
 _ACTUAL_SPEED_A_CONVERSION = _Conversion("actual_speed_a", 0x4000, ((-32768, 32767),))
 
 
-def actual_speed_a(raw: int, reference: float) -> float:
+def actual_speed_a(raw: int, reference: _Quantity) -> float:
     """Speed from NIST_A: reference * raw / 0x4000.
 
     The form of 16 bits, which is in no telegram of this drive. The reference is Pt317 for rotary
@@ -9131,7 +9693,7 @@ def actual_speed_a(raw: int, reference: float) -> float:
     return _ACTUAL_SPEED_A_CONVERSION.quantity(raw, reference)
 
 
-def actual_speed_a_to_raw(quantity: float, reference: float) -> int:
+def actual_speed_a_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Speed from NIST_A.
 
     The count is of type i16.
@@ -9147,7 +9709,7 @@ def actual_speed_a_to_raw(quantity: float, reference: float) -> int:
 _OUTPUT_TORQUE_CONVERSION = _Conversion("output_torque", 0x4000, ((0, 16384),), complement=True)
 
 
-def output_torque(raw: int, reference: float) -> float:
+def output_torque(raw: int, reference: _Quantity) -> float:
     """Torque that MOMRED leaves: reference * (1 - raw / 0x4000).
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9164,7 +9726,7 @@ def output_torque(raw: int, reference: float) -> float:
     return _OUTPUT_TORQUE_CONVERSION.quantity(raw, reference)
 
 
-def output_torque_to_raw(quantity: float, reference: float) -> int:
+def output_torque_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque that MOMRED leaves.
 
     The count is that of `torque_reduction`.
@@ -9180,7 +9742,7 @@ def output_torque_to_raw(quantity: float, reference: float) -> int:
 _TORQUE_REDUCED_BY_CONVERSION = _Conversion("torque_reduced_by", 0x4000, ((0, 16384),))
 
 
-def torque_reduced_by(raw: int, reference: float) -> float:
+def torque_reduced_by(raw: int, reference: _Quantity) -> float:
     """Torque that MOMRED takes away: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9197,7 +9759,7 @@ def torque_reduced_by(raw: int, reference: float) -> float:
     return _TORQUE_REDUCED_BY_CONVERSION.quantity(raw, reference)
 
 
-def torque_reduced_by_to_raw(quantity: float, reference: float) -> int:
+def torque_reduced_by_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque that MOMRED takes away.
 
     The count is that of `torque_reduction`.
@@ -9213,7 +9775,7 @@ def torque_reduced_by_to_raw(quantity: float, reference: float) -> int:
 _MOTOR_TORQUE_CONVERSION = _Conversion("motor_torque", 0x4000, ((-32768, 32767),))
 
 
-def motor_torque(raw: int, reference: float) -> float:
+def motor_torque(raw: int, reference: _Quantity) -> float:
     """Torque from M_ACT: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9230,7 +9792,7 @@ def motor_torque(raw: int, reference: float) -> float:
     return _MOTOR_TORQUE_CONVERSION.quantity(raw, reference)
 
 
-def motor_torque_to_raw(quantity: float, reference: float) -> int:
+def motor_torque_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque from M_ACT.
 
     The count is that of `torque_actual`.
@@ -9246,7 +9808,7 @@ def motor_torque_to_raw(quantity: float, reference: float) -> int:
 _TORQUE_VALUE_CONVERSION = _Conversion("torque_value", 0x4000, ((-32768, 32767),))
 
 
-def torque_value(raw: int, reference: float) -> float:
+def torque_value(raw: int, reference: _Quantity) -> float:
     """Torque from M_ADD1, M_LIMIT_POS and M_LIMIT_NEG: reference * raw / 0x4000.
 
     The reference is Pt42A for rotary motors, a torque in Nm, and Pt43A for linear ones, a force in N.
@@ -9268,7 +9830,7 @@ def torque_value(raw: int, reference: float) -> float:
     return _TORQUE_VALUE_CONVERSION.quantity(raw, reference)
 
 
-def torque_value_to_raw(quantity: float, reference: float) -> int:
+def torque_value_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. Torque from M_ADD1, M_LIMIT_POS and
     M_LIMIT_NEG.
 
@@ -9285,7 +9847,7 @@ def torque_value_to_raw(quantity: float, reference: float) -> int:
 _SHARE_OF_ACCELERATION_CONVERSION = _Conversion("share_of_acceleration", 0x4000, ((0, 16384),))
 
 
-def share_of_acceleration(raw: int, reference: float) -> float:
+def share_of_acceleration(raw: int, reference: _Quantity) -> float:
     """What MDI_ACC and MDI_DEC leave of the acceleration: reference * raw / 0x4000.
 
     The reference is the acceleration or the deceleration that the time in Pt534 or Pt537 gives.
@@ -9302,7 +9864,7 @@ def share_of_acceleration(raw: int, reference: float) -> float:
     return _SHARE_OF_ACCELERATION_CONVERSION.quantity(raw, reference)
 
 
-def share_of_acceleration_to_raw(quantity: float, reference: float) -> int:
+def share_of_acceleration_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. What MDI_ACC and MDI_DEC leave of
     the acceleration.
 
@@ -9318,7 +9880,7 @@ def share_of_acceleration_to_raw(quantity: float, reference: float) -> int:
 _OVERRIDDEN_VELOCITY_CONVERSION = _Conversion("overridden_velocity", 0x4000, ((0, 32767),))
 
 
-def overridden_velocity(raw: int, reference: float) -> float:
+def overridden_velocity(raw: int, reference: _Quantity) -> float:
     """What the override leaves of a speed: reference * raw / 0x4000.
 
     The reference is the speed of the MDI command or, for jogging with telegram 111, Pt533 for rotary
@@ -9334,7 +9896,7 @@ def overridden_velocity(raw: int, reference: float) -> float:
     return _OVERRIDDEN_VELOCITY_CONVERSION.quantity(raw, reference)
 
 
-def overridden_velocity_to_raw(quantity: float, reference: float) -> int:
+def overridden_velocity_to_raw(quantity: _Quantity, reference: _Quantity) -> int:
     """The count that is nearest to a quantity; of two the even one. What the override leaves of a speed.
 
     The count is that of `velocity_override`.

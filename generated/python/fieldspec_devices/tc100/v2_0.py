@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self as _Self
 
     from .._typing import Data as _Data
+    from .._typing import Quantity as _Quantity
     from .._typing import R as _R
     from .._typing import T as _T
     from ..many import Column as _Column
@@ -1849,6 +1850,7 @@ class Point(_Record):
     NEXT_POINT_END: _Final = -1
     """`next_point`: The program ends."""
 
+    @_overload
     def __init__(
         self,
         mode: PointMode | int,
@@ -1861,7 +1863,54 @@ class Point(_Record):
         deceleration_time: int,
         wait_time: int,
         next_point: int,
+    ) -> None: ...
+
+    @_overload
+    def __init__(
+        self,
+        mode: PointMode | int,
+        position: int,
+        speed: int,
+        *,
+        torque_limit_percent: _Quantity,
+        zone_lower_limit: int,
+        zone_upper_limit: int,
+        acceleration_time: int,
+        deceleration_time: int,
+        wait_time: int,
+        next_point: int,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        mode: PointMode | int,
+        position: int,
+        speed: int,
+        torque_limit: int | None = None,
+        zone_lower_limit: int | None = None,
+        zone_upper_limit: int | None = None,
+        acceleration_time: int | None = None,
+        deceleration_time: int | None = None,
+        wait_time: int | None = None,
+        next_point: int | None = None,
+        torque_limit_percent: _Quantity | None = None,
     ) -> None:
+        if (
+            torque_limit is None
+            or zone_lower_limit is None
+            or zone_upper_limit is None
+            or acceleration_time is None
+            or deceleration_time is None
+            or wait_time is None
+            or next_point is None
+            or torque_limit_percent is not None
+        ):
+            self._set_fields(
+                mode, position, speed, torque_limit, zone_lower_limit, zone_upper_limit, acceleration_time,
+                deceleration_time, wait_time, next_point,
+                torque_limit=("torque_limit_percent", torque_limit_percent),
+            )
+            return
         self._word_mode: PointMode | int = mode
         self.position = position
         self.speed = speed
@@ -1972,7 +2021,7 @@ class Point(_Record):
         return self.torque_limit / 10
 
     @torque_limit_percent.setter
-    def torque_limit_percent(self, value: float) -> None:
+    def torque_limit_percent(self, value: _Quantity) -> None:
         self.torque_limit = _counts("torque_limit", value, (1, 0, 10), ((0, 1000),))
 
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from ._typing import Data
+    from ._typing import Data, Quantity
 
     class _Decodes(Protocol):
         @classmethod
@@ -119,17 +119,19 @@ def decoded_each(record: type[Part], raws: Sequence[bytes], at: int, size: int) 
     return [decoded_at(record, raw, at + number * size) for number, raw in enumerate(raws)]
 
 
-def counts(name: str, value: float, ratio: tuple[int, int, int], ranges: tuple[tuple[int, int], ...]) -> int:
+def counts(name: str, value: Quantity, ratio: tuple[int, int, int], ranges: tuple[tuple[int, int], ...]) -> int:
     """The count that is nearest to a value in the unit; of two equally near ones the even one.
 
     `ratio` is (a, b, c) of value = (count * a + b) / c. The value counts as exactly the number that it is: the
-    float 0.015 is a little less than its digits say. Raises CodecError outside of `ranges`.
+    float 0.015 is a little less than its digits say. Raises CodecError outside of `ranges`, and for what is no number.
     """
     a, b, c = ratio
     try:
         over, under = value.as_integer_ratio()
     except (ValueError, OverflowError):
         raise CodecError("out_of_range", f"{name} is {value}") from None
+    except AttributeError:
+        raise CodecError("wrong_type", f"{name} is a number, not {value!r}") from None
     whole, rest = divmod(over * c - b * under, under * a)
     double = 2 * rest - under * a
     if a < 0:

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import Any, TypeAlias
 
+    from ._typing import Quantity
+
     Rows: TypeAlias = "Mapping[str, Parameter[Any] | tuple[Parameter[Any], ...]]"
 
 
@@ -129,7 +131,7 @@ class Parameter(Generic[T]):
         """A count in the unit; None for one that stands for an absent value."""
         return self.value.in_unit(count)
 
-    def from_unit(self, value: float) -> int:
+    def from_unit(self, value: Quantity) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.

@@ -5,14 +5,17 @@ Type checkers take `TYPE_CHECKING` for true, whoever assigns it.
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from decimal import Decimal
+    from fractions import Fraction
     from typing import Any, Generic, TypeAlias, TypeVar, overload
 
     T = TypeVar("T")
     R = TypeVar("R")
     M = TypeVar("M", covariant=True)
     Data: TypeAlias = bytes | bytearray | memoryview
+    Quantity: TypeAlias = float | Decimal | Fraction
 else:
-    T = R = M = Any = Data = None
+    T = R = M = Any = Data = Quantity = None
 
     def overload(function):
         """Stands in for `typing.overload`."""
@@ -27,4 +30,4 @@ else:
             return cls
 
 
-__all__ = ["TYPE_CHECKING", "Any", "Data", "Generic", "M", "R", "T", "overload"]
+__all__ = ["TYPE_CHECKING", "Any", "Data", "Generic", "M", "Quantity", "R", "T", "overload"]

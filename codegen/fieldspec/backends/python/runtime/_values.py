@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from enum import IntEnum
     from typing import Any, TypeVar
 
-    from ._typing import Data
+    from ._typing import Data, Quantity
 
     E = TypeVar("E", bound=IntEnum)
     F = TypeVar("F", bound=Flags)
@@ -99,7 +99,7 @@ class Value(Generic[T]):
         a, b, c = self.ratio
         return (count * a + b) / c
 
-    def from_unit(self, name: str, value: float) -> int:
+    def from_unit(self, name: str, value: Quantity) -> int:
         """The count that is nearest to a value in the unit, of two the even one.
 
         Raises CodecError out of range, and where that count stands for an absent value.
