@@ -1,4 +1,4 @@
-"""Counts that are shares of a reference, which the device holds elsewhere."""
+"""Counts that are fractions of a reference value, which the device stores elsewhere."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 class Conversion:
     """quantity = reference * raw / full_scale; with `complement`, reference * (1 - raw / full_scale).
 
-    `ranges` are the counts that there are, as intervals with both ends.
+    `ranges` are the valid counts, as intervals with both ends.
     """
 
     __slots__ = ("complement", "full_scale", "name", "ranges")
@@ -24,14 +24,14 @@ class Conversion:
         self.name, self.full_scale, self.ranges, self.complement = name, full_scale, ranges, complement
 
     def quantity(self, raw: int, reference: Quantity) -> float:
-        """The quantity that a count stands for, rounded once. Raises CodecError for a reference that is no number."""
+        """The quantity of a count, rounded once. Raises CodecError for a reference that is no number."""
         a, b, c = self._ratio(reference)
         return (raw * a + b) / c
 
     def raw(self, quantity: Quantity, reference: Quantity) -> int:
         """The count that is nearest to a quantity; of two equally near ones the even one.
 
-        Raises CodecError where there is none in the ranges, and for a reference of 0, by which all are the same.
+        Raises CodecError where it is outside the ranges, and for a reference of 0, which makes all quantities equal.
         """
         ratio = self._ratio(reference)
         if ratio[0] == 0:

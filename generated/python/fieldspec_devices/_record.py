@@ -1,4 +1,4 @@
-"""What all records and frames have in common."""
+"""The base of all records and frames."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """Fields by name; equal where all of them are, and shown with all of them."""
+    """Fields by name. Records are equal where all fields are; `repr` has all of them."""
 
     __slots__ = ()
     __match_args__: tuple[str, ...] = ()

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Container, Sequence
 
-from fieldspec.backends.python.device import device_view, imports
+from fieldspec.backends.python.device import device_view
+from fieldspec.backends.python.imports import imports_view
 from fieldspec.backends.python.naming import Scope, module_name, package_name
 from fieldspec.backends.python.text import docstring, literal, sentence
 from fieldspec.backends.templates import fill
@@ -38,13 +38,13 @@ RUNTIME = (
 
 
 def shared() -> dict[str, str]:
-    """The modules that all devices use, as they stand in `runtime/`."""
+    """The modules that all devices share, copied from `runtime/`."""
     texts = {f"{PACKAGE}/{name}.py": fill(f"python/runtime/{name}.py") for name in RUNTIME}
     return {**texts, f"{PACKAGE}/py.typed": ""}
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """A subpackage: a module for each version, the oldest first, and `__init__` with the newest one."""
+    """The subpackage of a device: a module for each version, the oldest first, and `__init__` with the newest one."""
     scope = Scope(frozenset(PACKAGE_NAMES))
     device = versions[-1].device
     folder = f"{PACKAGE}/{package_name(device.id)}"
@@ -55,7 +55,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         f" identity {layout.identity}"
         for layout in versions
     ]
-    modules |= {twin: modules[layout.device.version] for layout in versions for twin in layout.equal_versions}
+    modules |= {equal: modules[layout.device.version] for layout in versions for equal in layout.equal_versions}
     doc = [sentence(f"{device.vendor} {device.name}"), sentence(device.title), sentence(device.doc)]
     doc.append("This package has the names of the newest version. Each version has a module:")
     texts[f"{folder}/__init__.py"] = fill(
@@ -71,7 +71,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 
 
 def _lines(device: Device, modules: Container[str]) -> list[list[str]]:
-    """The versions that have modules by their lines; in one line where the device declares none."""
+    """The versions of each line that have a module; all in one line where the device declares no lines."""
     lines = [[version.id for version in line.versions if version.id in modules] for line in device.lines]
     return [line for line in lines if line] or [[device.version]]
 
@@ -79,26 +79,13 @@ def _lines(device: Device, modules: Container[str]) -> list[list[str]]:
 def _module(layout: DeviceLayout) -> str:
     view = device_view(layout)
     body = fill("python/body.py.j2", **view)
-    tables = [line for sign, line in _TABLES.items() if re.search(sign, body)]
+    imports = imports_view(body)
     return fill(
         "python/module.py.j2",
         doc=view["doc"],
-        standard=[line for sign, line in _STANDARD.items() if sign in body],
-        imports=imports("\n".join([body, *tables])),
+        standard=imports.standard,
+        imports=imports.shared,
         names=sorted(view["names"]),
-        tables=tables,
+        tables=imports.tables,
         body=body,
     )
-
-
-_STANDARD = {
-    "_IntEnum": "from enum import IntEnum as _IntEnum",
-    "_Struct(": "from struct import Struct as _Struct",
-    " = _index(": "from operator import index as _index",
-    "_StructError": "from struct import error as _StructError",
-}
-_TABLES = {
-    r"_int_of\(": "_int_of = int.from_bytes",
-    r"_C\d\[": "_C0, _C1, _C2, _C3, _C4, _C5, _C6, _C7 = _CRC",
-    r"_X\d\[": "_X0, _X1, _X2, _X3, _X4, _X5, _X6, _X7 = _CRC_EXCHANGED",
-}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -41,33 +40,8 @@ class MessageView:
     frames: list[ExchangeView]
 
 
-# Where each private name of a module comes from: what is not used is not imported.
-_IMPORTS = {
-    "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
-    "_choices": "Choice",
-    "_codes": "by_number by_printed_name",
-    "_conversions": (
-        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each f32_bytes f32_of members new packing"
-        " text texts turned"
-    ),
-    "_error": "CodecError no_boolean unknown_member wrong_const wrong_length wrong_measure",
-    "_flags": "BITS_OF Flags",
-    "_framers": "CodeFramer LengthFramer MarkFramer",
-    "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_parameters": "Parameter ParameterSet ParameterSpace Subindex selected single",
-    "_part_frames": "CountFramer PartFrames",
-    "_quantities": "Conversion",
-    "_record": "Record",
-    "_refusals": (
-        "refused_bytes refused_flags refused_float refused_list refused_number refused_record refused_text unfit"
-    ),
-    "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
-    "_values": "Boolean Bytes Closed Constant Float Number Open Setting Text Trigger Word",
-}
-
-
 def device_view(layout: DeviceLayout) -> dict[str, Any]:
-    """What the template of a version's module prints, but for its imports."""
+    """The data of the template of a version's module, without its imports."""
     device, scope = layout.device, module_scope()
     enums = {name: enum_view(enum, scope) for name, enum in device.enums.items()}
     flags = {name: flags_view(word, enums, scope) for name, word in device.flags.items()}
@@ -133,18 +107,8 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
 
 
 def union(names: Iterable[str]) -> str:
-    """The type that is one of some classes."""
+    """The union type of some classes."""
     return " | ".join(dict.fromkeys(names))
-
-
-def imports(body: str) -> list[str]:
-    """The import lines of the private names that a module's text uses."""
-    used = set(re.findall(r"\b_[A-Za-z0-9]\w*", body))
-    lines = []
-    for module, names in _IMPORTS.items():
-        wanted = [name for name in names.split() if f"_{name}" in used]
-        lines += [f"from ..{module} import {name} as _{name}" for name in sorted(wanted)]
-    return lines
 
 
 def _class(name: str, kind: str, scope: Scope) -> str:
@@ -173,7 +137,7 @@ def _exchange(message: MessageLayout, words: Words, scope: Scope) -> Exchange:
 
 
 def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -> list[MessageView]:
-    """The response comes first, as the request refers to it."""
+    """The response comes first, because the class of the request refers to it."""
     message = exchange.message.message
     title = message.title or Name.of(message.name).title()
     group = f"Group {Name.of(message.group).title().lower()}." if message.group else ""

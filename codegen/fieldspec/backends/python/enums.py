@@ -11,7 +11,7 @@ from fieldspec.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.names import Name
 
 LEAST = 3
-"""Single bits of one byte from which on the table is faster than a test of each."""
+"""The number of named single bits of a byte from which a table is faster than a test of each bit."""
 
 
 def from_tables(named: Sequence[tuple[Bit, str]]) -> tuple[list[str], frozenset[str]]:
@@ -49,8 +49,8 @@ class MemberView:
 class EnumView:
     """An IntEnum. The names of its tables have a `prefix`; `table` is the one from its values to its members, if any.
 
-    `printed_names` and `numbers` are the lines of the dicts that give these by the values of members; they are empty
-    where nobody would look for them.
+    `printed_names` and `numbers` are the lines of the dicts with these by the values of members, empty where the enum
+    has none.
     """
 
     name: str
@@ -88,10 +88,10 @@ class BitView:
 
 @dataclass(frozen=True, slots=True)
 class FlagsView:
-    """A word of flags: the table of its bits, the constructor as type checkers see it, and the states that they show.
+    """A word of flags: the table of its bits, the constructor for type checkers, and the states of the bits.
 
-    Of each state `fitting` has the bits that decide it, their value in it, and the member. `taken` are the lines of a
-    snapshot that take the bits of a byte at once.
+    `fitting` has the mask, the value and the member of each state. `taken` are the lines of a snapshot that read the
+    bits of a byte at once.
     """
 
     name: str
@@ -135,7 +135,7 @@ def enum_view(enum: Enum, scope: Scope) -> EnumView:
 
 
 def _has_displayed_names(enum: Enum) -> bool:
-    """Whether the printed names of members are what a display, or a list of codes, shows."""
+    """Whether a display, or a list of codes, shows the printed names of the members."""
     return bool(enum.printed_as) or enum.kind in CODES
 
 
@@ -175,7 +175,7 @@ def _argument(bit: BitView) -> str:
 
 
 def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
-    """The states that some bits show together, numbered from 1 so that none of them is false."""
+    """The states that several bits form together, numbered from 1 so that each is true."""
     members = Scope(frozenset({"mro"}))
     return EnumView(
         name=scope.take(f"{name}State", f"{name}StateCode"),
@@ -183,7 +183,7 @@ def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
         table="",
         title=f"{flags.name}_state",
         open=False,
-        doc=docstring([f"What the bits of {name} show together."], 4),
+        doc=docstring([f"The states that the bits of {name} form together."], 4),
         members=[
             MemberView(members.take(Name.of(state.name).upper()), str(number), docstring(_state(state), 4))
             for number, state in enumerate(flags.states, 1)

@@ -33,7 +33,7 @@ from fieldspec.names import Name
 class ExchangeView:
     """One message on one link in one direction.
 
-    `fused` is None where the frame is not packed at once, and `reader` empty where it is not read at once.
+    `fixed` is None where the frame is not packed in one call, and `reader` is empty where it is not unpacked in one.
     """
 
     writer: str
@@ -41,7 +41,7 @@ class ExchangeView:
     message: str
     key: str
     known: list[str]
-    fused: FixedFrame | None
+    fixed: FixedFrame | None
     parameters: str
     frames: str
     head: str
@@ -80,7 +80,7 @@ class DirectionView:
 
 @dataclass(frozen=True, slots=True)
 class ErrorView:
-    """The refusals of a link: the flag in the code, the record, and how such a frame is made."""
+    """The exception responses of a link: the flag in the code, the record, and the parts of such a frame."""
 
     wrapper: str
     flag: str
@@ -93,7 +93,7 @@ class ErrorView:
 
 @dataclass(frozen=True, slots=True)
 class WrapperView:
-    """A class for what frames of a link carry, where their heads have more parts than the station."""
+    """A class for the frames of a link whose headers have more parts than the unit address."""
 
     name: str
     base: str
@@ -177,14 +177,14 @@ def link_view(
 
 
 _KINDS = {
-    "request": ("_Request", "A request on this link, with all parts of its head."),
-    "response": ("_Response", "A response on this link, with all parts of its head."),
-    "error_reply": ("_ErrorReply", "A refusal on this link, with all parts of its head."),
+    "request": ("_Request", "A request on this link, with all parts of its header."),
+    "response": ("_Response", "A response on this link, with all parts of its header."),
+    "error_reply": ("_ErrorReply", "An exception response on this link, with all parts of its header."),
 }
 
 
 def _wrapper(name: str, kind: str, attributes: list[str], arguments: list[PartView]) -> WrapperView:
-    """The class for one kind of frame; `attributes` are what every frame of its kind has behind the station."""
+    """The class for one kind of frame; `attributes` follow the unit address in every frame of its kind."""
     base, text = _KINDS[kind]
     names = [attribute.partition(":")[0] for attribute in attributes]
     quoted = "".join(f'"{part.name}", ' for part in arguments).rstrip()
@@ -271,7 +271,7 @@ def _quick_key(code: PartLayout | None) -> str:
 
 
 def _known(message: MessageLayout) -> list[str]:
-    """By what people know a message whose frames have no code: its number and its name."""
+    """The names of a message whose frames have no code: its number and its name."""
     number = message.message.number
     return ([] if number is None else [str(number)]) + [literal(message.name)]
 
@@ -295,7 +295,7 @@ def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
 
 
 def _simple_arguments(frame: FrameLayout) -> list[str]:
-    """The arguments of `_Frames` that say what the head and the check are."""
+    """The arguments of `_Frames` for the header and the checksum."""
     order = next((part.order for part in frame.head if part.size > 1), "big")
     letters = "".join(map(letter, frame.head))
     arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
@@ -306,7 +306,7 @@ def _simple_arguments(frame: FrameLayout) -> list[str]:
 
 
 def _part_arguments(frame: FrameLayout) -> list[str]:
-    """The arguments of `_PartFrames` that say what the parts are."""
+    """The arguments of `_PartFrames` for the parts."""
     check, length = frame.check, frame.role("length")
     arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
     if check is not None:
@@ -326,7 +326,7 @@ def _exchange(
     part, station = frame.role("code"), frame.role("station")
     flag = link.link.error.flag if link.link.error and direction == "response" else 0
     together = has_fixed_length(shaped, frame)
-    # A code with the flag of refusals in it never names a message; and only a code of one byte is quickly had.
+    # A code with the flag of exception responses names no message, and only a code of one byte is a key of the table.
     reads = together and (part is None or (part.size == 1 and not (code or 0) & flag))
     tests, refusals = head_tests(link, frame), head_refusals(link, frame)
     unfit = f"_unfit({literal(shaped.record.name)})"
@@ -336,7 +336,7 @@ def _exchange(
         message=name,
         key=code_literal(code) if part is not None else name,
         known=_known(exchange.message) if part is None else [],
-        fused=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
+        fixed=fixed_frame(shaped, link, direction, code, upper, frames, tests, reads) if together else None,
         parameters="".join(
             [", station: int"] * (station is not None)
             + [f", {argument.variable}: {argument.type}" for argument in arguments]

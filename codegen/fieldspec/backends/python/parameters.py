@@ -40,7 +40,7 @@ class NumberView:
 
 @dataclass(frozen=True, slots=True)
 class ParameterSetView:
-    """A set of parameters; `rows` is the function that makes them. `numbers` are empty for one that shares them."""
+    """A set of parameters; `make` is the function that creates its rows. `numbers` are empty where sets share them."""
 
     name: str
     type: str
@@ -102,7 +102,7 @@ def parameter_set_view(
 def space_views(
     layout: DeviceLayout, sets: Sequence[ParameterSetView], words: Words, exchanges: Sequence[Exchange], scope: Scope
 ) -> list[SpaceView]:
-    """The views of the spaces that are more than one set of the same name."""
+    """The views of the spaces that several sets share, or that have another name than their set."""
     views = []
     device = layout.device
     names = {
@@ -135,7 +135,7 @@ def space_views(
 
 
 def _alone(parameter_set: ParameterSet, layout: DeviceLayout) -> bool:
-    """Whether a set is all of its space, and has its name."""
+    """Whether a set fills its space alone, and has its name."""
     sharing = [other for other in layout.device.parameters.values() if other.space == parameter_set.space]
     return parameter_set.name == parameter_set.space and len(sharing) == 1
 
@@ -163,7 +163,7 @@ def _digits(number: int, parameter_set: ParameterSet) -> str:
 
 
 def _carrier(layout: DeviceLayout, parameter_set: ParameterSet) -> FieldLayout | None:
-    """A field of a message that carries values of a set in one and the same type."""
+    """The field of a message that carries the values of a set, all in one type."""
     for message in layout.messages.values():
         for record in (message.request, message.response):
             for field in record.fields:
@@ -229,7 +229,7 @@ def _row(
 
 
 def _letters(row: Parameter, carrier: FieldLayout | None, order: str) -> str:
-    """The Struct that makes, of a value's bytes, what a message carries; empty where that is the value's own type."""
+    """The Struct that converts the bytes of a value to the number in a message; empty where the type is the same."""
     if carrier is None or carrier.value is None:
         return ""
     letter = carrier.value.type.letter if carrier.size == row.value.size else row.value.type.letter
@@ -258,7 +258,7 @@ def _type(row: Parameter, words: Words) -> str:
 
 
 def _answered(value: Value, words: Words, trigger: bool) -> str:
-    """The type of what is read of a parameter, which takes more than a closed enum lists where that is a trigger."""
+    """The type of a parameter that is read: of a trigger, any number beside the members of a closed enum."""
     more = " | int" if value.as_answer(trigger).enum != value.enum and not value.sentinels else ""
     return value_type(value, words) + more
 

@@ -20,7 +20,7 @@ _WORDS = {"%": "percent", "0.1%": "tenths_of_percent", "°C": "celsius"}
 
 
 def unit_word(unit: str) -> str:
-    """What a property of a scaled value is called after: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
+    """The suffix of a scaled property: `mm`, `percent`, `per_s`; `scaled` where there is no unit."""
     above, _, below = _WORDS.get(unit, unit.lower() or "scaled").partition("/")
     words = f"{above if above != '1' else ''}_per_{below}".strip("_") if below else above
     return re.sub(r"[^a-z0-9]+", "_", words)
@@ -49,7 +49,7 @@ def decimal_text(number: Decimal) -> str:
 
 
 def quantity(value: Value) -> str:
-    """How a count relates to its unit: `in 0.01 mm`, `in %`, `in 0.5 V from -40 V`, or nothing."""
+    """The scale and unit of a count: `in 0.01 mm`, `in %`, `in 0.5 V from -40 V`, or an empty text."""
     if not value.scaled:
         return f"in {value.unit}" if value.unit else ""
     unit = f" {value.unit}" if value.unit else ""
@@ -62,7 +62,7 @@ def quantity(value: Value) -> str:
 class ScaledView:
     """A property in the unit: the expressions that read and set it, and its docstring.
 
-    `type` is that of what is read, `accepted` that of what it may be set to.
+    `type` is the type when it is read, `accepted` the type that it can be set to.
     """
 
     name: str
@@ -99,7 +99,7 @@ def sentinel_views(stored: list[Slots]) -> list[ConstantView]:
 
 
 def _of_float(field: Slots, scope: Scope) -> ScaledView:
-    """The property of a floating-point number, which counts in its unit, but may be absent."""
+    """The property of a floating-point number, which is in its unit already, but may stand for an absent value."""
     name = scope.take(f"{field.title}_{unit_word(field.value.unit) if field.value.unit else 'value'}")
     raw = "item" if field.is_list else f"self.{field.name}"
     tests = [f"{raw} == {number}" for number in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
@@ -117,7 +117,7 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
 
 
 def quantities(value: Value) -> list[tuple[int, int]]:
-    """The counts that are quantities: those in range that stand for nothing else."""
+    """The counts that are quantities: those in range that are no special value."""
     intervals = list(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
     for sentinel in value.sentinels:
         intervals = [
@@ -130,7 +130,7 @@ def quantities(value: Value) -> list[tuple[int, int]]:
 
 
 def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
-    """The properties of those fields that count in parts of a unit."""
+    """The properties of all fields with a scale."""
     views = []
     for field in stored:
         if field.kind is Kind.FLOAT and field.value.sentinels:
@@ -166,7 +166,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
 
 @dataclass(frozen=True, slots=True)
 class ConversionView:
-    """The names of the two functions, the constant that they use, the call that makes it, and their docstrings."""
+    """The names of the two functions, the constant that they use, the call that creates it, and their docstrings."""
 
     name: str
     inverse: str
@@ -205,14 +205,14 @@ def conversion_view(conversion: Conversion, device: Device, scope: Scope) -> Con
 
 
 def _ranges(conversion: Conversion, device: Device) -> Ranges:
-    """The counts that the signals may have where all may have the same ones, else those of the type."""
+    """The ranges of the signals where all have the same ones, else the range of the type."""
     signal_ranges = {device.signals[name].value.ranges for name in conversion.signals}
     ranges = signal_ranges.pop() if len(signal_ranges) == 1 else None
     return ranges or Ranges(((conversion.type.low, conversion.type.high),))
 
 
 def _reference(path: str, device: Device) -> str:
-    """What holds a reference: `Pt317 (reference_speed, in rpm)`, or the name of another fact."""
+    """Where a reference value is: `Pt317 (reference_speed, in rpm)`, or the name of another fact."""
     *_, owner, name = path.split("/")
     parameter_set = device.parameters.get(owner)
     row = (

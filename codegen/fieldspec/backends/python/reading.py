@@ -1,4 +1,4 @@
-"""Code that reads a field from the raw values of its slots, and the choices between field types."""
+"""The code that reads a field from the raw values of its slots, and the choices between field types."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from fieldspec.model.value import Kind
 
 
 def local(field: Slots) -> str:
-    """The variable of a raw value. Two underscores part it from those of its words: no name of a spec has two."""
+    """The variable of a raw value. The variables of its words have two underscores, which no name of a spec has."""
     return f"raw_{field.title}"
 
 
 def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
-    """What the slots of a field are unpacked into: an attribute, or locals, always locals where it is to be `bound`."""
+    """The targets that the slots of a field are unpacked into: an attribute or locals; locals where it is `bound`."""
     if field.skipped:
         return []
     star = "*" if field.is_list or field.decided else ""
@@ -53,7 +53,7 @@ def indexed(field: Slots, owner: str, at: int) -> list[str]:
 
 
 def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
-    """Lines that make the value of a field from its raw value, and refuse what is not allowed.
+    """Lines that convert the raw value of a field, and refuse an invalid one.
 
     `at` is the field's offset from the start of the bytes; `bound` says that the raw value is in a local in any
     case. Measures are tested when all fields are read.
@@ -105,7 +105,7 @@ def reading(field: Slots, owner: str, at: int, bound: bool) -> list[str]:
 
 
 def deferred_value_lines(field: Slots) -> list[str]:
-    """Lines that give what a deferred field stands for; a word of flags is kept, once it is made."""
+    """The lines of the getter of a deferred field; it stores the object of a word of bits on first access."""
     if not field.deferred:
         return []
     slot = f"self.{field.slot}"
@@ -121,7 +121,7 @@ def deferred_value_lines(field: Slots) -> list[str]:
 
 
 def _number(field: Slots) -> tuple[list[str], str]:
-    """Lines that put the number of a field together, and the expression that then holds it."""
+    """Lines that assemble the number of a field from its slots, and the expression of the number."""
     raw = local(field)
     if field.parted:
         parts = [f"{raw}__{part}" for part in range(field.parted)]
@@ -172,7 +172,7 @@ CASE = "case"
 
 
 def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], letters: str, order: str) -> list[str]:
-    """The statement that makes the `Choice` of a record; `letters` are those of the fields before the decided one."""
+    """The statement that defines the `Choice` of a record; `letters` are those of the fields before the decided one."""
     by, decided = record.selector, fields[-1]
     assert by is not None
     repeat = decided.field.field.repeat
@@ -197,13 +197,13 @@ def _case(case: CaseLayout, order: str, decided: Slots) -> str:
 
 
 def decided_read(decided: Slots, owner: str, at: int) -> list[str]:
-    """Lines that make the value of the decided field."""
+    """Lines that read the decided field."""
     first = "" if decided.is_list else "[0]"
     values = f"{CASE}.values({literal(decided.title)}, {local(decided)}, {at}){first}"
     return [f"{owner}.{decided.name} = {values}"]
 
 
 def decided_values(decided: Slots, expression: str) -> str:
-    """What fills the slots of the decided field."""
+    """The expression of the slots of the decided field."""
     values = expression if decided.is_list else f"({expression},)"
     return f"*{CASE}.raws({literal(decided.title)}, {values})"

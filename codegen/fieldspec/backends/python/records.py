@@ -25,9 +25,9 @@ from fieldspec.layout.record import RecordLayout
 
 @dataclass(frozen=True, slots=True)
 class FieldView:
-    """An attribute: its name and type, what it may be set to, and the slot that is filled from the wire.
+    """An attribute: its name, its type, the type that it accepts, and the slot that is filled from the wire.
 
-    `get` are the lines that make what a slot of its own stands for; empty where the slot is the attribute.
+    `get` are the lines of its getter, empty where the slot is the attribute itself.
     """
 
     name: str
@@ -39,7 +39,7 @@ class FieldView:
 
 @dataclass(frozen=True, slots=True)
 class RecordShape:
-    """A record's fields in a Struct of one byte order, before any name of the module is given."""
+    """The fields of a record in a Struct of one byte order. It does not depend on the names of the module."""
 
     record: RecordLayout
     order: str
@@ -75,7 +75,7 @@ class RecordShape:
 
 @dataclass(frozen=True, slots=True)
 class RecordView:
-    """A class: all lines of its methods are computed. `declared` makes its Struct, or what stands for one."""
+    """A class with all lines of its methods. `declared` defines its Struct, `_Repeated` or `_Choice`."""
 
     name: str
     declared: list[str]
@@ -98,7 +98,7 @@ class RecordView:
 
 
 def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> RecordShape:
-    """The shape of a record; its attributes stay clear of some names."""
+    """The shape of a record; none of its attributes has a reserved name."""
     scope = Scope(reserved, TYPES)
     order = native_order(record.fields)
     fields = [slots(field, scope.take(field.name), words, order) for field in record.fields]
@@ -149,7 +149,7 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
 
 
 def _pack(shaped: RecordShape, upper: str) -> str:
-    """What packs as many elements as there are."""
+    """The `pack` for the number of elements."""
     last = shaped.fields[-1] if shaped.fields else None
     number = f"len({local(last)})" if last is not None and last.is_list else "1"
     if shaped.selector is not None:
@@ -158,7 +158,7 @@ def _pack(shaped: RecordShape, upper: str) -> str:
 
 
 def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
-    """Lines that make an empty `record` and unpack the bytes, and those that take the raw values from a tuple."""
+    """Lines that create an empty `record` and unpack the bytes, and lines that take the raw values from a tuple."""
     record, tail, struct = shaped.record, shaped.tail, f"{upper}_STRUCT"
     new_record, bounds = "record = _new(cls)", f"{record.least}, {record.most}"
     wrong = f"    raise _wrong_length({literal(record.name)}, len(data), {bounds}"
@@ -217,7 +217,7 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
 
 
 def construction_lines(shaped: RecordShape, owner: str, at: int, bound: bool = False) -> list[str]:
-    """Lines that make the values of all fields.
+    """Lines that convert the raw values of all fields.
 
     `bound` says that all raw values are in locals, and that the constants among them have been compared.
     """
@@ -251,7 +251,7 @@ def _measure_test(shaped: RecordShape, field: Slots, owner: str, at: int) -> lis
 
 @dataclass(frozen=True, slots=True)
 class Writing:
-    """Lines that bind locals, the conditions of all fields, what fills the slots, and what says what is wrong."""
+    """Lines that bind locals, the conditions of all fields, the values of the slots, and the refusals."""
 
     bind: list[str]
     tests: list[str]
@@ -260,7 +260,7 @@ class Writing:
 
 
 def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Writing:
-    """How a record is written; the fields in `bound` get a local whether or not the tests need one."""
+    """The code that writes a record; the fields in `bound` get a local even where no test needs one."""
     expressions = {field.title: f"self.{field.slot}" for field in shaped.stored}
     bind: list[str] = []
     tests: dict[str, list[str]] = {}
@@ -292,7 +292,7 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
 
 
 def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decided: str) -> str:
-    """What a field holds that measures another one; `decided` is the size of an element that has several types."""
+    """The value of a field that measures another one; `decided` is the size of an element with several types."""
     measure = field.field.field.measures
     assert measure is not None
     other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
@@ -300,7 +300,7 @@ def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decide
 
 
 def _refusals(shaped: RecordShape, struct: str) -> list[str]:
-    """The expressions that say what is wrong with the fields: first with what decides another one."""
+    """The expressions of the refusals of all fields: first of the selector, which decides another type."""
     refusals = []
     selector = shaped.selector
     if selector is not None:

@@ -85,7 +85,7 @@ def _ranges(value: Value) -> Ranges | None:
 
 
 def value_facts(value: Value) -> list[str]:
-    """What a docstring says of a value: how it counts, its range, its sentinels, its initial value."""
+    """The facts of a value in a docstring: scale and unit, ranges, special values, initial value."""
     facts = [quantity(value)] if quantity(value) else []
     if value.ranges is not None:
         facts.append(value.ranges.text())
@@ -101,8 +101,8 @@ ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
 
 
 @dataclass(frozen=True, slots=True)
-class ConstantView:
-    """A constant: its name, the call that makes it, and its docstring."""
+class RegisterView:
+    """A register, or an array of them: its constant, the call that creates it, and its docstring."""
 
     name: str
     call: str
@@ -120,7 +120,7 @@ class TableView:
     doc: list[str]
 
 
-def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> ConstantView:
+def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope, space: str = "") -> RegisterView:
     """The view of a register, or of an array of registers.
 
     `order` is the byte order of the device, `space` the address space where the device has several.
@@ -165,7 +165,7 @@ def register_view(layout: RegisterLayout, words: Words, order: str, scope: Scope
         last = register.index_from + layout.count - 1
         facts.append(f"{layout.count} of them, {register.index_from} to {last}")
     doc = docstring(described(Name.of(layout.name).title(), register, f"{', '.join(facts)}."))
-    return ConstantView(name, f"{'_RegisterArray' if layout.count > 1 else '_Register'}({', '.join(arguments)})", doc)
+    return RegisterView(name, f"{'_RegisterArray' if layout.count > 1 else '_Register'}({', '.join(arguments)})", doc)
 
 
 def table_view(layout: TableLayout, words: Words, order: str, scope: Scope, space: str = "") -> TableView:

@@ -19,7 +19,7 @@ from fieldspec.model.value import PRIMITIVES, Kind, Primitive
 
 @dataclass(frozen=True, slots=True)
 class AccessView:
-    """A message that reads or writes `most` words: its classes, and how a request is made and a response read."""
+    """A message that reads or writes `most` words: its classes, and the expressions of request and response values."""
 
     request: str
     response: str
@@ -118,7 +118,7 @@ def write_accesses(exchanges: list[Exchange]) -> tuple[AccessView | None, Access
 
 
 def _settable(shaped: RecordShape, titles: set[str]) -> bool:
-    """Whether these fields are all that must be given."""
+    """Whether a request needs no other fields than these."""
     return all(field.title in titles for field in shaped.stored)
 
 
@@ -129,9 +129,9 @@ _ARGUMENTS = frozenset({"parameter", "response", "self", "value", "values"})
 class ParameterMessageView:
     """A message that reads or writes a parameter.
 
-    `head` begins the function that makes its request, and `made` ends it; `head_of_one` begins the one that passes on
-    one value where there may be `several`, and `passed` is what it passes on beside. `field` carries the values.
-    `table` makes the values of the selector by the types of parameters; it is empty where there is no selector.
+    `head` begins the method that creates the request, and `construction` ends it. `single_head` begins the method for
+    one value where a request takes `several`; it passes on the arguments `passed`. `field` carries the values. `table`
+    has the values of the selector by the types of parameters; it is empty where there is no selector.
     """
 
     request: str
@@ -148,7 +148,7 @@ class ParameterMessageView:
 def parameter_messages(
     exchanges: Sequence[Exchange], name: str, layout: DeviceLayout, words: Words
 ) -> tuple[ParameterMessageView | None, ParameterMessageView | None]:
-    """The messages that read and that write one parameter of a set, or of a space; those that need the least beside."""
+    """The messages that read and write one parameter of a set or a space: those with the fewest other fields."""
     reads, writes = [], []
     for exchange in exchanges:
         request, response = _parts(exchange.request, name), _parts(exchange.response, name)
@@ -230,7 +230,7 @@ def _kind(field: Slots) -> str:
 
 
 def _carried(field: Slots, start: str) -> str:
-    """What the field of values carries: of one `value`, or of several `values` from the element `start` on."""
+    """The expression of the field of values: of one `value`, or of several `values` from the element `start` on."""
     if not field.is_list:
         return f"parameter.to_raw(value, {start})"
     raws = f"parameter.to_raws(values, {start})"
@@ -238,7 +238,7 @@ def _carried(field: Slots, start: str) -> str:
 
 
 def _formats(shaped: RecordShape, selector: Slots, layout: DeviceLayout, words: Words) -> list[str]:
-    """The rows of the table that gives the value of the selector by the type of a parameter."""
+    """The rows of the table from types of parameters to values of the selector."""
     enum, view = layout.device.enums[selector.value.enum], words.enums[selector.value.enum]
     members = {int(member.value): f"{view.name}.{member.name}" for member in view.members}
     rows = []

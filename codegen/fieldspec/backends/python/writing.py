@@ -1,4 +1,4 @@
-"""The code that tests a field and writes it into its slots, and that says why it cannot."""
+"""The code that tests a field, writes it into its slots, and explains a refusal."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fieldspec.backends.python.text import literal
 from fieldspec.model.value import Kind, Primitive, Ranges
 
 FEW = 3
-"""Comparisons up to which a test is written out."""
+"""The largest number of comparisons that a test writes out; above it, a table is faster."""
 
 
 def within(
@@ -16,8 +16,8 @@ def within(
 ) -> str:
     """The condition that a number lies in one of several intervals, or is one of some others.
 
-    What lies outside of `packed`, the least and the greatest number, is refused when it is packed: the condition
-    leaves these limits out, and is empty where nothing else is left.
+    `packed` are the least and the greatest number that `pack` accepts: the condition does not repeat these limits,
+    and is empty where nothing else remains to be tested.
     """
     least, most = packed
     parts = []
@@ -45,7 +45,7 @@ def joined(intervals: list[tuple[int, int]]) -> list[tuple[int, int]]:
 
 
 def fixed(field: Slots) -> list[str]:
-    """What the slots of a constant hold, or of a reserved field that is not zero; of those alone."""
+    """The values of the slots of a constant, or of a reserved field that is not zero."""
     if field.skipped:
         return []
     number = field.constant if field.constant is not None else field.value.default
@@ -69,7 +69,7 @@ def _bytes_literal(data: bytes) -> str:
 
 
 def conditions(field: Slots, value: str) -> list[str]:
-    """What must hold of the value of a field beyond what `pack` itself refuses."""
+    """The conditions on the value of a field, except those that `pack` tests itself."""
     tests: list[str] = []
     if field.repeated and field.field.field.repeat is not None:
         lengths = field.field.field.repeat
@@ -108,7 +108,7 @@ def _element_lines(field: Slots, value: str) -> list[str]:
 
 
 def _float_tests(field: Slots, value: str) -> list[str]:
-    """What must hold of a floating-point number: no comparison holds of a NaN."""
+    """The conditions on a floating-point number. Every comparison with a NaN is false."""
     if field.ranges is None:
         return []
     parts = [f"{low} <= {value} <= {high}" for low, high in field.ranges.intervals]
@@ -118,12 +118,12 @@ def _float_tests(field: Slots, value: str) -> list[str]:
 
 
 def packed(type: Primitive) -> tuple[int, int]:
-    """The least and the greatest number that can be packed as a type; as a boolean more than the two that it has."""
+    """The least and the greatest number that `pack` accepts for a type; for a boolean these are more than 0 and 1."""
     return type.low, (1 << (8 * type.size - type.signed)) - 1
 
 
 def greatest(field: Slots) -> int:
-    """The greatest number that the conditions of a field let pass, of a whole number without sign."""
+    """The greatest number that the conditions of an unsigned field accept."""
     if field.kind is Kind.BOOLEAN:
         return 1
     if field.enum is not None and not field.enum.open:
@@ -137,7 +137,7 @@ def greatest(field: Slots) -> int:
 def _member_test(enum: EnumView, field: Slots, number: str) -> str:
     """The condition that a number is one of the members that the ranges allow, or a sentinel.
 
-    Two comparisons are faster than a look-up, so it is one only where the members lie apart.
+    Two comparisons are faster than a look-up, so a table is used only where the members are far apart.
     """
     members = [value for value in enum.values if field.ranges is None or value in field.ranges]
     limits = packed(field.value.type)
@@ -186,7 +186,7 @@ def _item(field: Slots, expression: str) -> str:
 
 
 def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:
-    """What a field that measures another one holds; `decided` is the size of an element that has several types."""
+    """The value of a field that measures another one; `decided` is the size of an element with several types."""
     measure = field.field.field.measures
     assert measure is not None
     size = decided if other.decided else str(other.field.size)
@@ -197,7 +197,7 @@ def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:
 
 
 def refusal(field: Slots) -> str:
-    """The expression that says what is wrong with a field: a CodecError, or None."""
+    """The expression of the refusal of a field: a CodecError, or None."""
     title, attribute = literal(field.title), f"self.{field.name}"
     function, limits = _refusing(field)
     if not field.is_list:
@@ -208,7 +208,7 @@ def refusal(field: Slots) -> str:
 
 
 def _refusing(field: Slots) -> tuple[str, list[str]]:
-    """The function that says what is wrong with one element, and its arguments behind name and value."""
+    """The function that explains the refusal of one element, and its arguments after name and value."""
     if field.field.record is not None:
         return "_refused_record", [field.element_type]
     size, primitive = str(field.field.size), field.value.type

@@ -3188,7 +3188,7 @@ class ExceptionRecord(_Record):
 
     @property
     def exception_code(self) -> ExceptionCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_exception_code
         return _EXCEPTION_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -3198,7 +3198,7 @@ class ExceptionRecord(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record._word_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
@@ -3207,7 +3207,7 @@ class ExceptionRecord(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _EXCEPTION_RECORD_PACK(self._word_exception_code)
         except _UNFIT:
@@ -3368,7 +3368,7 @@ class Point(_Record):
 
     @property
     def output_setting(self) -> PointOutputSetting:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_output_setting
         if isinstance(word, int):
             word = self._word_output_setting = PointOutputSetting(word)
@@ -3380,7 +3380,7 @@ class Point(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -3422,7 +3422,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_low_speed = self.low_speed
             raw_high_speed = self.high_speed
@@ -3552,7 +3552,7 @@ class ReadRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 3 <= len(data) <= 251 or (len(data) - 1) % 2:
             raise _wrong_length("read_registers_response", len(data), 3, 251, 1, 2)
         record = _new(cls)
@@ -3562,7 +3562,7 @@ class ReadRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 125:
@@ -3593,7 +3593,7 @@ class ReadRegistersResponse(_Record):
 
 
 _PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ share for share in _X5[:17])
+_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
 _PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
@@ -3622,7 +3622,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _READ_REGISTERS_REQUEST_UNPACK(data)
@@ -3631,7 +3631,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 125:
@@ -3727,7 +3727,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
 
 _PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
@@ -3755,7 +3755,7 @@ class WriteRegisterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_RESPONSE_UNPACK(data)
@@ -3764,7 +3764,7 @@ class WriteRegisterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_RESPONSE_PACK(self.address, self.value)
         except _UNFIT:
@@ -3858,7 +3858,7 @@ class WriteRegisterResponse(_Record):
 
 
 _PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
@@ -3887,7 +3887,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_REQUEST_UNPACK(data)
@@ -3896,7 +3896,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_REQUEST_PACK(self.address, self.value)
         except _UNFIT:
@@ -3990,7 +3990,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
 
 _PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
@@ -4018,7 +4018,7 @@ class WriteRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_UNPACK(data)
@@ -4027,7 +4027,7 @@ class WriteRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTERS_RESPONSE_PACK(self.address, self.word_count)
         except _UNFIT:
@@ -4145,7 +4145,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 7 <= len(data) <= 251 or (len(data) - 5) % 2:
             raise _wrong_length("write_registers_request", len(data), 7, 251, 5, 2)
         record = _new(cls)
@@ -4162,7 +4162,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 123 and 1 <= len(raw_values) <= 123:
@@ -4197,7 +4197,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
 
 
 _PACK_REPORT_SERVER_ID_RTU_RESPONSE, _UNPACK_REPORT_SERVER_ID_RTU_RESPONSE = _packing(">BBBBBH")
-_STATIONS_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ share for share in _X4[:17])
+_STATIONS_REPORT_SERVER_ID_RTU_RESPONSE = tuple(61308 ^ term for term in _X4[:17])
 _PACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBB").pack
 _UNPACK_REPORT_SERVER_ID_ASCII_RESPONSE = _Struct(">BBBBBx").unpack
 _REPORT_SERVER_ID_RESPONSE_PACK, _REPORT_SERVER_ID_RESPONSE_UNPACK = _packing(">BBB")
@@ -4219,7 +4219,7 @@ class ReportServerIdResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             raw_byte_count, raw_server_id, raw_run_status = _REPORT_SERVER_ID_RESPONSE_UNPACK(data)
@@ -4234,7 +4234,7 @@ class ReportServerIdResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _REPORT_SERVER_ID_RESPONSE_PACK(2, 104, 255)
         except _UNFIT:
@@ -4329,7 +4329,7 @@ class ReportServerIdResponse(_Record):
 
 
 _PACK_REPORT_SERVER_ID_RTU_REQUEST, _UNPACK_REPORT_SERVER_ID_RTU_REQUEST = _packing(">BBH")
-_STATIONS_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ share for share in _X1[:17])
+_STATIONS_REPORT_SERVER_ID_RTU_REQUEST = tuple(49596 ^ term for term in _X1[:17])
 _PACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BB").pack
 _UNPACK_REPORT_SERVER_ID_ASCII_REQUEST = _Struct(">BBx").unpack
 _REPORT_SERVER_ID_REQUEST_PACK, _REPORT_SERVER_ID_REQUEST_UNPACK = _packing(">")
@@ -4351,7 +4351,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _REPORT_SERVER_ID_REQUEST_UNPACK(data)
@@ -4360,7 +4360,7 @@ class ReportServerIdRequest(_RequestOf["ReportServerIdResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _REPORT_SERVER_ID_REQUEST_PACK()
         except _UNFIT:
@@ -4509,7 +4509,7 @@ class RtuLink:
         return message._to_rtu(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnyRtuRequest] | None = _RTU_QUICK_REQUESTS[data[1]](data)
@@ -4532,7 +4532,7 @@ class RtuLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -4554,7 +4554,7 @@ class RtuLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -4567,8 +4567,8 @@ class RtuLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
         """
         return _CodeFramer(
             _RTU_REQUESTS,
@@ -4589,8 +4589,8 @@ class RtuLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
         """
         return _CodeFramer(
             _RTU_RESPONSES,
@@ -4700,7 +4700,7 @@ class AsciiLink:
         return message._to_ascii(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = _ASCII_REQUESTS.unmarked(frame)
         try:
             request: _Request[AnyAsciiRequest] | None = _ASCII_QUICK_REQUESTS[data[1]](data)
@@ -4723,7 +4723,7 @@ class AsciiLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -4745,7 +4745,7 @@ class AsciiLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -4758,7 +4758,7 @@ class AsciiLink:
     def request_framer(self) -> _MarkFramer:
         """Finds the requests in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_REQUESTS,
@@ -4772,7 +4772,7 @@ class AsciiLink:
     def response_framer(self) -> _MarkFramer:
         """Finds the responses in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_RESPONSES,

@@ -638,12 +638,12 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -1351,7 +1351,7 @@ class AlarmHistoryEntry(_Record):
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_alarm_code
         return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -1361,7 +1361,7 @@ class AlarmHistoryEntry(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.hours, record.minutes, record._word_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
@@ -1370,7 +1370,7 @@ class AlarmHistoryEntry(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
@@ -1490,7 +1490,7 @@ class Point(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1511,7 +1511,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_number = self.number
             raw_mode = self.mode
@@ -1681,7 +1681,7 @@ class TemporaryPoint(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1704,7 +1704,7 @@ class TemporaryPoint(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mode = self.mode
             raw_distance = self.distance
@@ -1809,7 +1809,7 @@ class ReadPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("read_points_response", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -1818,7 +1818,7 @@ class ReadPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -1870,7 +1870,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.first_point,) = _READ_POINTS_REQUEST_UNPACK(data)
@@ -1879,7 +1879,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             if 1 <= raw_first_point <= 31:
@@ -1955,7 +1955,7 @@ class ReadParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _READ_PARAMETERS_RESPONSE_UNPACK(data)
@@ -1964,7 +1964,7 @@ class ReadParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -2041,7 +2041,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_PARAMETERS_REQUEST_UNPACK(data)
@@ -2050,7 +2050,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETERS_REQUEST_PACK()
         except _UNFIT:
@@ -2122,7 +2122,7 @@ class ReadIoStatusResponse(_Record):
 
     @property
     def inputs(self) -> IoInputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_inputs
         if isinstance(word, int):
             word = self._word_inputs = IoInputs(word)
@@ -2134,7 +2134,7 @@ class ReadIoStatusResponse(_Record):
 
     @property
     def outputs(self) -> IoOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_outputs
         if isinstance(word, int):
             word = self._word_outputs = IoOutputs(word)
@@ -2146,7 +2146,7 @@ class ReadIoStatusResponse(_Record):
 
     @property
     def state_outputs(self) -> IoStateOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_state_outputs
         if isinstance(word, int):
             word = self._word_state_outputs = IoStateOutputs(word)
@@ -2158,7 +2158,7 @@ class ReadIoStatusResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -2171,7 +2171,7 @@ class ReadIoStatusResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_RESPONSE_PACK(
                 self._word_inputs, self._word_outputs, self._word_state_outputs,
@@ -2258,7 +2258,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_IO_STATUS_REQUEST_UNPACK(data)
@@ -2267,7 +2267,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_REQUEST_PACK()
         except _UNFIT:
@@ -2328,7 +2328,7 @@ class ReadAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 0 <= len(data) <= 64 or (len(data) - 0) % 4:
             raise _wrong_length("read_alarm_history_response", len(data), 0, 64, 0, 4)
         record = _new(cls)
@@ -2337,7 +2337,7 @@ class ReadAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_entries = self.entries
             if 0 <= len(raw_entries) <= 16:
@@ -2383,7 +2383,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -2392,7 +2392,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -2449,7 +2449,7 @@ class WritePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_POINTS_RESPONSE_UNPACK(data)
@@ -2458,7 +2458,7 @@ class WritePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -2521,7 +2521,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("write_points_request", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -2530,7 +2530,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -2571,7 +2571,7 @@ class WriteParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -2580,7 +2580,7 @@ class WriteParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -2648,7 +2648,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_UNPACK(data)
@@ -2657,7 +2657,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -2731,7 +2731,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -2740,7 +2740,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -2809,7 +2809,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_UNPACK(data)
@@ -2818,7 +2818,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -2901,7 +2901,7 @@ class WriteTemporaryPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK(data)
@@ -2910,7 +2910,7 @@ class WriteTemporaryPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -2978,7 +2978,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_UNPACK(data)
@@ -2988,7 +2988,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_REQUEST_PACK(self.point.encode())
         except _UNFIT:
@@ -3054,7 +3054,7 @@ class ClearPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_POINTS_RESPONSE_UNPACK(data)
@@ -3063,7 +3063,7 @@ class ClearPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3131,7 +3131,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_UNPACK(data)
@@ -3140,7 +3140,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
@@ -3221,7 +3221,7 @@ class InitializePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_RESPONSE_UNPACK(data)
@@ -3230,7 +3230,7 @@ class InitializePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3290,7 +3290,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_REQUEST_UNPACK(data)
@@ -3299,7 +3299,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_REQUEST_PACK()
         except _UNFIT:
@@ -3357,7 +3357,7 @@ class InitializeParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -3366,7 +3366,7 @@ class InitializeParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -3433,7 +3433,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
 
     @property
     def actuator_type(self) -> ActuatorType | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_actuator_type
         return _ACTUATOR_TYPE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -3443,7 +3443,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record._word_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
@@ -3452,7 +3452,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._word_actuator_type)
         except _UNFIT:
@@ -3523,7 +3523,7 @@ class ClearAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK(data)
@@ -3532,7 +3532,7 @@ class ClearAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_RESPONSE_PACK()
         except _UNFIT:
@@ -3592,7 +3592,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -3601,7 +3601,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -3658,7 +3658,7 @@ class ClearAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -3667,7 +3667,7 @@ class ClearAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_RESPONSE_PACK()
         except _UNFIT:
@@ -3727,7 +3727,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -3736,7 +3736,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -3793,7 +3793,7 @@ class StopResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_RESPONSE_UNPACK(data)
@@ -3802,7 +3802,7 @@ class StopResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_RESPONSE_PACK()
         except _UNFIT:
@@ -3862,7 +3862,7 @@ class StopRequest(_RequestOf["StopResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_REQUEST_UNPACK(data)
@@ -3871,7 +3871,7 @@ class StopRequest(_RequestOf["StopResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_REQUEST_PACK()
         except _UNFIT:
@@ -3928,7 +3928,7 @@ class StartHomingResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_RESPONSE_UNPACK(data)
@@ -3937,7 +3937,7 @@ class StartHomingResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_RESPONSE_PACK()
         except _UNFIT:
@@ -3997,7 +3997,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_REQUEST_UNPACK(data)
@@ -4006,7 +4006,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_REQUEST_PACK()
         except _UNFIT:
@@ -4064,7 +4064,7 @@ class MovePositiveDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -4073,7 +4073,7 @@ class MovePositiveDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_POSITIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4160,7 +4160,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4169,7 +4169,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4269,7 +4269,7 @@ class MoveNegativeDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -4278,7 +4278,7 @@ class MoveNegativeDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4365,7 +4365,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4374,7 +4374,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4474,7 +4474,7 @@ class MoveOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_OPEN_RESPONSE_UNPACK(data)
@@ -4483,7 +4483,7 @@ class MoveOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -4550,7 +4550,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_OPEN_REQUEST_UNPACK(data)
@@ -4559,7 +4559,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4627,7 +4627,7 @@ class MoveCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_CLOSE_RESPONSE_UNPACK(data)
@@ -4636,7 +4636,7 @@ class MoveCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -4702,7 +4702,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_CLOSE_REQUEST_UNPACK(data)
@@ -4711,7 +4711,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4779,7 +4779,7 @@ class MoveRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_RELATIVE_RESPONSE_UNPACK(data)
@@ -4788,7 +4788,7 @@ class MoveRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -4871,7 +4871,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed = _MOVE_RELATIVE_REQUEST_UNPACK(data)
@@ -4880,7 +4880,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4972,7 +4972,7 @@ class MoveAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -4981,7 +4981,7 @@ class MoveAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -5064,7 +5064,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_UNPACK(data)
@@ -5073,7 +5073,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -5165,7 +5165,7 @@ class MoveToPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_TO_POINT_RESPONSE_UNPACK(data)
@@ -5174,7 +5174,7 @@ class MoveToPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_TO_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -5243,7 +5243,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_UNPACK(data)
@@ -5252,7 +5252,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
@@ -5334,7 +5334,7 @@ class GripOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_RESPONSE_UNPACK(data)
@@ -5343,7 +5343,7 @@ class GripOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -5412,7 +5412,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_OPEN_REQUEST_UNPACK(data)
@@ -5421,7 +5421,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5503,7 +5503,7 @@ class GripCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_RESPONSE_UNPACK(data)
@@ -5512,7 +5512,7 @@ class GripCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -5581,7 +5581,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_CLOSE_REQUEST_UNPACK(data)
@@ -5590,7 +5590,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5672,7 +5672,7 @@ class GripRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_RELATIVE_RESPONSE_UNPACK(data)
@@ -5681,7 +5681,7 @@ class GripRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -5768,7 +5768,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_UNPACK(data)
@@ -5777,7 +5777,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -5882,7 +5882,7 @@ class GripAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -5891,7 +5891,7 @@ class GripAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -5978,7 +5978,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_UNPACK(data)
@@ -5987,7 +5987,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -6093,7 +6093,7 @@ class GripOpenWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -6102,7 +6102,7 @@ class GripOpenWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -6218,7 +6218,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6232,7 +6232,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6362,7 +6362,7 @@ class GripCloseWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -6371,7 +6371,7 @@ class GripCloseWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -6487,7 +6487,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6501,7 +6501,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6629,7 +6629,7 @@ class NoOperationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_RESPONSE_UNPACK(data)
@@ -6638,7 +6638,7 @@ class NoOperationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6698,7 +6698,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_REQUEST_UNPACK(data)
@@ -6707,7 +6707,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_REQUEST_PACK()
         except _UNFIT:
@@ -6764,7 +6764,7 @@ class SetMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _SET_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -6773,7 +6773,7 @@ class SetMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _SET_MOTOR_EXCITATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6840,7 +6840,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -6852,7 +6852,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -6930,7 +6930,7 @@ class ReadVersionResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_version,) = _READ_VERSION_RESPONSE_UNPACK(data)
@@ -6940,7 +6940,7 @@ class ReadVersionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_version = self.version
             if len(raw_version) <= 6:
@@ -7014,7 +7014,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_VERSION_REQUEST_UNPACK(data)
@@ -7023,7 +7023,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_VERSION_REQUEST_PACK()
         except _UNFIT:
@@ -7096,7 +7096,7 @@ class ReadCurrentPositionResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.position,) = _READ_CURRENT_POSITION_RESPONSE_UNPACK(data)
@@ -7105,7 +7105,7 @@ class ReadCurrentPositionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             if -134217727 <= raw_position <= 134217727:
@@ -7193,7 +7193,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POSITION_REQUEST_UNPACK(data)
@@ -7202,7 +7202,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POSITION_REQUEST_PACK()
         except _UNFIT:
@@ -7266,7 +7266,7 @@ class ReadCurrentPointNumberResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK(data)
@@ -7275,7 +7275,7 @@ class ReadCurrentPointNumberResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7354,7 +7354,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK(data)
@@ -7363,7 +7363,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POINT_NUMBER_REQUEST_PACK()
         except _UNFIT:
@@ -7426,7 +7426,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.value,) = _READ_PARAMETER_RESPONSE_UNPACK(data)
@@ -7435,7 +7435,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_RESPONSE_PACK(self.value)
         except _UNFIT:
@@ -7515,7 +7515,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.parameter_number,) = _READ_PARAMETER_REQUEST_UNPACK(data)
@@ -7524,7 +7524,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -7604,7 +7604,7 @@ class ReadPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _READ_POINT_RESPONSE_UNPACK(data)
@@ -7614,7 +7614,7 @@ class ReadPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_POINT_RESPONSE_PACK(self.point.encode())
         except _UNFIT:
@@ -7689,7 +7689,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_POINT_REQUEST_UNPACK(data)
@@ -7698,7 +7698,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7772,7 +7772,7 @@ class ReadHomingStateResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_UNPACK(data)
@@ -7784,7 +7784,7 @@ class ReadHomingStateResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_homing_complete = self.homing_complete
             if raw_homing_complete <= 1:
@@ -7866,7 +7866,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_HOMING_STATE_REQUEST_UNPACK(data)
@@ -7875,7 +7875,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_HOMING_STATE_REQUEST_PACK()
         except _UNFIT:
@@ -7940,7 +7940,7 @@ class ReadMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -7952,7 +7952,7 @@ class ReadMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -8032,7 +8032,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -8041,7 +8041,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_MOTOR_EXCITATION_REQUEST_PACK()
         except _UNFIT:
@@ -8105,7 +8105,7 @@ class ReadAlarmCodeResponse(_Record):
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_alarm_code
         return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -8115,7 +8115,7 @@ class ReadAlarmCodeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record._word_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
@@ -8124,7 +8124,7 @@ class ReadAlarmCodeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_CODE_RESPONSE_PACK(self._word_alarm_code)
         except _UNFIT:
@@ -8200,7 +8200,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_CODE_REQUEST_UNPACK(data)
@@ -8209,7 +8209,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_CODE_REQUEST_PACK()
         except _UNFIT:
@@ -8275,7 +8275,7 @@ class ReadAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -8284,7 +8284,7 @@ class ReadAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
@@ -8368,7 +8368,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -8377,7 +8377,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -8416,7 +8416,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
 
 class SerialResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("status",)
     __match_args__ = ("station", "message", "status",)
@@ -8763,7 +8763,7 @@ class SerialLink:
         return message._to_serial(station, status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnySerialRequest] | None = _SERIAL_QUICK_REQUESTS[data[2]](data)
@@ -8983,7 +8983,7 @@ class SerialLink:
     ) -> SerialResponse[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -9003,7 +9003,7 @@ class SerialLink:
     def request_framer(self) -> _LengthFramer:
         """Finds the requests in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length tells where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_REQUESTS,
@@ -9018,7 +9018,7 @@ class SerialLink:
     def response_framer(self) -> _LengthFramer:
         """Finds the responses in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length tells where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_RESPONSES,

@@ -640,12 +640,12 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -1353,7 +1353,7 @@ class AlarmHistoryEntry(_Record):
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_alarm_code
         return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -1363,7 +1363,7 @@ class AlarmHistoryEntry(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.hours, record.minutes, record._word_alarm_code = _ALARM_HISTORY_ENTRY_UNPACK(data)
@@ -1372,7 +1372,7 @@ class AlarmHistoryEntry(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
@@ -1492,7 +1492,7 @@ class Point(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1513,7 +1513,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_number = self.number
             raw_mode = self.mode
@@ -1683,7 +1683,7 @@ class TemporaryPoint(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1706,7 +1706,7 @@ class TemporaryPoint(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mode = self.mode
             raw_distance = self.distance
@@ -1811,7 +1811,7 @@ class ReadPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("read_points_response", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -1820,7 +1820,7 @@ class ReadPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -1872,7 +1872,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.first_point,) = _READ_POINTS_REQUEST_UNPACK(data)
@@ -1881,7 +1881,7 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             if 1 <= raw_first_point <= 31:
@@ -1957,7 +1957,7 @@ class ReadParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _READ_PARAMETERS_RESPONSE_UNPACK(data)
@@ -1966,7 +1966,7 @@ class ReadParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -2043,7 +2043,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_PARAMETERS_REQUEST_UNPACK(data)
@@ -2052,7 +2052,7 @@ class ReadParametersRequest(_RequestOf["ReadParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETERS_REQUEST_PACK()
         except _UNFIT:
@@ -2124,7 +2124,7 @@ class ReadIoStatusResponse(_Record):
 
     @property
     def inputs(self) -> IoInputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_inputs
         if isinstance(word, int):
             word = self._word_inputs = IoInputs(word)
@@ -2136,7 +2136,7 @@ class ReadIoStatusResponse(_Record):
 
     @property
     def outputs(self) -> IoOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_outputs
         if isinstance(word, int):
             word = self._word_outputs = IoOutputs(word)
@@ -2148,7 +2148,7 @@ class ReadIoStatusResponse(_Record):
 
     @property
     def state_outputs(self) -> IoStateOutputs:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_state_outputs
         if isinstance(word, int):
             word = self._word_state_outputs = IoStateOutputs(word)
@@ -2160,7 +2160,7 @@ class ReadIoStatusResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -2173,7 +2173,7 @@ class ReadIoStatusResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_RESPONSE_PACK(
                 self._word_inputs, self._word_outputs, self._word_state_outputs,
@@ -2260,7 +2260,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_IO_STATUS_REQUEST_UNPACK(data)
@@ -2269,7 +2269,7 @@ class ReadIoStatusRequest(_RequestOf["ReadIoStatusResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_IO_STATUS_REQUEST_PACK()
         except _UNFIT:
@@ -2330,7 +2330,7 @@ class ReadAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 0 <= len(data) <= 64 or (len(data) - 0) % 4:
             raise _wrong_length("read_alarm_history_response", len(data), 0, 64, 0, 4)
         record = _new(cls)
@@ -2339,7 +2339,7 @@ class ReadAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_entries = self.entries
             if 0 <= len(raw_entries) <= 16:
@@ -2385,7 +2385,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -2394,7 +2394,7 @@ class ReadAlarmHistoryRequest(_RequestOf["ReadAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -2451,7 +2451,7 @@ class WritePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_POINTS_RESPONSE_UNPACK(data)
@@ -2460,7 +2460,7 @@ class WritePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -2523,7 +2523,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 16 <= len(data) <= 240 or (len(data) - 0) % 16:
             raise _wrong_length("write_points_request", len(data), 16, 240, 0, 16)
         record = _new(cls)
@@ -2532,7 +2532,7 @@ class WritePointsRequest(_RequestOf["WritePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_points = self.points
             if 1 <= len(raw_points) <= 15:
@@ -2573,7 +2573,7 @@ class WriteParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -2582,7 +2582,7 @@ class WriteParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -2650,7 +2650,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (*record.parameters,) = _WRITE_PARAMETERS_REQUEST_UNPACK(data)
@@ -2659,7 +2659,7 @@ class WriteParametersRequest(_RequestOf["WriteParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameters = self.parameters
             if len(raw_parameters) == 32:
@@ -2733,7 +2733,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -2742,7 +2742,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -2811,7 +2811,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.parameter_number, record.value = _WRITE_PARAMETER_REQUEST_UNPACK(data)
@@ -2820,7 +2820,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -2903,7 +2903,7 @@ class WriteTemporaryPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_TEMPORARY_POINT_RESPONSE_UNPACK(data)
@@ -2912,7 +2912,7 @@ class WriteTemporaryPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -2980,7 +2980,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _WRITE_TEMPORARY_POINT_REQUEST_UNPACK(data)
@@ -2990,7 +2990,7 @@ class WriteTemporaryPointRequest(_RequestOf["WriteTemporaryPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_TEMPORARY_POINT_REQUEST_PACK(self.point.encode())
         except _UNFIT:
@@ -3056,7 +3056,7 @@ class ClearPointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_POINTS_RESPONSE_UNPACK(data)
@@ -3065,7 +3065,7 @@ class ClearPointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3133,7 +3133,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.first_point, record.point_count = _CLEAR_POINTS_REQUEST_UNPACK(data)
@@ -3142,7 +3142,7 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_first_point = self.first_point
             raw_point_count = self.point_count
@@ -3223,7 +3223,7 @@ class InitializePointsResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_RESPONSE_UNPACK(data)
@@ -3232,7 +3232,7 @@ class InitializePointsResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_RESPONSE_PACK()
         except _UNFIT:
@@ -3292,7 +3292,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_POINTS_REQUEST_UNPACK(data)
@@ -3301,7 +3301,7 @@ class InitializePointsRequest(_RequestOf["InitializePointsResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_POINTS_REQUEST_PACK()
         except _UNFIT:
@@ -3359,7 +3359,7 @@ class InitializeParametersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _INITIALIZE_PARAMETERS_RESPONSE_UNPACK(data)
@@ -3368,7 +3368,7 @@ class InitializeParametersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_PARAMETERS_RESPONSE_PACK()
         except _UNFIT:
@@ -3435,7 +3435,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
 
     @property
     def actuator_type(self) -> ActuatorType | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_actuator_type
         return _ACTUATOR_TYPE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -3445,7 +3445,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record._word_actuator_type,) = _INITIALIZE_PARAMETERS_REQUEST_UNPACK(data)
@@ -3454,7 +3454,7 @@ class InitializeParametersRequest(_RequestOf["InitializeParametersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _INITIALIZE_PARAMETERS_REQUEST_PACK(self._word_actuator_type)
         except _UNFIT:
@@ -3525,7 +3525,7 @@ class ClearAlarmHistoryResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_RESPONSE_UNPACK(data)
@@ -3534,7 +3534,7 @@ class ClearAlarmHistoryResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_RESPONSE_PACK()
         except _UNFIT:
@@ -3594,7 +3594,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ALARM_HISTORY_REQUEST_UNPACK(data)
@@ -3603,7 +3603,7 @@ class ClearAlarmHistoryRequest(_RequestOf["ClearAlarmHistoryResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ALARM_HISTORY_REQUEST_PACK()
         except _UNFIT:
@@ -3660,7 +3660,7 @@ class ClearAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -3669,7 +3669,7 @@ class ClearAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_RESPONSE_PACK()
         except _UNFIT:
@@ -3729,7 +3729,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _CLEAR_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -3738,7 +3738,7 @@ class ClearAccumulatedTimeRequest(_RequestOf["ClearAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _CLEAR_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -3795,7 +3795,7 @@ class StopResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_RESPONSE_UNPACK(data)
@@ -3804,7 +3804,7 @@ class StopResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_RESPONSE_PACK()
         except _UNFIT:
@@ -3864,7 +3864,7 @@ class StopRequest(_RequestOf["StopResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _STOP_REQUEST_UNPACK(data)
@@ -3873,7 +3873,7 @@ class StopRequest(_RequestOf["StopResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _STOP_REQUEST_PACK()
         except _UNFIT:
@@ -3930,7 +3930,7 @@ class StartHomingResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_RESPONSE_UNPACK(data)
@@ -3939,7 +3939,7 @@ class StartHomingResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_RESPONSE_PACK()
         except _UNFIT:
@@ -3999,7 +3999,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _START_HOMING_REQUEST_UNPACK(data)
@@ -4008,7 +4008,7 @@ class StartHomingRequest(_RequestOf["StartHomingResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _START_HOMING_REQUEST_PACK()
         except _UNFIT:
@@ -4066,7 +4066,7 @@ class MovePositiveDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_POSITIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -4075,7 +4075,7 @@ class MovePositiveDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_POSITIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4162,7 +4162,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_POSITIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4171,7 +4171,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4271,7 +4271,7 @@ class MoveNegativeDistanceResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_NEGATIVE_DISTANCE_RESPONSE_UNPACK(data)
@@ -4280,7 +4280,7 @@ class MoveNegativeDistanceResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_NEGATIVE_DISTANCE_RESPONSE_PACK()
         except _UNFIT:
@@ -4367,7 +4367,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _MOVE_NEGATIVE_DISTANCE_REQUEST_UNPACK(data)
@@ -4376,7 +4376,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4476,7 +4476,7 @@ class MoveOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_OPEN_RESPONSE_UNPACK(data)
@@ -4485,7 +4485,7 @@ class MoveOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -4552,7 +4552,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_OPEN_REQUEST_UNPACK(data)
@@ -4561,7 +4561,7 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4629,7 +4629,7 @@ class MoveCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_CLOSE_RESPONSE_UNPACK(data)
@@ -4638,7 +4638,7 @@ class MoveCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -4704,7 +4704,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.speed,) = _MOVE_CLOSE_REQUEST_UNPACK(data)
@@ -4713,7 +4713,7 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             if 1 <= raw_speed <= 100:
@@ -4781,7 +4781,7 @@ class MoveRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_RELATIVE_RESPONSE_UNPACK(data)
@@ -4790,7 +4790,7 @@ class MoveRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -4873,7 +4873,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed = _MOVE_RELATIVE_REQUEST_UNPACK(data)
@@ -4882,7 +4882,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -4974,7 +4974,7 @@ class MoveAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -4983,7 +4983,7 @@ class MoveAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -5066,7 +5066,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed = _MOVE_ABSOLUTE_REQUEST_UNPACK(data)
@@ -5075,7 +5075,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -5167,7 +5167,7 @@ class MoveToPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _MOVE_TO_POINT_RESPONSE_UNPACK(data)
@@ -5176,7 +5176,7 @@ class MoveToPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _MOVE_TO_POINT_RESPONSE_PACK()
         except _UNFIT:
@@ -5245,7 +5245,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.point_number, record.speed = _MOVE_TO_POINT_REQUEST_UNPACK(data)
@@ -5254,7 +5254,7 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             raw_speed = self.speed
@@ -5336,7 +5336,7 @@ class GripOpenResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_RESPONSE_UNPACK(data)
@@ -5345,7 +5345,7 @@ class GripOpenResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_RESPONSE_PACK()
         except _UNFIT:
@@ -5414,7 +5414,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_OPEN_REQUEST_UNPACK(data)
@@ -5423,7 +5423,7 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5505,7 +5505,7 @@ class GripCloseResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_RESPONSE_UNPACK(data)
@@ -5514,7 +5514,7 @@ class GripCloseResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_RESPONSE_PACK()
         except _UNFIT:
@@ -5583,7 +5583,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.speed, record.force = _GRIP_CLOSE_REQUEST_UNPACK(data)
@@ -5592,7 +5592,7 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_speed = self.speed
             raw_force = self.force
@@ -5674,7 +5674,7 @@ class GripRelativeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_RELATIVE_RESPONSE_UNPACK(data)
@@ -5683,7 +5683,7 @@ class GripRelativeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_RELATIVE_RESPONSE_PACK()
         except _UNFIT:
@@ -5770,7 +5770,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.distance, record.speed, record.force = _GRIP_RELATIVE_REQUEST_UNPACK(data)
@@ -5779,7 +5779,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_distance = self.distance
             raw_speed = self.speed
@@ -5884,7 +5884,7 @@ class GripAbsoluteResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_ABSOLUTE_RESPONSE_UNPACK(data)
@@ -5893,7 +5893,7 @@ class GripAbsoluteResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_ABSOLUTE_RESPONSE_PACK()
         except _UNFIT:
@@ -5980,7 +5980,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.position, record.speed, record.force = _GRIP_ABSOLUTE_REQUEST_UNPACK(data)
@@ -5989,7 +5989,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             raw_speed = self.speed
@@ -6095,7 +6095,7 @@ class GripOpenWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_OPEN_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -6104,7 +6104,7 @@ class GripOpenWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_OPEN_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -6220,7 +6220,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6234,7 +6234,7 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6364,7 +6364,7 @@ class GripCloseWithZoneResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _GRIP_CLOSE_WITH_ZONE_RESPONSE_UNPACK(data)
@@ -6373,7 +6373,7 @@ class GripCloseWithZoneResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _GRIP_CLOSE_WITH_ZONE_RESPONSE_PACK()
         except _UNFIT:
@@ -6489,7 +6489,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6503,7 +6503,7 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_zone_limit_1 = self.zone_limit_1
             raw_zone_limit_2 = self.zone_limit_2
@@ -6631,7 +6631,7 @@ class NoOperationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_RESPONSE_UNPACK(data)
@@ -6640,7 +6640,7 @@ class NoOperationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6700,7 +6700,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _NO_OPERATION_REQUEST_UNPACK(data)
@@ -6709,7 +6709,7 @@ class NoOperationRequest(_RequestOf["NoOperationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _NO_OPERATION_REQUEST_PACK()
         except _UNFIT:
@@ -6766,7 +6766,7 @@ class SetMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _SET_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -6775,7 +6775,7 @@ class SetMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _SET_MOTOR_EXCITATION_RESPONSE_PACK()
         except _UNFIT:
@@ -6842,7 +6842,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _SET_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -6854,7 +6854,7 @@ class SetMotorExcitationRequest(_RequestOf["SetMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -6932,7 +6932,7 @@ class ReadVersionResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_version,) = _READ_VERSION_RESPONSE_UNPACK(data)
@@ -6942,7 +6942,7 @@ class ReadVersionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_version = self.version
             if len(raw_version) <= 6:
@@ -7016,7 +7016,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_VERSION_REQUEST_UNPACK(data)
@@ -7025,7 +7025,7 @@ class ReadVersionRequest(_RequestOf["ReadVersionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_VERSION_REQUEST_PACK()
         except _UNFIT:
@@ -7098,7 +7098,7 @@ class ReadCurrentPositionResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.position,) = _READ_CURRENT_POSITION_RESPONSE_UNPACK(data)
@@ -7107,7 +7107,7 @@ class ReadCurrentPositionResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_position = self.position
             if -134217727 <= raw_position <= 134217727:
@@ -7195,7 +7195,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POSITION_REQUEST_UNPACK(data)
@@ -7204,7 +7204,7 @@ class ReadCurrentPositionRequest(_RequestOf["ReadCurrentPositionResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POSITION_REQUEST_PACK()
         except _UNFIT:
@@ -7268,7 +7268,7 @@ class ReadCurrentPointNumberResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_CURRENT_POINT_NUMBER_RESPONSE_UNPACK(data)
@@ -7277,7 +7277,7 @@ class ReadCurrentPointNumberResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7356,7 +7356,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_CURRENT_POINT_NUMBER_REQUEST_UNPACK(data)
@@ -7365,7 +7365,7 @@ class ReadCurrentPointNumberRequest(_RequestOf["ReadCurrentPointNumberResponse"]
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_CURRENT_POINT_NUMBER_REQUEST_PACK()
         except _UNFIT:
@@ -7428,7 +7428,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.value,) = _READ_PARAMETER_RESPONSE_UNPACK(data)
@@ -7437,7 +7437,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_RESPONSE_PACK(self.value)
         except _UNFIT:
@@ -7517,7 +7517,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.parameter_number,) = _READ_PARAMETER_REQUEST_UNPACK(data)
@@ -7526,7 +7526,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_parameter_number = self.parameter_number
             if raw_parameter_number <= 31:
@@ -7606,7 +7606,7 @@ class ReadPointResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_point,) = _READ_POINT_RESPONSE_UNPACK(data)
@@ -7616,7 +7616,7 @@ class ReadPointResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_POINT_RESPONSE_PACK(self.point.encode())
         except _UNFIT:
@@ -7691,7 +7691,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.point_number,) = _READ_POINT_REQUEST_UNPACK(data)
@@ -7700,7 +7700,7 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_point_number = self.point_number
             if 1 <= raw_point_number <= 31:
@@ -7774,7 +7774,7 @@ class ReadHomingStateResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_homing_complete,) = _READ_HOMING_STATE_RESPONSE_UNPACK(data)
@@ -7786,7 +7786,7 @@ class ReadHomingStateResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_homing_complete = self.homing_complete
             if raw_homing_complete <= 1:
@@ -7868,7 +7868,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_HOMING_STATE_REQUEST_UNPACK(data)
@@ -7877,7 +7877,7 @@ class ReadHomingStateRequest(_RequestOf["ReadHomingStateResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_HOMING_STATE_REQUEST_PACK()
         except _UNFIT:
@@ -7942,7 +7942,7 @@ class ReadMotorExcitationResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (raw_excited,) = _READ_MOTOR_EXCITATION_RESPONSE_UNPACK(data)
@@ -7954,7 +7954,7 @@ class ReadMotorExcitationResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_excited = self.excited
             if raw_excited <= 1:
@@ -8034,7 +8034,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_MOTOR_EXCITATION_REQUEST_UNPACK(data)
@@ -8043,7 +8043,7 @@ class ReadMotorExcitationRequest(_RequestOf["ReadMotorExcitationResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_MOTOR_EXCITATION_REQUEST_PACK()
         except _UNFIT:
@@ -8107,7 +8107,7 @@ class ReadAlarmCodeResponse(_Record):
 
     @property
     def alarm_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_alarm_code
         return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -8117,7 +8117,7 @@ class ReadAlarmCodeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record._word_alarm_code,) = _READ_ALARM_CODE_RESPONSE_UNPACK(data)
@@ -8126,7 +8126,7 @@ class ReadAlarmCodeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_CODE_RESPONSE_PACK(self._word_alarm_code)
         except _UNFIT:
@@ -8202,7 +8202,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ALARM_CODE_REQUEST_UNPACK(data)
@@ -8211,7 +8211,7 @@ class ReadAlarmCodeRequest(_RequestOf["ReadAlarmCodeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ALARM_CODE_REQUEST_PACK()
         except _UNFIT:
@@ -8277,7 +8277,7 @@ class ReadAccumulatedTimeResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.hours, record.minutes = _READ_ACCUMULATED_TIME_RESPONSE_UNPACK(data)
@@ -8286,7 +8286,7 @@ class ReadAccumulatedTimeResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_minutes = self.minutes
             if raw_minutes <= 60:
@@ -8370,7 +8370,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _READ_ACCUMULATED_TIME_REQUEST_UNPACK(data)
@@ -8379,7 +8379,7 @@ class ReadAccumulatedTimeRequest(_RequestOf["ReadAccumulatedTimeResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_ACCUMULATED_TIME_REQUEST_PACK()
         except _UNFIT:
@@ -8438,7 +8438,7 @@ class ResetAlarmResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _RESET_ALARM_RESPONSE_UNPACK(data)
@@ -8447,7 +8447,7 @@ class ResetAlarmResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _RESET_ALARM_RESPONSE_PACK()
         except _UNFIT:
@@ -8509,7 +8509,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _RESET_ALARM_REQUEST_UNPACK(data)
@@ -8518,7 +8518,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _RESET_ALARM_REQUEST_PACK()
         except _UNFIT:
@@ -8557,7 +8557,7 @@ class ResetAlarmRequest(_RequestOf["ResetAlarmResponse"]):
 
 
 class SerialResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("status",)
     __match_args__ = ("station", "message", "status",)
@@ -8911,7 +8911,7 @@ class SerialLink:
         return message._to_serial(station, status)
 
     def decode_request(self, frame: _Data) -> _Request[AnySerialRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnySerialRequest] | None = _SERIAL_QUICK_REQUESTS[data[2]](data)
@@ -9136,7 +9136,7 @@ class SerialLink:
     ) -> SerialResponse[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -9156,7 +9156,7 @@ class SerialLink:
     def request_framer(self) -> _LengthFramer:
         """Finds the requests in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length tells where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_REQUESTS,
@@ -9171,7 +9171,7 @@ class SerialLink:
     def response_framer(self) -> _LengthFramer:
         """Finds the responses in a stream.
 
-        The length says where a frame ends; one that fits no message is taken for garbage.
+        The length tells where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_RESPONSES,

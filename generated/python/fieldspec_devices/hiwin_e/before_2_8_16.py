@@ -598,22 +598,22 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
     @property
     def number(self) -> int | None:
-        """Another number by which the manual knows it; None where it has none."""
+        """Its other number in the manual; None where it has none."""
         return _ALARM_CODE_NUMBERS.get(self.value)
 
     @classmethod
     def by_number(cls, number: int) -> AlarmCode:
-        """The member with that other number. Raises CodecError."""
+        """The member with this other number. Raises CodecError."""
         return _by_number("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_NUMBERS, number)
 
 
@@ -1062,12 +1062,12 @@ class InternalAlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _INTERNAL_ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> InternalAlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("internal_alarm_code", _INTERNAL_ALARM_CODE_MEMBERS, _INTERNAL_ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -2193,12 +2193,12 @@ class WarningCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _WARNING_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> WarningCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("warning_code", _WARNING_CODE_MEMBERS, _WARNING_CODE_PRINTED_NAMES, text)
 
 
@@ -3674,7 +3674,7 @@ class ControlWord2FixedStop(_Flags):
 
 
 class StatusWord1State(_IntEnum):
-    """What the bits of StatusWord1 show together."""
+    """The states that the bits of StatusWord1 form together."""
 
     SWITCHING_ON_INHIBITED = 1
     """Switching on inhibited (S1, Switching On Inhibited).
@@ -3780,7 +3780,7 @@ class StatusWord1(_Flags):
 
     @property
     def state(self) -> StatusWord1State | None:
-        """The first state whose bits are as they are here; None where there is none."""
+        """The first state whose bits match; None where none does."""
         raw = self.raw
         for mask, value, state in self._STATES:
             if raw & mask == value:
@@ -3912,7 +3912,7 @@ class StatusWord1(_Flags):
 
 
 class StatusWord1PositioningState(_IntEnum):
-    """What the bits of StatusWord1Positioning show together."""
+    """The states that the bits of StatusWord1Positioning form together."""
 
     SWITCHING_ON_INHIBITED = 1
     """Switching on inhibited (S1, Switching On Inhibited).
@@ -4027,7 +4027,7 @@ class StatusWord1Positioning(_Flags):
 
     @property
     def state(self) -> StatusWord1PositioningState | None:
-        """The first state whose bits are as they are here; None where there is none."""
+        """The first state whose bits match; None where none does."""
         raw = self.raw
         for mask, value, state in self._STATES:
             if raw & mask == value:
@@ -5316,7 +5316,7 @@ class ParameterError(_Record):
 
     @property
     def error_number(self) -> ParameterErrorNumber | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_error_number
         return _PARAMETER_ERROR_NUMBER_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -5326,7 +5326,7 @@ class ParameterError(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             raw_format, raw_value_count, record._word_error_number = _PARAMETER_ERROR_UNPACK(data)
@@ -5339,7 +5339,7 @@ class ParameterError(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _PARAMETER_ERROR_PACK(68, 1, self._word_error_number)
         except _UNFIT:
@@ -5396,7 +5396,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         case, raws = _READ_PARAMETER_RESPONSE_STRUCT.unpack(data)
         raw_format, raw_value_count, *raw_values = raws
@@ -5410,7 +5410,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_format = self.format
             raw_values = self.values
@@ -5471,7 +5471,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -5487,7 +5487,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_REQUEST_PACK(16, self.element_count, self.parameter_number, self.subindex)
         except _UNFIT:
@@ -5575,7 +5575,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -5584,7 +5584,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -5678,7 +5678,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         case, raws = _WRITE_PARAMETER_REQUEST_STRUCT.unpack(data)
         (
@@ -5702,7 +5702,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_format = self.format
             raw_values = self.values
@@ -5824,7 +5824,7 @@ class Telegram3Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -5836,7 +5836,7 @@ class Telegram3Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2(word)
@@ -5848,7 +5848,7 @@ class Telegram3Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -5860,7 +5860,7 @@ class Telegram3Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -5876,7 +5876,7 @@ class Telegram3Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM3_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -6025,7 +6025,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -6037,7 +6037,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2(word)
@@ -6049,7 +6049,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -6061,7 +6061,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6075,7 +6075,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM3_REQUEST_PACK(
                 self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
@@ -6233,7 +6233,7 @@ class Telegram5Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -6245,7 +6245,7 @@ class Telegram5Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2(word)
@@ -6257,7 +6257,7 @@ class Telegram5Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -6269,7 +6269,7 @@ class Telegram5Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6285,7 +6285,7 @@ class Telegram5Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM5_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -6481,7 +6481,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -6493,7 +6493,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2(word)
@@ -6505,7 +6505,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -6517,7 +6517,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6533,7 +6533,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM5_REQUEST_PACK(
                 self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
@@ -6657,7 +6657,7 @@ class Telegram9Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1Positioning(word)
@@ -6669,7 +6669,7 @@ class Telegram9Response(_Record):
 
     @property
     def selected_block(self) -> SelectedBlock:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_selected_block
         if isinstance(word, int):
             word = self._word_selected_block = SelectedBlock(word)
@@ -6681,7 +6681,7 @@ class Telegram9Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2PulseCommand:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2PulseCommand(word)
@@ -6693,7 +6693,7 @@ class Telegram9Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6707,7 +6707,7 @@ class Telegram9Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM9_RESPONSE_PACK(
                 self._word_status_word_1, self._word_selected_block, self._word_status_word_2,
@@ -6878,7 +6878,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1Positioning(word)
@@ -6890,7 +6890,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def block_selection(self) -> BlockSelection:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_block_selection
         if isinstance(word, int):
             word = self._word_block_selection = BlockSelection(word)
@@ -6902,7 +6902,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2(word)
@@ -6914,7 +6914,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_mode(self) -> MdiMode:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_mdi_mode
         if isinstance(word, int):
             word = self._word_mdi_mode = MdiMode(word)
@@ -6926,7 +6926,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6944,7 +6944,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mdi_velocity = self.mdi_velocity
             raw_mdi_acceleration = self.mdi_acceleration
@@ -7153,7 +7153,7 @@ class Telegram102Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -7165,7 +7165,7 @@ class Telegram102Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2FixedStop(word)
@@ -7177,7 +7177,7 @@ class Telegram102Response(_Record):
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_message_word
         if isinstance(word, int):
             word = self._word_message_word = MessageWord(word)
@@ -7189,7 +7189,7 @@ class Telegram102Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -7201,7 +7201,7 @@ class Telegram102Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7218,7 +7218,7 @@ class Telegram102Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM102_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -7408,7 +7408,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -7420,7 +7420,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2FixedStop(word)
@@ -7432,7 +7432,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -7444,7 +7444,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7459,7 +7459,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
@@ -7643,7 +7643,7 @@ class Telegram105Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -7655,7 +7655,7 @@ class Telegram105Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2FixedStop(word)
@@ -7667,7 +7667,7 @@ class Telegram105Response(_Record):
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_message_word
         if isinstance(word, int):
             word = self._word_message_word = MessageWord(word)
@@ -7679,7 +7679,7 @@ class Telegram105Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -7691,7 +7691,7 @@ class Telegram105Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7708,7 +7708,7 @@ class Telegram105Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM105_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -7899,7 +7899,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -7911,7 +7911,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2FixedStop(word)
@@ -7923,7 +7923,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -7935,7 +7935,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7952,7 +7952,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
@@ -8163,7 +8163,7 @@ class Telegram111Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1Positioning(word)
@@ -8175,7 +8175,7 @@ class Telegram111Response(_Record):
 
     @property
     def positioning_status_word_1(self) -> PositioningStatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_status_word_1
         if isinstance(word, int):
             word = self._word_positioning_status_word_1 = PositioningStatusWord1(word)
@@ -8187,7 +8187,7 @@ class Telegram111Response(_Record):
 
     @property
     def positioning_status_word_2(self) -> PositioningStatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_status_word_2
         if isinstance(word, int):
             word = self._word_positioning_status_word_2 = PositioningStatusWord2(word)
@@ -8199,7 +8199,7 @@ class Telegram111Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2Positioning(word)
@@ -8211,7 +8211,7 @@ class Telegram111Response(_Record):
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_message_word
         if isinstance(word, int):
             word = self._word_message_word = MessageWord(word)
@@ -8223,7 +8223,7 @@ class Telegram111Response(_Record):
 
     @property
     def fault_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_fault_code
         return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -8233,7 +8233,7 @@ class Telegram111Response(_Record):
 
     @property
     def warning_code(self) -> WarningCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_warning_code
         return _WARNING_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -8243,7 +8243,7 @@ class Telegram111Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8262,7 +8262,7 @@ class Telegram111Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM111_RESPONSE_PACK(
                 self._word_status_word_1, self._word_positioning_status_word_1,
@@ -8474,7 +8474,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1Positioning(word)
@@ -8486,7 +8486,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def positioning_control_word_1(self) -> PositioningControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_control_word_1
         if isinstance(word, int):
             word = self._word_positioning_control_word_1 = PositioningControlWord1(word)
@@ -8498,7 +8498,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def positioning_control_word_2(self) -> PositioningControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_control_word_2
         if isinstance(word, int):
             word = self._word_positioning_control_word_2 = PositioningControlWord2(word)
@@ -8510,7 +8510,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2FixedStop(word)
@@ -8522,7 +8522,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8541,7 +8541,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_velocity_override = self.velocity_override
             raw_mdi_velocity = self.mdi_velocity
@@ -8721,7 +8721,7 @@ class Telegram750Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.torque_actual,) = _TELEGRAM750_RESPONSE_UNPACK(data)
@@ -8730,7 +8730,7 @@ class Telegram750Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM750_RESPONSE_PACK(self.torque_actual)
         except _UNFIT:
@@ -8860,7 +8860,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8873,7 +8873,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_positive_torque_limit = self.positive_torque_limit
             raw_negative_torque_limit = self.negative_torque_limit
@@ -9150,7 +9150,7 @@ class CyclicLink:
     def decode_request(self, frame: _Data, message: int | str) -> _Request[AnyCyclicRequest]: ...
 
     def decode_request(self, frame: _Data, message: type[_Any] | int | str) -> _Request[_Any]:
-        """A request of a known class, or of the message with a number or a name: a frame does not say which it is.
+        """A request of a known class, or of the message with a number or a name: the frame does not identify it.
 
         Raises CodecError for anything wrong in the bytes, and for a message that is not sent here.
         """
@@ -9213,7 +9213,7 @@ class CyclicLink:
     ) -> _Response[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -9235,7 +9235,7 @@ cyclic: _Final = CyclicLink()
 
 
 class ParameterChannelRequest(_Request[_M]):
-    """A request on this link, with all parts of its head."""
+    """A request on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "message", "request_reference",)
@@ -9246,7 +9246,7 @@ class ParameterChannelRequest(_Request[_M]):
 
 
 class ParameterChannelResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "message", "request_reference",)
@@ -9257,7 +9257,7 @@ class ParameterChannelResponse(_Response[_M]):
 
 
 class ParameterChannelErrorReply(_ErrorReply[_M]):
-    """A refusal on this link, with all parts of its head."""
+    """An exception response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "code", "exception", "request_reference",)
@@ -9341,7 +9341,7 @@ class ParameterChannelLink:
         return message._to_parameter_channel(request_reference)
 
     def decode_request(self, frame: _Data) -> ParameterChannelRequest[AnyParameterChannelRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: ParameterChannelRequest[AnyParameterChannelRequest] | None = _PARAMETER_CHANNEL_QUICK_REQUESTS[data[1]](data)
@@ -9364,7 +9364,7 @@ class ParameterChannelLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> ParameterChannelResponse[_Any] | ParameterChannelErrorReply[ParameterError]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -9386,7 +9386,7 @@ class ParameterChannelLink:
         return ParameterChannelResponse(0, message, head[0])
 
     def encode_error(self, code: int, exception: ParameterError, *, request_reference: int) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         part_request_reference = request_reference
         error = (
@@ -9400,10 +9400,10 @@ class ParameterChannelLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
 
-        No part of write_parameter says how long it is: only `idle` ends such a frame.
+        No part of write_parameter tells its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_REQUESTS,
@@ -9419,10 +9419,10 @@ class ParameterChannelLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
 
-        No part of read_parameter says how long it is: only `idle` ends such a frame.
+        No part of read_parameter tells its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_RESPONSES,

@@ -600,22 +600,22 @@ class AlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> AlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_PRINTED_NAMES, text)
 
     @property
     def number(self) -> int | None:
-        """Another number by which the manual knows it; None where it has none."""
+        """Its other number in the manual; None where it has none."""
         return _ALARM_CODE_NUMBERS.get(self.value)
 
     @classmethod
     def by_number(cls, number: int) -> AlarmCode:
-        """The member with that other number. Raises CodecError."""
+        """The member with this other number. Raises CodecError."""
         return _by_number("alarm_code", _ALARM_CODE_MEMBERS, _ALARM_CODE_NUMBERS, number)
 
 
@@ -1064,12 +1064,12 @@ class InternalAlarmCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _INTERNAL_ALARM_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> InternalAlarmCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("internal_alarm_code", _INTERNAL_ALARM_CODE_MEMBERS, _INTERNAL_ALARM_CODE_PRINTED_NAMES, text)
 
 
@@ -2195,12 +2195,12 @@ class WarningCode(_IntEnum):
 
     @property
     def printed_name(self) -> str:
-        """What the manual calls it; empty where it has no such name."""
+        """The name that the manual prints; empty where it prints none."""
         return _WARNING_CODE_PRINTED_NAMES.get(self.value, "")
 
     @classmethod
     def by_printed_name(cls, text: str) -> WarningCode:
-        """The member that the manual calls so, in capital or small letters. Raises CodecError."""
+        """The member with a printed name, in capital or small letters. Raises CodecError."""
         return _by_printed_name("warning_code", _WARNING_CODE_MEMBERS, _WARNING_CODE_PRINTED_NAMES, text)
 
 
@@ -3702,7 +3702,7 @@ class ControlWord2FixedStop(_Flags):
 
 
 class StatusWord1State(_IntEnum):
-    """What the bits of StatusWord1 show together."""
+    """The states that the bits of StatusWord1 form together."""
 
     SWITCHING_ON_INHIBITED = 1
     """Switching on inhibited (S1, Switching On Inhibited).
@@ -3808,7 +3808,7 @@ class StatusWord1(_Flags):
 
     @property
     def state(self) -> StatusWord1State | None:
-        """The first state whose bits are as they are here; None where there is none."""
+        """The first state whose bits match; None where none does."""
         raw = self.raw
         for mask, value, state in self._STATES:
             if raw & mask == value:
@@ -3940,7 +3940,7 @@ class StatusWord1(_Flags):
 
 
 class StatusWord1PositioningState(_IntEnum):
-    """What the bits of StatusWord1Positioning show together."""
+    """The states that the bits of StatusWord1Positioning form together."""
 
     SWITCHING_ON_INHIBITED = 1
     """Switching on inhibited (S1, Switching On Inhibited).
@@ -4055,7 +4055,7 @@ class StatusWord1Positioning(_Flags):
 
     @property
     def state(self) -> StatusWord1PositioningState | None:
-        """The first state whose bits are as they are here; None where there is none."""
+        """The first state whose bits match; None where none does."""
         raw = self.raw
         for mask, value, state in self._STATES:
             if raw & mask == value:
@@ -5441,7 +5441,7 @@ class ParameterError(_Record):
 
     @property
     def error_number(self) -> ParameterErrorNumber | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_error_number
         return _PARAMETER_ERROR_NUMBER_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -5451,7 +5451,7 @@ class ParameterError(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             raw_format, raw_value_count, record._word_error_number = _PARAMETER_ERROR_UNPACK(data)
@@ -5464,7 +5464,7 @@ class ParameterError(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _PARAMETER_ERROR_PACK(68, 1, self._word_error_number)
         except _UNFIT:
@@ -5521,7 +5521,7 @@ class ReadParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         case, raws = _READ_PARAMETER_RESPONSE_STRUCT.unpack(data)
         raw_format, raw_value_count, *raw_values = raws
@@ -5535,7 +5535,7 @@ class ReadParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_format = self.format
             raw_values = self.values
@@ -5596,7 +5596,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -5612,7 +5612,7 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _READ_PARAMETER_REQUEST_PACK(16, self.element_count, self.parameter_number, self.subindex)
         except _UNFIT:
@@ -5700,7 +5700,7 @@ class WriteParameterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             _WRITE_PARAMETER_RESPONSE_UNPACK(data)
@@ -5709,7 +5709,7 @@ class WriteParameterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_PARAMETER_RESPONSE_PACK()
         except _UNFIT:
@@ -5803,7 +5803,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         case, raws = _WRITE_PARAMETER_REQUEST_STRUCT.unpack(data)
         (
@@ -5827,7 +5827,7 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_format = self.format
             raw_values = self.values
@@ -5949,7 +5949,7 @@ class Telegram3Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -5961,7 +5961,7 @@ class Telegram3Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2(word)
@@ -5973,7 +5973,7 @@ class Telegram3Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -5985,7 +5985,7 @@ class Telegram3Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6001,7 +6001,7 @@ class Telegram3Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM3_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -6150,7 +6150,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -6162,7 +6162,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2(word)
@@ -6174,7 +6174,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -6186,7 +6186,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6200,7 +6200,7 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM3_REQUEST_PACK(
                 self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
@@ -6358,7 +6358,7 @@ class Telegram5Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -6370,7 +6370,7 @@ class Telegram5Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2(word)
@@ -6382,7 +6382,7 @@ class Telegram5Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -6394,7 +6394,7 @@ class Telegram5Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6410,7 +6410,7 @@ class Telegram5Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM5_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -6606,7 +6606,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -6618,7 +6618,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2(word)
@@ -6630,7 +6630,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -6642,7 +6642,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6658,7 +6658,7 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM5_REQUEST_PACK(
                 self._word_control_word_1, self.speed_setpoint_b, self._word_control_word_2,
@@ -6782,7 +6782,7 @@ class Telegram9Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1Positioning(word)
@@ -6794,7 +6794,7 @@ class Telegram9Response(_Record):
 
     @property
     def selected_block(self) -> SelectedBlock:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_selected_block
         if isinstance(word, int):
             word = self._word_selected_block = SelectedBlock(word)
@@ -6806,7 +6806,7 @@ class Telegram9Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2PulseCommand:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2PulseCommand(word)
@@ -6818,7 +6818,7 @@ class Telegram9Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -6832,7 +6832,7 @@ class Telegram9Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM9_RESPONSE_PACK(
                 self._word_status_word_1, self._word_selected_block, self._word_status_word_2,
@@ -7003,7 +7003,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1Positioning(word)
@@ -7015,7 +7015,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def block_selection(self) -> BlockSelection:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_block_selection
         if isinstance(word, int):
             word = self._word_block_selection = BlockSelection(word)
@@ -7027,7 +7027,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2(word)
@@ -7039,7 +7039,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_mode(self) -> MdiMode:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_mdi_mode
         if isinstance(word, int):
             word = self._word_mdi_mode = MdiMode(word)
@@ -7051,7 +7051,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7069,7 +7069,7 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mdi_velocity = self.mdi_velocity
             raw_mdi_acceleration = self.mdi_acceleration
@@ -7278,7 +7278,7 @@ class Telegram102Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -7290,7 +7290,7 @@ class Telegram102Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2FixedStop(word)
@@ -7302,7 +7302,7 @@ class Telegram102Response(_Record):
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_message_word
         if isinstance(word, int):
             word = self._word_message_word = MessageWord(word)
@@ -7314,7 +7314,7 @@ class Telegram102Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -7326,7 +7326,7 @@ class Telegram102Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7343,7 +7343,7 @@ class Telegram102Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM102_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -7533,7 +7533,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -7545,7 +7545,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2FixedStop(word)
@@ -7557,7 +7557,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -7569,7 +7569,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7584,7 +7584,7 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
@@ -7768,7 +7768,7 @@ class Telegram105Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1(word)
@@ -7780,7 +7780,7 @@ class Telegram105Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2FixedStop(word)
@@ -7792,7 +7792,7 @@ class Telegram105Response(_Record):
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_message_word
         if isinstance(word, int):
             word = self._word_message_word = MessageWord(word)
@@ -7804,7 +7804,7 @@ class Telegram105Response(_Record):
 
     @property
     def encoder_1_status_word(self) -> Encoder1StatusWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_status_word
         if isinstance(word, int):
             word = self._word_encoder_1_status_word = Encoder1StatusWord(word)
@@ -7816,7 +7816,7 @@ class Telegram105Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -7833,7 +7833,7 @@ class Telegram105Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM105_RESPONSE_PACK(
                 self._word_status_word_1, self.speed_actual_b, self._word_status_word_2,
@@ -8024,7 +8024,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1(word)
@@ -8036,7 +8036,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2FixedStop(word)
@@ -8048,7 +8048,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def encoder_1_control_word(self) -> Encoder1ControlWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_encoder_1_control_word
         if isinstance(word, int):
             word = self._word_encoder_1_control_word = Encoder1ControlWord(word)
@@ -8060,7 +8060,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8077,7 +8077,7 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_torque_reduction = self.torque_reduction
             if raw_torque_reduction <= 16384:
@@ -8288,7 +8288,7 @@ class Telegram111Response(_Record):
 
     @property
     def status_word_1(self) -> StatusWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_1
         if isinstance(word, int):
             word = self._word_status_word_1 = StatusWord1Positioning(word)
@@ -8300,7 +8300,7 @@ class Telegram111Response(_Record):
 
     @property
     def positioning_status_word_1(self) -> PositioningStatusWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_status_word_1
         if isinstance(word, int):
             word = self._word_positioning_status_word_1 = PositioningStatusWord1(word)
@@ -8312,7 +8312,7 @@ class Telegram111Response(_Record):
 
     @property
     def positioning_status_word_2(self) -> PositioningStatusWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_status_word_2
         if isinstance(word, int):
             word = self._word_positioning_status_word_2 = PositioningStatusWord2(word)
@@ -8324,7 +8324,7 @@ class Telegram111Response(_Record):
 
     @property
     def status_word_2(self) -> StatusWord2Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_status_word_2
         if isinstance(word, int):
             word = self._word_status_word_2 = StatusWord2Positioning(word)
@@ -8336,7 +8336,7 @@ class Telegram111Response(_Record):
 
     @property
     def message_word(self) -> MessageWord:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_message_word
         if isinstance(word, int):
             word = self._word_message_word = MessageWord(word)
@@ -8348,7 +8348,7 @@ class Telegram111Response(_Record):
 
     @property
     def fault_code(self) -> AlarmCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_fault_code
         return _ALARM_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -8358,7 +8358,7 @@ class Telegram111Response(_Record):
 
     @property
     def warning_code(self) -> WarningCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_warning_code
         return _WARNING_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -8368,7 +8368,7 @@ class Telegram111Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8387,7 +8387,7 @@ class Telegram111Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM111_RESPONSE_PACK(
                 self._word_status_word_1, self._word_positioning_status_word_1,
@@ -8599,7 +8599,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def control_word_1(self) -> ControlWord1Positioning:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_1
         if isinstance(word, int):
             word = self._word_control_word_1 = ControlWord1Positioning(word)
@@ -8611,7 +8611,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def positioning_control_word_1(self) -> PositioningControlWord1:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_control_word_1
         if isinstance(word, int):
             word = self._word_positioning_control_word_1 = PositioningControlWord1(word)
@@ -8623,7 +8623,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def positioning_control_word_2(self) -> PositioningControlWord2:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_positioning_control_word_2
         if isinstance(word, int):
             word = self._word_positioning_control_word_2 = PositioningControlWord2(word)
@@ -8635,7 +8635,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def control_word_2(self) -> ControlWord2FixedStop:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_control_word_2
         if isinstance(word, int):
             word = self._word_control_word_2 = ControlWord2FixedStop(word)
@@ -8647,7 +8647,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8666,7 +8666,7 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_velocity_override = self.velocity_override
             raw_mdi_velocity = self.mdi_velocity
@@ -8846,7 +8846,7 @@ class Telegram750Response(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record.torque_actual,) = _TELEGRAM750_RESPONSE_UNPACK(data)
@@ -8855,7 +8855,7 @@ class Telegram750Response(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _TELEGRAM750_RESPONSE_PACK(self.torque_actual)
         except _UNFIT:
@@ -8985,7 +8985,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -8998,7 +8998,7 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_positive_torque_limit = self.positive_torque_limit
             raw_negative_torque_limit = self.negative_torque_limit
@@ -9275,7 +9275,7 @@ class CyclicLink:
     def decode_request(self, frame: _Data, message: int | str) -> _Request[AnyCyclicRequest]: ...
 
     def decode_request(self, frame: _Data, message: type[_Any] | int | str) -> _Request[_Any]:
-        """A request of a known class, or of the message with a number or a name: a frame does not say which it is.
+        """A request of a known class, or of the message with a number or a name: the frame does not identify it.
 
         Raises CodecError for anything wrong in the bytes, and for a message that is not sent here.
         """
@@ -9338,7 +9338,7 @@ class CyclicLink:
     ) -> _Response[_Any]:
         """The response to a request, to its class, or of the message with a number or a name.
 
-        A frame does not say what it answers. Raises CodecError for anything wrong in the bytes, and for a message
+        The frame does not identify it. Raises CodecError for anything wrong in the bytes, and for a message
         that is not sent here.
         """
         data = frame
@@ -9360,7 +9360,7 @@ cyclic: _Final = CyclicLink()
 
 
 class ParameterChannelRequest(_Request[_M]):
-    """A request on this link, with all parts of its head."""
+    """A request on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "message", "request_reference",)
@@ -9371,7 +9371,7 @@ class ParameterChannelRequest(_Request[_M]):
 
 
 class ParameterChannelResponse(_Response[_M]):
-    """A response on this link, with all parts of its head."""
+    """A response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "message", "request_reference",)
@@ -9382,7 +9382,7 @@ class ParameterChannelResponse(_Response[_M]):
 
 
 class ParameterChannelErrorReply(_ErrorReply[_M]):
-    """A refusal on this link, with all parts of its head."""
+    """An exception response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
     __match_args__ = ("station", "code", "exception", "request_reference",)
@@ -9466,7 +9466,7 @@ class ParameterChannelLink:
         return message._to_parameter_channel(request_reference)
 
     def decode_request(self, frame: _Data) -> ParameterChannelRequest[AnyParameterChannelRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: ParameterChannelRequest[AnyParameterChannelRequest] | None = _PARAMETER_CHANNEL_QUICK_REQUESTS[data[1]](data)
@@ -9489,7 +9489,7 @@ class ParameterChannelLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> ParameterChannelResponse[_Any] | ParameterChannelErrorReply[ParameterError]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -9511,7 +9511,7 @@ class ParameterChannelLink:
         return ParameterChannelResponse(0, message, head[0])
 
     def encode_error(self, code: int, exception: ParameterError, *, request_reference: int) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         part_request_reference = request_reference
         error = (
@@ -9525,10 +9525,10 @@ class ParameterChannelLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
 
-        No part of write_parameter says how long it is: only `idle` ends such a frame.
+        No part of write_parameter tells its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_REQUESTS,
@@ -9544,10 +9544,10 @@ class ParameterChannelLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
 
-        No part of read_parameter says how long it is: only `idle` ends such a frame.
+        No part of read_parameter tells its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_RESPONSES,

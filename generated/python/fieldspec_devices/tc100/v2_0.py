@@ -1756,7 +1756,7 @@ class ExceptionRecord(_Record):
 
     @property
     def exception_code(self) -> ExceptionCode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_exception_code
         return _EXCEPTION_CODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -1766,7 +1766,7 @@ class ExceptionRecord(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (record._word_exception_code,) = _EXCEPTION_RECORD_UNPACK(data)
@@ -1775,7 +1775,7 @@ class ExceptionRecord(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_exception_code = _index(self._word_exception_code)
             if 1 <= raw_exception_code <= 3:
@@ -1924,7 +1924,7 @@ class Point(_Record):
 
     @property
     def mode(self) -> PointMode | int:
-        """Made of the number from the wire when it is asked for; the class says what it is."""
+        """The value of the raw number, converted when it is read; its class documents it."""
         word = self._word_mode
         return _POINT_MODE_MEMBERS.get(word, word) if isinstance(word, int) else word
 
@@ -1934,7 +1934,7 @@ class Point(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             (
@@ -1954,7 +1954,7 @@ class Point(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_mode = _index(self._word_mode)
             raw_speed = self.speed
@@ -2047,7 +2047,7 @@ class ReadRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 3 <= len(data) <= 121 or (len(data) - 1) % 2:
             raise _wrong_length("read_registers_response", len(data), 3, 121, 1, 2)
         record = _new(cls)
@@ -2057,7 +2057,7 @@ class ReadRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 60 and 2 <= len(raw_values) * 2 <= 120:
@@ -2088,7 +2088,7 @@ class ReadRegistersResponse(_Record):
 
 
 _PACK_READ_REGISTERS_RTU_REQUEST, _UNPACK_READ_REGISTERS_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ share for share in _X5[:17])
+_STATIONS_READ_REGISTERS_RTU_REQUEST = tuple(17435 ^ term for term in _X5[:17])
 _PACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_READ_REGISTERS_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _READ_REGISTERS_REQUEST_PACK, _READ_REGISTERS_REQUEST_UNPACK = _packing(">HH")
@@ -2117,7 +2117,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _READ_REGISTERS_REQUEST_UNPACK(data)
@@ -2126,7 +2126,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 60:
@@ -2222,7 +2222,7 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
 
 
 _PACK_WRITE_REGISTER_RTU_RESPONSE, _UNPACK_WRITE_REGISTER_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_RESPONSE = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_RESPONSE_PACK, _WRITE_REGISTER_RESPONSE_UNPACK = _packing(">HH")
@@ -2250,7 +2250,7 @@ class WriteRegisterResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_RESPONSE_UNPACK(data)
@@ -2259,7 +2259,7 @@ class WriteRegisterResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_RESPONSE_PACK(self.address, self.value)
         except _UNFIT:
@@ -2353,7 +2353,7 @@ class WriteRegisterResponse(_Record):
 
 
 _PACK_WRITE_REGISTER_RTU_REQUEST, _UNPACK_WRITE_REGISTER_RTU_REQUEST = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTER_RTU_REQUEST = tuple(34843 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTER_ASCII_REQUEST = _Struct(">BBHHx").unpack
 _WRITE_REGISTER_REQUEST_PACK, _WRITE_REGISTER_REQUEST_UNPACK = _packing(">HH")
@@ -2383,7 +2383,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.value = _WRITE_REGISTER_REQUEST_UNPACK(data)
@@ -2392,7 +2392,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             return _WRITE_REGISTER_REQUEST_PACK(self.address, self.value)
         except _UNFIT:
@@ -2486,7 +2486,7 @@ class WriteRegisterRequest(_RequestOf["WriteRegisterResponse"]):
 
 
 _PACK_WRITE_REGISTERS_RTU_RESPONSE, _UNPACK_WRITE_REGISTERS_RTU_RESPONSE = _packing(">BBHHH")
-_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ share for share in _X5[:17])
+_STATIONS_WRITE_REGISTERS_RTU_RESPONSE = tuple(49624 ^ term for term in _X5[:17])
 _PACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHH").pack
 _UNPACK_WRITE_REGISTERS_ASCII_RESPONSE = _Struct(">BBHHx").unpack
 _WRITE_REGISTERS_RESPONSE_PACK, _WRITE_REGISTERS_RESPONSE_UNPACK = _packing(">HH")
@@ -2515,7 +2515,7 @@ class WriteRegistersResponse(_Record):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         record = _new(cls)
         try:
             record.address, record.word_count = _WRITE_REGISTERS_RESPONSE_UNPACK(data)
@@ -2524,7 +2524,7 @@ class WriteRegistersResponse(_Record):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_word_count = self.word_count
             if 1 <= raw_word_count <= 59:
@@ -2644,7 +2644,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
 
     @classmethod
     def decode(cls, data: _Data) -> _Self:
-        """The fields of exactly all of its bytes. Raises CodecError."""
+        """The record in exactly these bytes. Raises CodecError."""
         if not 7 <= len(data) <= 123 or (len(data) - 5) % 2:
             raise _wrong_length("write_registers_request", len(data), 7, 123, 5, 2)
         record = _new(cls)
@@ -2661,7 +2661,7 @@ class WriteRegistersRequest(_RequestOf["WriteRegistersResponse"]):
         return record
 
     def encode(self) -> bytes:
-        """Its bytes. Raises CodecError that names the field which is out of range."""
+        """The bytes of the record. Raises CodecError, which names the field that is out of range."""
         try:
             raw_values = self.values
             if 1 <= len(raw_values) <= 59 and 1 <= len(raw_values) <= 59 and 2 <= len(raw_values) * 2 <= 118:
@@ -2758,7 +2758,7 @@ class RtuLink:
         return message._to_rtu(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyRtuRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = frame
         try:
             request: _Request[AnyRtuRequest] | None = _RTU_QUICK_REQUESTS[data[1]](data)
@@ -2781,7 +2781,7 @@ class RtuLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -2803,7 +2803,7 @@ class RtuLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -2816,8 +2816,8 @@ class RtuLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
         """
         return _CodeFramer(
             _RTU_REQUESTS,
@@ -2837,8 +2837,8 @@ class RtuLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and what counts the repeated part, say where a frame ends; an unknown code is taken
-        for garbage.
+        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
+        garbage.
         """
         return _CodeFramer(
             _RTU_RESPONSES,
@@ -2931,7 +2931,7 @@ class AsciiLink:
         return message._to_ascii(station)
 
     def decode_request(self, frame: _Data) -> _Request[AnyAsciiRequest]:
-        """A request, whose class the code tells. Raises CodecError for anything wrong in the bytes."""
+        """A request; its code selects the class. Raises CodecError for anything wrong in the bytes."""
         data = _ASCII_REQUESTS.unmarked(frame)
         try:
             request: _Request[AnyAsciiRequest] | None = _ASCII_QUICK_REQUESTS[data[1]](data)
@@ -2954,7 +2954,7 @@ class AsciiLink:
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
     ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or a refusal as an ErrorReply; to one request, or to its class, where that is given.
+        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -2976,7 +2976,7 @@ class AsciiLink:
         return _Response(head[0], message)
 
     def encode_error(self, station: int, code: int, exception: ExceptionRecord) -> bytes:
-        """The refusal of the request with a code. Raises CodecError for values that are out of range."""
+        """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         error = (
             _refused_number("station", station, 0, 255, ((1, 16),), (0,))
@@ -2989,7 +2989,7 @@ class AsciiLink:
     def request_framer(self) -> _MarkFramer:
         """Finds the requests in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_REQUESTS,
@@ -3003,7 +3003,7 @@ class AsciiLink:
     def response_framer(self) -> _MarkFramer:
         """Finds the responses in a stream.
 
-        A start mark within a frame begins another one.
+        A start delimiter within a frame begins another frame.
         """
         return _MarkFramer(
             _ASCII_RESPONSES,

@@ -1,4 +1,4 @@
-"""The module of a device's version, picked by the firmware that the device says it has."""
+"""The module of a version, selected by the firmware that the device reports."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LONGEST = 9  # Digits of a number of a version; Python refuses to read very long
 
 
 class UnknownFirmwareError(LookupError):
-    """Firmware that a spec does not know: `firmware` is what was asked for, `known` are the versions that it knows."""
+    """Firmware that a spec does not list: `firmware` is the requested one, `known` are the versions of the spec."""
 
     def __init__(self, firmware: str, known: tuple[str, ...]) -> None:
         self.firmware, self.known = firmware, known
@@ -26,12 +26,15 @@ class UnknownFirmwareError(LookupError):
 
 
 def module_of(package: str, lines: tuple[Line, ...], firmware: str, nearest: bool) -> ModuleType:
-    """The module of a firmware; `lines` have the versions, the oldest first, each with the name of its module."""
+    """The module of a firmware; `lines` have the versions, the oldest first, each with the name of its module.
+
+    Raises UnknownFirmwareError.
+    """
     text = firmware.strip(" \t\r\n\0")
     name = _named(lines, text) or _numbered(lines, text, nearest)
     if name is None:
         raise UnknownFirmwareError(firmware, tuple(version for line in lines for version, _ in line))
-    from importlib import import_module  # few programs ask, and all would wait for it
+    from importlib import import_module  # few programs need it, and its import takes time
 
     return import_module(f"{package}.{name}")
 
@@ -41,7 +44,7 @@ def _named(lines: tuple[Line, ...], text: str) -> str | None:
 
 
 def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
-    """The module of the same number; or of what was before the first one; or, if asked for, of the one below."""
+    """The module of the same number, or of all before the first number, or with `nearest` of the number below."""
     asked = _numbers(text)
     if asked is None:
         return None
@@ -60,7 +63,7 @@ def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
 
 
 def _numbers(text: str) -> tuple[int, ...] | None:
-    """`v02.21` as (2, 21), without zeros at the end; None for what is no number of a version."""
+    """`v02.21` as (2, 21), without trailing zeros; None for a text that is no version number."""
     parts = text[text[:1] in ("v", "V") :].split(".")
     if not all(part.isascii() and part.isdigit() and len(part) <= LONGEST for part in parts):
         return None
@@ -77,6 +80,6 @@ def _first(line: Line) -> int | None:
 
 
 def _before(version: str, asked: tuple[int, ...]) -> bool:
-    """Whether a version is all that was before a number, and the firmware is below that number."""
+    """Whether a version stands for all firmware below a number, and the requested number is below it."""
     bound = _numbers(version.removeprefix(EARLIER)) if version.startswith(EARLIER) else None
     return bound is not None and asked < bound

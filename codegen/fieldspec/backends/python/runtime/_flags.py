@@ -21,9 +21,9 @@ BITS_OF = _bits()
 
 
 class Flags:
-    """A word, and its bits as properties. It keeps the bits that have no name.
+    """A word with its bits as properties. Bits without a name are kept in `raw`.
 
-    Bits given by name are changed in `raw`; fields of several bits take numbers. Raises CodecError where a number
+    Arguments by name set bits of `raw`; fields of several bits take numbers. Raises CodecError where a number
     does not fit its bits. An `IntFlag` would keep every value that it ever saw, and take several times as long.
     """
 

@@ -46,13 +46,12 @@ class Subindex:
 class Parameter(Generic[T]):
     """One parameter. Its value is of type T; a message carries it as a number or as bytes.
 
-    `number` counts as the manual does in the set with the name `set`, and `wire_number` is the one on the wire;
-    `printed_name` is the name that the manual gives it, or its number as the manual writes it. `type` is its type on
-    the wire. Where the manual tells nothing of a parameter but that there is one, `name`, `type` and `source` are
-    empty. `default` is a count. `elements` is the length of an array, None where it is none. `access` is ro, rw or wo,
-    and empty where the manual does not say it; so is `restart` None. `applies_to` and `messages` say for what, and with
-    which messages, it has an effect, and `only` which versions or models have it; they are empty where the manual makes
-    no difference.
+    `number` is its number in the set `set`, and `wire_number` the number on the wire. `printed_name` is its name in the
+    manual, or its number as the manual writes it. `type` is its type on the wire. `name`, `type` and `source` are empty
+    where the manual prints the number alone. `default` is a count. `elements` is the length of an array, None for a
+    single value. `access` is ro, rw or wo; it is empty, and `restart` None, where the manual does not state it.
+    `applies_to` and `messages` are the objects and the messages that it has an effect on, and `only` the versions or
+    models that have it; they are empty where it applies to all.
     """
 
     __slots__ = (
@@ -109,7 +108,7 @@ class Parameter(Generic[T]):
 
     @property
     def title(self) -> str:
-        """What errors call it: its name, or where it has none its printed name."""
+        """Its name in errors: the name, or else the printed name."""
         return self.name or self.printed_name
 
     @property
@@ -139,7 +138,7 @@ class Parameter(Generic[T]):
         return self.value.from_unit(self.title, value)
 
     def subindex(self, index: int) -> Subindex | None:
-        """What the manual tells of the element with an index; None where it makes no difference."""
+        """The description of the element with an index; None where all elements are alike."""
         return next((subindex for subindex in self.subindices if index in subindex), None)
 
     def decode(self, data: bytes) -> T:
@@ -156,13 +155,13 @@ class Parameter(Generic[T]):
             raise CodecError("read_only", f"{self.title} can only be read")
 
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
-        """The value of what a message carries for it, or for its element with an index. Raises CodecError."""
+        """The value of a raw value in a message, for its element with an index. Raises CodecError."""
         element = self.subindex(subindex) if self.subindices else None
         value: Value[T] = self.value if element is None else element.value
         return value.of_carried(self._title(element), raw)
 
     def to_raw(self, value: T, subindex: int = 0) -> Any:
-        """What a message carries for a value. Raises CodecError where the value is out of range."""
+        """The raw value in a message. Raises CodecError where the value is out of range."""
         element = self.subindex(subindex) if self.subindices else None
         if not self.carrier or element is not None:
             own = self.value if element is None else element.value
@@ -180,7 +179,7 @@ class Parameter(Generic[T]):
         return [self.from_raw(raw, subindex + place) for place, raw in enumerate(raws)]
 
     def to_raws(self, values: Sequence[T], subindex: int = 0) -> list[Any]:
-        """What a message carries for the values of its elements. Raises CodecError."""
+        """The raw values of its elements in a message. Raises CodecError."""
         return [self.to_raw(value, subindex + place) for place, value in enumerate(values)]
 
     def _title(self, element: Subindex | None) -> str:
@@ -190,8 +189,8 @@ class Parameter(Generic[T]):
 class ParameterSet:
     """The parameters of a set, in the order of their numbers; each is an attribute too, a run of them a tuple.
 
-    `space` is that of the numbers on the wire, which are those of the set with `base` added. `numbers` are all that the
-    set has, as intervals, where they are more than those that the manual tells of. `printed_as` is how it writes one.
+    `space` is the space of the numbers on the wire, which are the numbers of the set plus `base`. `numbers` are all
+    numbers of the set as intervals, where the manual describes only some. `printed_as` is the format of a number.
     """
 
     __slots__ = ("_index", "_make", "_rows", "base", "name", "numbers", "printed_as", "space", "title")
@@ -214,7 +213,7 @@ class ParameterSet:
         self._index: dict[int, Parameter[Any]] = {}
 
     def _parameters(self) -> dict[int, Parameter[Any]]:
-        """All rows by number; they are made when one is asked for, as few programs need many of them."""
+        """All parameters by number; they are created on first use, as few programs need many of them."""
         if not self._index:
             self._rows |= self._make()
             for row in self._rows.values():
@@ -258,12 +257,12 @@ class ParameterSet:
         return self[wire_number - self.base]
 
     def _unknown(self, number: int) -> Parameter[Any]:
-        """A parameter of which nothing is known but that there is one."""
+        """A parameter of which only the number is known."""
         unknown: Value[Any] = Unknown()
         return Parameter("", number, unknown, printed_name=self.number_text(number), set=self.name, base=self.base)
 
     def number_text(self, number: int) -> str:
-        """A number of the set as the manual writes it."""
+        """The text of a number of the set, as the manual prints it."""
         return self.printed_as.format(number=number) if self.printed_as else str(number)
 
     def from_raws(self, raws: Sequence[int]) -> dict[str, Any]:
@@ -294,7 +293,7 @@ class ParameterSpace:
         self._parameters: dict[int, Parameter[Any]] = {}
 
     def __call__(self, wire_number: int) -> Parameter[Any]:
-        """The parameter with a number on the wire, also one of which nothing but its set is known.
+        """The parameter with a number on the wire, even where only its set is known.
 
         Raises CodecError, which is a ValueError, for a number that no set has.
         """
@@ -317,19 +316,19 @@ class ParameterSpace:
 
 
 def no_parameter(space: str, wire_number: int) -> CodecError:
-    """A number that no set has."""
+    """The error for a number that no set has."""
     return CodecError("unknown_value", f"{space} has no number {wire_number} ({wire_number:#06x})")
 
 
 def single(parameter: Parameter[Any], values: Sequence[T]) -> T:
-    """The one value of a response. Raises CodecError where there are none or several."""
+    """The value of a response. Raises CodecError unless there is exactly one."""
     if len(values) != 1:
         raise CodecError("wrong_length", f"{parameter.title} has {len(values)} values, not one")
     return values[0]
 
 
 def selected(parameter: Parameter[Any], formats: Mapping[str, T], selector: T | None) -> T:
-    """What says the type of a parameter's values: what is given, or else what suits its type. Raises CodecError."""
+    """The selector of the type of values: the argument, or else the one for the parameter's type. Raises CodecError."""
     if selector is not None:
         return selector
     selection = formats.get(parameter.type)

@@ -1,6 +1,6 @@
-"""Generic classes without the module `typing`, whose import takes longer than that of a whole device.
+"""Generic classes without the module `typing`, which takes longer to import than a whole device.
 
-Type checkers take `TYPE_CHECKING` for true, whoever assigns it.
+Type checkers treat `TYPE_CHECKING` as true, whatever is assigned to it.
 """
 
 TYPE_CHECKING = False

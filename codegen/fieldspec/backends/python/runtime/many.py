@@ -6,8 +6,8 @@
     speed = in_unit(Telegram111Response, "speed_actual_b", columns["speed_actual_b"])
     enabled = bits(StatusWord1Positioning, columns["status_word_1"])["operation_enabled"]
 
-A column holds what is on the wire: numbers of enums, words of flags, counts. A field that is a list has a second
-dimension, a record within the record has columns of its own.
+A column has the raw values: numbers of enums, words of flags, counts. A field that is a list has a second
+dimension, and a record within the record has columns of its own.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from ._typing import Data
 
     class Record(Protocol):
-        """A generated class whose records have all the same size."""
+        """A generated class of records of one size."""
 
         _SIZE: ClassVar[int]
 
@@ -48,9 +48,9 @@ _TYPES = {"b": "i1", "B": "u1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "q":
 
 
 class Column:
-    """Where a field lies: the letter of `struct` for one element, and its offset in bytes.
+    """The place of a field: the letter of `struct` for one element, and its offset in bytes.
 
-    `count` is the number of elements of a list, 0 for a single one. `swapped` says that the 16-bit words lie in the
+    `count` is the number of elements of a list, 0 for a single one. `swapped`: the 16-bit words are in the
     other order than the bytes in them. `tests` are the intervals outside of which a number is refused. `ratio` is
     (a, b, c) of value = (count * a + b) / c in the unit; `absent` are the counts that are no quantity. A field
     without a name is tested only.
@@ -104,7 +104,7 @@ class Column:
 
 
 def arrays(record: type[Record], data: Data) -> Arrays:
-    """The columns of all records as `array.array`, with nothing but Python; bytes and texts as lists of bytes.
+    """The columns of all records as `array.array`, with Python alone; bytes and texts as lists of bytes.
 
     The elements of a list follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
     """
@@ -173,7 +173,7 @@ def _test_each(column: Column, values: array[Any] | list[bytes], data: bytes, si
 
 
 def decode_many(record: type[Record], data: Data) -> Columns:
-    """The columns of all records as NumPy arrays in the machine's own order; bytes and texts have the type `S`.
+    """The columns of all records as NumPy arrays in the byte order of the machine; bytes and texts have the type `S`.
 
     Raises CodecError for bytes left over, and for the first record that `decode` refuses.
     """
@@ -215,7 +215,7 @@ def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, whe
 
 
 def _straight(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Numbers whose words lie in the other order than their bytes, as numbers; others as they are."""
+    """A column with its numbers assembled where their words are in the other order than their bytes."""
     if not column.swapped:
         return values
     import numpy
@@ -258,7 +258,7 @@ def _named(columns: Columns) -> Columns:
 
 
 def dtype(record: type[Record]) -> np.dtype[Any]:
-    """The type of a record as it is on the wire. Numbers whose words are exchanged are lists of words."""
+    """The NumPy type of a record on the wire. Numbers with exchanged words are lists of words."""
     import numpy
 
     names, formats, offsets = [], [], []
@@ -285,7 +285,7 @@ def _format(column: Column) -> Any:
 
 
 def view(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
-    """The records where they are: nothing is copied and nothing is tested, in a time that does not grow with them.
+    """The records in the buffer itself, in constant time: nothing is copied, and nothing is tested.
 
     Raises CodecError for bytes left over.
     """
@@ -296,7 +296,7 @@ def view(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
 
 
 def records(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
-    """The records one behind the other in the machine's own order, as one structured array; nothing is tested.
+    """A copy of the records in the byte order of the machine, as one structured array; nothing is tested.
 
     Raises CodecError for bytes left over.
     """
@@ -334,7 +334,7 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
 
 
 def _number(record: type[Record], data: Data) -> int:
-    """How many records there are."""
+    """The number of records. Raises CodecError for bytes left over."""
     if not hasattr(record, "_columns"):
         raise TypeError(f"the length of {record.__name__} varies; decode one after the other")
     size = len(data) if isinstance(data, (bytes, bytearray)) else memoryview(data).nbytes
@@ -346,7 +346,7 @@ def _number(record: type[Record], data: Data) -> int:
 
 
 def _refuse(record: type[Record], data: bytes, size: int) -> None:
-    """Raises what decoding the first wrong record raises."""
+    """Raises the error of the first record that cannot be decoded."""
     at = 0
     try:
         for at in range(0, len(data), size):
