@@ -1,6 +1,6 @@
-"""The Python output of all specs, built into a folder of its own and imported from there; raw values of its objects.
+"""The Python output of all specs, built and imported as a package in a temporary folder, and helpers for its objects.
 
-The package has another name here, so that the committed one is left alone.
+The package has another name here, so that it does not hide the committed one.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def module_of(layout: DeviceLayout) -> ModuleType:
 
 
 def module_apart(layout: DeviceLayout, name: str) -> ModuleType:
-    """The module of a layout that is none of the specs', beside the others under a name of its own."""
+    """The module of a layout that is in no spec, in a subpackage with a name of its own."""
     module = module_name(layout.device.version)
     outputs = files([layout])
     text = outputs[f"{PACKAGE}/{package_name(layout.device.id)}/{module}.py"]
@@ -108,7 +108,7 @@ def stored(record: RecordLayout) -> Iterator[FieldLayout]:
 
 
 def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values: Mapping[str, Any]) -> Any:
-    """The object that has some raw values."""
+    """The object with some raw values."""
     by = record.selector
     chosen = record.of_number(values[by.name]) if by is not None else None
     fields = (chosen or record).fields
@@ -170,7 +170,7 @@ def only_stored(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, An
 
 
 def outcome(call: Callable[[], Any]) -> tuple[str, Any]:
-    """What a call of either codec comes to: the reason and the offset of its refusal, or its value as a text.
+    """The outcome of a call of either codec: the reason and the offset of its error, or its result as a text.
 
     In a text, one NaN is like another. The reference leaves characters that are not ASCII to Python.
     """

@@ -1,4 +1,4 @@
-"""What is committed under generated/ is what the specs give."""
+"""The committed files under generated/ are the outputs of the specs."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
 
 @cache
 def built_from(name: str) -> tuple[DeviceLayout, ModuleType]:
-    """The made-up drive with another channel."""
+    """The made-up drive with a varied channel."""
     return varied(name, CHANGES[name])
 
 

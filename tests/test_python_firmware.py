@@ -1,4 +1,4 @@
-"""The package of a device picks a version's module by the firmware that the device says it has."""
+"""The package of a device selects the module of a version by the firmware that the device reports."""
 
 from __future__ import annotations
 

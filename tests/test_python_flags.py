@@ -1,4 +1,4 @@
-"""Words of flags in the generated package: their bits, snapshots, and the words that records hold."""
+"""Words of flags in the generated package: their bits, snapshots, and the words in records."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ GIZMO = newest(MADE_UP, "gizmo")
 
 
 def frames_of(layout: Any, link: str, direction: str) -> list[bytes]:
-    """The example frames of a link in a direction that are not to be refused; or those of another link in its form."""
+    """The valid example frames of a link in a direction, or those of another link in its form."""
     examples = [e for e in layout.device.examples.values() if e.direction == direction and not e.refused]
     own = [example.frame for example in examples if example.link == link]
     return own or [_in_form(layout, example, link) for example in examples]

@@ -49,7 +49,7 @@ def reference_of(layout: DeviceLayout) -> DeviceCodec:
 
 
 def decode(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
-    """What the generated codec makes of a frame; `message` says what a frame without a code is, or must be."""
+    """The result of the generated codec for a frame; `message` identifies a frame without a code."""
     module = module_of(layout)
     spoken = link_of(module, link)
     coded = layout.links[link].frame(direction).role("code") is not None
@@ -65,7 +65,7 @@ def decode(layout: DeviceLayout, link: str, direction: str, message: str, frame:
 
 
 def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code: int) -> bytes:
-    """The frame that the generated codec makes of an example's meaning; `code` is that of a refused request."""
+    """The frame that the generated codec encodes from the values of an example; `code` is that of the request."""
     module = module_of(layout)
     spoken, frame = link_of(module, example.link), layout.links[example.link].frame(example.direction)
     body = built(
@@ -90,17 +90,17 @@ KEYWORDS = {"return"}
 
 
 def is_argument(part: PartLayout) -> bool:
-    """Whether a part of the head is neither of a special kind nor always the same."""
+    """Whether a header part is an argument besides the unit address."""
     return part.role == "plain" and part.is_argument
 
 
 def head_value(module: Any, part: Any, number: int) -> Any:
-    """What a part of the head is given as."""
+    """The argument for a header part."""
     return class_of(module, part.value.flags, "Flags")(number) if part.value.flags else number
 
 
 def head_of(layout: DeviceLayout, link: str, direction: str, decoded: Any) -> dict[str, Any]:
-    """The parts of the head of what was decoded, by the names of the spec, but for the code."""
+    """The header parts of a decoded frame by the names of the spec, without the code."""
     parts = {}
     for part in layout.links[link].frame(direction).head:
         if part.role == "unit_address":
@@ -128,7 +128,7 @@ def test_an_example_frame_means_what_the_spec_says_and_is_made_of_it(layout: Dev
 
 
 def holds(actual: Any, expected: Any) -> bool:
-    """Whether a value is what the spec says of it; reserved fields and constants of records are not compared."""
+    """Whether a value is the expected one; reserved fields and constants of records are not compared."""
     if isinstance(actual, dict):
         return all(holds(value, expected[name]) for name, value in actual.items() if name in expected)
     if isinstance(actual, list):
@@ -190,7 +190,7 @@ def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: s
 
 
 def decoded_by_codec(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
-    """What the generated codec finds in a frame: whether it is a refusal, the code, the head, the body."""
+    """A frame decoded by the generated codec: whether it is an exception response, the code, the header, the body."""
     decoded = decode(layout, link, direction, message, frame)
     head, coded = head_of(layout, link, direction, decoded), layout.links[link].frame(direction).role("code")
     refusal = layout.links[link].link.exception_response
@@ -203,7 +203,7 @@ def decoded_by_codec(layout: DeviceLayout, link: str, direction: str, message: s
 
 
 def decoded_by_reference(layout: DeviceLayout, link: str, direction: str, message: str, frame: bytes) -> Any:
-    """The same of the reference."""
+    """The same by the reference codec."""
     decoded = reference_of(layout).links[link].decode(frame, direction, message)
     coded, head = layout.links[link].frame(direction).role("code"), dict(decoded.head)
     code = head.pop(coded.name) if coded else None
@@ -215,7 +215,7 @@ def decoded_by_reference(layout: DeviceLayout, link: str, direction: str, messag
 
 
 def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: bytes) -> bytes:
-    """The same frame with the check and the length that its bytes should have: what lies within is then looked at."""
+    """The frame with the right checksum and length, so that the bytes in between are decoded."""
     reference = reference_of(layout).links[link]
     shape = layout.links[link].frame(direction)
     try:

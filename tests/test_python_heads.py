@@ -1,4 +1,4 @@
-"""Heads of frames with parts that the caller gives and parts that are always the same, with every check."""
+"""Headers of frames with arguments and constants, with every checksum."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
 
 @cache
 def built_from(name: str) -> tuple[DeviceLayout, ModuleType, DeviceCodec]:
-    """The made-up drive with another channel, and its reference codec."""
+    """The made-up drive with a varied channel, and its reference codec."""
     layout, module = varied(f"head_{name}", CHANGES[name])
     return layout, module, codec(layout)
 

@@ -1,4 +1,4 @@
-"""Many records at once against one after the other: with NumPy, and with nothing but Python."""
+"""Many records at once against one at a time: with NumPy, and with Python alone."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def test_what_one_record_refuses_the_columns_refuse_at_its_place(name: str, data
 
 
 def refused(decode: Any, data: bytes, at: int = 0) -> Any:
-    """Why bytes are refused that lie at an offset; None where they are not."""
+    """The reason why the bytes at an offset are refused; None where they are valid."""
     try:
         decode(data)
     except CodecError as error:

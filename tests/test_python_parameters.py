@@ -40,14 +40,14 @@ def test_every_row_of_a_set_is_told_as_the_spec_tells_it(layout: DeviceLayout, p
 
 
 def facts(parameter: Any) -> dict[str, Any]:
-    """What a generated parameter tells of itself."""
+    """The facts of a generated parameter."""
     names = ("name", "printed_name", "number", "wire_number", "set", "type", "access", "default", "unit", "elements")
     more = ("restart", "applies_to", "messages", "only", "reserved", "ranges")
     return {name: getattr(parameter, name) for name in (*names, *more)}
 
 
 def facts_of(row: Parameter, parameter_set: ParameterSet, place: int) -> dict[str, Any]:
-    """The same of the spec."""
+    """The facts of the parameter in the spec."""
     value, number = row.value, row.number + place
     ranges = value.written_ranges
     full = ranges is None or ranges.intervals == ((value.type.low, value.type.high),)

@@ -1,4 +1,4 @@
-"""Messages whose frames do not say which they are, and the words of bits in them."""
+"""Messages whose frames do not identify them, and the words of bits in them."""
 
 from __future__ import annotations
 

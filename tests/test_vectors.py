@@ -1,4 +1,4 @@
-"""Vectors hold the example frames as data that other codecs can use."""
+"""The vectors have the example frames as data for other codecs."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def as_json(raw: object) -> object:
 
 
 def decoder(framer: type[FramerRTU] | type[FramerAscii], direction: str, frame: bytes) -> Any:
-    """What another implementation of the protocol makes of a frame; it checks marks and check."""
+    """A frame as another implementation of the protocol decodes it; it verifies delimiters and checksum."""
     pdus = DecodePDU(direction == "request")
     length, station, _, data = framer(pdus).decode(frame)
     assert length == len(frame)

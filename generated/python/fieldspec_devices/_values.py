@@ -38,7 +38,7 @@ class Value(Generic[T]):
 
     `limits` is the letter of a narrower type that fills a word. `ranges` are in counts. The scale, if
     there is one, is (a, b, c) of unit = (count * a + b) / c. `others` are the counts that stand for an absent value:
-    they may lie outside of the ranges, and are no quantity.
+    they may be outside the ranges, and are no quantity.
     """
 
     __slots__ = ("high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")

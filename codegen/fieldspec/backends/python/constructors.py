@@ -53,8 +53,8 @@ def _signature(arguments: Iterator[str] | list[str], end: str = ":") -> list[str
 def _overloads(stored: list[Slots], first: int, quantities: dict[str, ScaledView]) -> Iterator[list[str]]:
     """The arguments of each signature: all raw values first.
 
-    From the first quantity on all are keywords. Above `EXACT` fields with a quantity, one signature stands for all
-    mixtures; that each field has exactly one of its two arguments is then tested by the call alone.
+    From the first quantity on, all arguments are keywords. Above `EXACT` fields with a quantity, one signature allows
+    any mixture; only the call itself then tests that each field has exactly one of its two arguments.
     """
     if len(quantities) > EXACT:
         yield list(map(_raw, stored))
@@ -83,7 +83,7 @@ def _overloads(stored: list[Slots], first: int, quantities: dict[str, ScaledView
 
 
 def _by_quantity(stored: list[Slots], first: int, quantities: dict[str, ScaledView]) -> list[str]:
-    """One test in front of the fast path; what it finds is sorted out in `Record._set_fields`."""
+    """One test before the raw values are stored; `Record._set_fields` handles every other call."""
     tests = [f"{field.name} is None" for field in stored[first:]]
     tests += [f"{view.name} is not None" for view in quantities.values()]
     *lines, last = chained("if ", tests, "or", "", 9)

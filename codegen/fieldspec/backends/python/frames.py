@@ -186,7 +186,7 @@ def framer(
     if not _ordered(frame):
         return "", [], []
     if length is not None:
-        about.append("The length tells where a frame ends; a length that fits no message is garbage.")
+        about.append("The length determines where a frame ends; a length that fits no message is garbage.")
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
         return kind, [*arguments, f"length_size={length.size}"], docstring(about, 8)
     if code is None or link.link.encoding != "binary":
@@ -198,9 +198,9 @@ def framer(
     if refusal is not None and link.link.exception_response is not None:
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent(link, frame, refusal)}"]
     open_ended = [name for name, code, _ in carried if code is not None and extents[code][2] < 0]
-    about.append("The code, and the count of the repeated part, tell where a frame ends; an unknown code is garbage.")
+    about.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
     if open_ended:
-        about.append(f"No part of {', '.join(open_ended)} tells its length: only `idle` ends such a frame.")
+        about.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
     return "_CodeFramer", arguments, docstring(about, 8)
 
 

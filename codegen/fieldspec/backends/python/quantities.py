@@ -34,7 +34,7 @@ def ratio(value: Value) -> tuple[int, int, int]:
 
 
 def in_unit(count: str, scale: tuple[int, int, int]) -> str:
-    """The expression that gives a count in the unit as a float, rounded once."""
+    """The expression of a count in its unit as a float, rounded once."""
     a, b, c = scale
     above = count if a == 1 else f"{count} * {a}"
     if b:
@@ -149,7 +149,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
             read, kind = f"None if {absent} else {read}", "float | None"
         unit = f" in {field.value.unit}" if field.value.unit else ""
         ends = "It is None where the count stands for an absent value. " if field.sentinels else ""
-        ends += "Setting it takes the nearest count, of two the even one, and refuses what is out of range."
+        ends += "Setting it stores the nearest count, of two the even one. Raises CodecError out of range."
         views.append(
             ScaledView(
                 name,

@@ -201,7 +201,7 @@ def _unpacked(struct: str, fixed_size: int, unit: int) -> str:
 
 
 def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -> tuple[list[str], list[str]]:
-    """The statement that unpacks all fields, and the lines that take the raw values where it gives one tuple."""
+    """The statement that unpacks all fields, and the lines that take the raw values where it returns one tuple."""
     case = f"{CASE}, " if shaped.selector is not None else ""
     if sum((field.is_list or field.decided) and not field.skipped for field in shaped.fields) < 2:
         names = [target for field in shaped.fields for target in targets(field, owner)]

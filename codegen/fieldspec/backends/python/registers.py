@@ -15,15 +15,15 @@ from fieldspec.names import Name
 
 
 def register_value(value: Value, size: int, order: str, swapped: bool, words: Words, trigger: bool) -> str:
-    """The `Value` of a register or a parameter, in `size` bytes: what the device answers is read, whatever it is.
+    """The `Value` of a register or a parameter, in `size` bytes: every answer of the device is read.
 
-    Only what is written is bound to a constant, and, where it starts something, to a closed enum.
+    Only writing is limited to a constant, or, where it starts an action, to the members of a closed enum.
     """
     return _value(value, size, order, swapped, words, value.as_answer(trigger) != value)
 
 
 def value_expression(value: Value, size: int, order: str, swapped: bool, words: Words) -> str:
-    """The `Value` of a value in a frame that lies in `size` bytes, which may be more than its own."""
+    """The `Value` of a value in a frame; it has `size` bytes, which may be more than its type has."""
     return _value(value, size, order, swapped, words, False)
 
 

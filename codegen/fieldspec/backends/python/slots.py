@@ -219,6 +219,6 @@ def _letters(field: FieldLayout, order: str) -> str:
     if field.order == order and not field.is_list and value.type.kind is Kind.INTEGER:
         parts = field.size // 2 - 1
         last = "h" if value.type.signed else "H"
-        # The least significant word lies first where bytes lie the most significant first, and the other way round.
+        # The words are in the other order than the bytes: the least significant word first where bytes are big endian.
         return "H" * parts + last if order == "big" else last + "H" * parts
     return f"{field.size}s"

@@ -14,7 +14,7 @@ FEW = 3
 def within(
     number: str, ranges: Ranges, others: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
 ) -> str:
-    """The condition that a number lies in one of several intervals, or is one of some others.
+    """The condition that a number is in one of several intervals, or equals one of some others.
 
     `packed` are the least and the greatest number that `pack` accepts: the condition does not repeat these limits,
     and is empty where nothing else remains to be tested.

@@ -398,7 +398,7 @@ _X0, _X1, _X2, _X3, _X4, _X5, _X6, _X7 = _CRC_EXCHANGED
 DEVICE: _Final = "ck10"
 VERSION: _Final = "1"
 IDENTITY: _Final = "4332a6ea93cee82e"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ExceptionCode(_IntEnum):
@@ -4570,8 +4570,7 @@ class RtuLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_REQUESTS,
@@ -4592,8 +4591,7 @@ class RtuLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_RESPONSES,

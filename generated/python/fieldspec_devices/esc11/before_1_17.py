@@ -183,7 +183,7 @@ __all__ = [
 DEVICE: _Final = "esc11"
 VERSION: _Final = "before-1.17"
 IDENTITY: _Final = "3d76276a9d24516b"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ActuatorType(_IntEnum):
@@ -1564,7 +1564,7 @@ class Point(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -1575,8 +1575,8 @@ class Point(_Record):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -1586,8 +1586,8 @@ class Point(_Record):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -1753,7 +1753,7 @@ class TemporaryPoint(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -1764,8 +1764,8 @@ class TemporaryPoint(_Record):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -1775,8 +1775,8 @@ class TemporaryPoint(_Record):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -4199,7 +4199,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -4404,7 +4404,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -4907,7 +4907,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -5100,7 +5100,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
@@ -5807,7 +5807,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -6017,7 +6017,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
@@ -6272,8 +6272,8 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -6283,8 +6283,8 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -6541,8 +6541,8 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -6552,8 +6552,8 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -7127,7 +7127,7 @@ class ReadCurrentPositionResponse(_Record):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
@@ -9003,7 +9003,7 @@ class SerialLink:
     def request_framer(self) -> _LengthFramer:
         """Finds the requests in a stream.
 
-        The length tells where a frame ends; a length that fits no message is garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_REQUESTS,
@@ -9018,7 +9018,7 @@ class SerialLink:
     def response_framer(self) -> _LengthFramer:
         """Finds the responses in a stream.
 
-        The length tells where a frame ends; a length that fits no message is garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_RESPONSES,

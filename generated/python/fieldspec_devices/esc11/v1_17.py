@@ -185,7 +185,7 @@ __all__ = [
 DEVICE: _Final = "esc11"
 VERSION: _Final = "1.17"
 IDENTITY: _Final = "a24878bc34e9aaec"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ActuatorType(_IntEnum):
@@ -1566,7 +1566,7 @@ class Point(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -1577,8 +1577,8 @@ class Point(_Record):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -1588,8 +1588,8 @@ class Point(_Record):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -1755,7 +1755,7 @@ class TemporaryPoint(_Record):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -1766,8 +1766,8 @@ class TemporaryPoint(_Record):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -1777,8 +1777,8 @@ class TemporaryPoint(_Record):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -4201,7 +4201,7 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -4406,7 +4406,7 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -4909,7 +4909,7 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -5102,7 +5102,7 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
@@ -5809,7 +5809,7 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
 
     @property
     def distance_mm(self) -> float:
-        """`distance` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`distance` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.distance / 100
@@ -6019,7 +6019,7 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
@@ -6274,8 +6274,8 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -6285,8 +6285,8 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -6543,8 +6543,8 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @property
     def zone_limit_1_mm(self) -> float:
-        """`zone_limit_1` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_1` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_1 / 100
 
@@ -6554,8 +6554,8 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
 
     @property
     def zone_limit_2_mm(self) -> float:
-        """`zone_limit_2` in mm. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`zone_limit_2` in mm. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.zone_limit_2 / 100
 
@@ -7129,7 +7129,7 @@ class ReadCurrentPositionResponse(_Record):
 
     @property
     def position_mm(self) -> float:
-        """`position` in mm. Setting it takes the nearest count, of two the even one, and refuses what is
+        """`position` in mm. Setting it stores the nearest count, of two the even one. Raises CodecError
         out of range.
         """
         return self.position / 100
@@ -9156,7 +9156,7 @@ class SerialLink:
     def request_framer(self) -> _LengthFramer:
         """Finds the requests in a stream.
 
-        The length tells where a frame ends; a length that fits no message is garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_REQUESTS,
@@ -9171,7 +9171,7 @@ class SerialLink:
     def response_framer(self) -> _LengthFramer:
         """Finds the responses in a stream.
 
-        The length tells where a frame ends; a length that fits no message is garbage.
+        The length determines where a frame ends; a length that fits no message is garbage.
         """
         return _LengthFramer(
             _SERIAL_RESPONSES,

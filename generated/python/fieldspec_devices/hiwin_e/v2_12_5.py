@@ -201,7 +201,7 @@ __all__ = [
 DEVICE: _Final = "hiwin-e"
 VERSION: _Final = "2.12.5"
 IDENTITY: _Final = "b35f43c8ff45f060"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class AlarmCode(_IntEnum):
@@ -6039,8 +6039,8 @@ class Telegram3Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -6234,8 +6234,8 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -6448,8 +6448,8 @@ class Telegram5Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -6696,8 +6696,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -6707,8 +6707,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def position_controller_gain_per_s(self) -> float:
-        """`position_controller_gain` in 1/s. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`position_controller_gain` in 1/s. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return self.position_controller_gain / 1000
 
@@ -7116,8 +7116,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_velocity_control_unit_per_min(self) -> float:
-        """`mdi_velocity` in control unit/min. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`mdi_velocity` in control unit/min. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return float(self.mdi_velocity * 1000)
 
@@ -7127,8 +7127,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_acceleration_percent(self) -> float:
-        """`mdi_acceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_acceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_acceleration * 25 / 4096
 
@@ -7138,8 +7138,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_deceleration_percent(self) -> float:
-        """`mdi_deceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_deceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_deceleration * 25 / 4096
 
@@ -7384,8 +7384,8 @@ class Telegram102Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -7622,8 +7622,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -7633,8 +7633,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def torque_reduction_percent(self) -> float:
-        """`torque_reduction` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_reduction` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_reduction * 25 / 4096
 
@@ -7874,8 +7874,8 @@ class Telegram105Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -8120,8 +8120,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -8131,8 +8131,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def torque_reduction_percent(self) -> float:
-        """`torque_reduction` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_reduction` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_reduction * 25 / 4096
 
@@ -8142,8 +8142,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def position_controller_gain_per_s(self) -> float:
-        """`position_controller_gain` in 1/s. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`position_controller_gain` in 1/s. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return self.position_controller_gain / 1000
 
@@ -8432,8 +8432,8 @@ class Telegram111Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -8721,8 +8721,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def velocity_override_percent(self) -> float:
-        """`velocity_override` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`velocity_override` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.velocity_override * 25 / 4096
 
@@ -8732,8 +8732,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def mdi_velocity_control_unit_per_min(self) -> float:
-        """`mdi_velocity` in control unit/min. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`mdi_velocity` in control unit/min. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return float(self.mdi_velocity * 1000)
 
@@ -8743,8 +8743,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def mdi_acceleration_percent(self) -> float:
-        """`mdi_acceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_acceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_acceleration * 25 / 4096
 
@@ -8754,8 +8754,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def mdi_deceleration_percent(self) -> float:
-        """`mdi_deceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_deceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_deceleration * 25 / 4096
 
@@ -8878,8 +8878,8 @@ class Telegram750Response(_Record):
 
     @property
     def torque_actual_percent(self) -> float:
-        """`torque_actual` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_actual` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_actual * 25 / 4096
 
@@ -9032,8 +9032,8 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def additional_torque_percent(self) -> float:
-        """`additional_torque` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`additional_torque` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.additional_torque * 25 / 4096
 
@@ -9043,8 +9043,8 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def positive_torque_limit_percent(self) -> float:
-        """`positive_torque_limit` in %. Setting it takes the nearest count, of two the even one, and
-        refuses what is out of range.
+        """`positive_torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.positive_torque_limit * 25 / 4096
 
@@ -9054,8 +9054,8 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def negative_torque_limit_percent(self) -> float:
-        """`negative_torque_limit` in %. Setting it takes the nearest count, of two the even one, and
-        refuses what is out of range.
+        """`negative_torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.negative_torque_limit * 25 / 4096
 
@@ -9528,10 +9528,9 @@ class ParameterChannelLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
 
-        No part of write_parameter tells its length: only `idle` ends such a frame.
+        No part of write_parameter determines its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_REQUESTS,
@@ -9547,10 +9546,9 @@ class ParameterChannelLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
 
-        No part of read_parameter tells its length: only `idle` ends such a frame.
+        No part of read_parameter determines its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_RESPONSES,

@@ -199,7 +199,7 @@ __all__ = [
 DEVICE: _Final = "hiwin-e"
 VERSION: _Final = "2.8.16"
 IDENTITY: _Final = "ac11a21ebaed8850"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class AlarmCode(_IntEnum):
@@ -5914,8 +5914,8 @@ class Telegram3Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -6109,8 +6109,8 @@ class Telegram3Request(_RequestOf["Telegram3Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -6323,8 +6323,8 @@ class Telegram5Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -6571,8 +6571,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -6582,8 +6582,8 @@ class Telegram5Request(_RequestOf["Telegram5Response"]):
 
     @property
     def position_controller_gain_per_s(self) -> float:
-        """`position_controller_gain` in 1/s. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`position_controller_gain` in 1/s. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return self.position_controller_gain / 1000
 
@@ -6991,8 +6991,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_velocity_control_unit_per_min(self) -> float:
-        """`mdi_velocity` in control unit/min. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`mdi_velocity` in control unit/min. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return float(self.mdi_velocity * 1000)
 
@@ -7002,8 +7002,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_acceleration_percent(self) -> float:
-        """`mdi_acceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_acceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_acceleration * 25 / 4096
 
@@ -7013,8 +7013,8 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
 
     @property
     def mdi_deceleration_percent(self) -> float:
-        """`mdi_deceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_deceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_deceleration * 25 / 4096
 
@@ -7259,8 +7259,8 @@ class Telegram102Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -7497,8 +7497,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -7508,8 +7508,8 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
 
     @property
     def torque_reduction_percent(self) -> float:
-        """`torque_reduction` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_reduction` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_reduction * 25 / 4096
 
@@ -7749,8 +7749,8 @@ class Telegram105Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -7995,8 +7995,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def speed_setpoint_b_percent(self) -> float:
-        """`speed_setpoint_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_setpoint_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_setpoint_b * 25 / 268435456
 
@@ -8006,8 +8006,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def torque_reduction_percent(self) -> float:
-        """`torque_reduction` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_reduction` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_reduction * 25 / 4096
 
@@ -8017,8 +8017,8 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
 
     @property
     def position_controller_gain_per_s(self) -> float:
-        """`position_controller_gain` in 1/s. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`position_controller_gain` in 1/s. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return self.position_controller_gain / 1000
 
@@ -8307,8 +8307,8 @@ class Telegram111Response(_Record):
 
     @property
     def speed_actual_b_percent(self) -> float:
-        """`speed_actual_b` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`speed_actual_b` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.speed_actual_b * 25 / 268435456
 
@@ -8596,8 +8596,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def velocity_override_percent(self) -> float:
-        """`velocity_override` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`velocity_override` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.velocity_override * 25 / 4096
 
@@ -8607,8 +8607,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def mdi_velocity_control_unit_per_min(self) -> float:
-        """`mdi_velocity` in control unit/min. Setting it takes the nearest count, of two the even one,
-        and refuses what is out of range.
+        """`mdi_velocity` in control unit/min. Setting it stores the nearest count, of two the even one.
+        Raises CodecError out of range.
         """
         return float(self.mdi_velocity * 1000)
 
@@ -8618,8 +8618,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def mdi_acceleration_percent(self) -> float:
-        """`mdi_acceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_acceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_acceleration * 25 / 4096
 
@@ -8629,8 +8629,8 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
 
     @property
     def mdi_deceleration_percent(self) -> float:
-        """`mdi_deceleration` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`mdi_deceleration` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.mdi_deceleration * 25 / 4096
 
@@ -8753,8 +8753,8 @@ class Telegram750Response(_Record):
 
     @property
     def torque_actual_percent(self) -> float:
-        """`torque_actual` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`torque_actual` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_actual * 25 / 4096
 
@@ -8907,8 +8907,8 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def additional_torque_percent(self) -> float:
-        """`additional_torque` in %. Setting it takes the nearest count, of two the even one, and refuses
-        what is out of range.
+        """`additional_torque` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.additional_torque * 25 / 4096
 
@@ -8918,8 +8918,8 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def positive_torque_limit_percent(self) -> float:
-        """`positive_torque_limit` in %. Setting it takes the nearest count, of two the even one, and
-        refuses what is out of range.
+        """`positive_torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.positive_torque_limit * 25 / 4096
 
@@ -8929,8 +8929,8 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
 
     @property
     def negative_torque_limit_percent(self) -> float:
-        """`negative_torque_limit` in %. Setting it takes the nearest count, of two the even one, and
-        refuses what is out of range.
+        """`negative_torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.negative_torque_limit * 25 / 4096
 
@@ -9403,10 +9403,9 @@ class ParameterChannelLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
 
-        No part of write_parameter tells its length: only `idle` ends such a frame.
+        No part of write_parameter determines its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_REQUESTS,
@@ -9422,10 +9421,9 @@ class ParameterChannelLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
 
-        No part of read_parameter tells its length: only `idle` ends such a frame.
+        No part of read_parameter determines its length: only `idle` ends such a frame.
         """
         return _CodeFramer(
             _PARAMETER_CHANNEL_RESPONSES,

@@ -243,7 +243,7 @@ _X0, _X1, _X2, _X3, _X4, _X5, _X6, _X7 = _CRC_EXCHANGED
 DEVICE: _Final = "tc100"
 VERSION: _Final = "2.0"
 IDENTITY: _Final = "5a28b0066026c37c"
-"""Equal if and only if what is on the wire is."""
+"""Equal for two versions if and only if their bytes on the wire are."""
 
 
 class ExceptionCode(_IntEnum):
@@ -2020,8 +2020,8 @@ class Point(_Record):
 
     @property
     def torque_limit_percent(self) -> float:
-        """`torque_limit` in %. Setting it takes the nearest count, of two the even one, and refuses what
-        is out of range.
+        """`torque_limit` in %. Setting it stores the nearest count, of two the even one. Raises
+        CodecError out of range.
         """
         return self.torque_limit / 10
 
@@ -2821,8 +2821,7 @@ class RtuLink:
     def request_framer(self) -> _CodeFramer:
         """Finds the requests in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_REQUESTS,
@@ -2842,8 +2841,7 @@ class RtuLink:
     def response_framer(self) -> _CodeFramer:
         """Finds the responses in a stream.
 
-        The code, and the count of the repeated part, tell where a frame ends; an unknown code is
-        garbage.
+        Code and count of the repeated part determine where a frame ends; an unknown code is garbage.
         """
         return _CodeFramer(
             _RTU_RESPONSES,

@@ -21,7 +21,7 @@ class Register(Generic[T]):
     `access` is ro, rw or wo, and empty where the manual does not state it. The words of an `atomic` register must be
     accessed in one request. `trigger`: writing starts an action, and reading returns no meaningful value.
     `number` is its number in another list of the manual, `copy_of` the name of the register that it copies.
-    `space` is the address space in which it lies, empty where the device has only one.
+    `space` is its address space, empty where the device has only one.
     """
 
     __slots__ = (
@@ -227,7 +227,7 @@ def replies(register: Register[Any], responses: Iterable[object], kind: type[T])
     checked = []
     for response in responses:
         if not isinstance(response, kind):
-            text = f"{register.name} lies in {register.space}, of which {type(response).__name__} carries nothing"
+            text = f"{register.name} is in {register.space}, of which {type(response).__name__} carries nothing"
             raise CodecError("wrong_type", text)
         checked.append(response)
     return checked
