@@ -127,6 +127,47 @@ def constants(frame: FrameLayout) -> list[str]:
     ]
 
 
+def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
+    """The arguments of the `_Frames` or `_PartFrames` of a link in one direction."""
+    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
+    for role in ("code", "length"):
+        part = frame.role(role)
+        if part is not None:
+            arguments += [f"{role}={frame.head.index(part)}", f"{role}_offset={part.offset}"]
+            if role == "length":
+                arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
+    for name, mark in (("start", link.link.start), ("end", link.link.end)):
+        if mark:
+            arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
+    if link.link.encoding == "hex_ascii":
+        arguments.append("hexadecimal=True")
+    if is_simple(frame) and constants(frame):
+        arguments.append(f"constants=({', '.join(constants(frame))},)")
+    return arguments
+
+
+def _simple_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_Frames` for the header and the checksum."""
+    order = next((part.order for part in frame.head if part.size > 1), "big")
+    letters = "".join(map(letter, frame.head))
+    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
+    arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
+    if frame.checksum and frame.checksum.order == "big":
+        arguments.append('check_order="big"')
+    return arguments
+
+
+def _part_arguments(frame: FrameLayout) -> list[str]:
+    """The arguments of `_PartFrames` for the parts."""
+    check, length = frame.checksum, frame.role("length")
+    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
+    if check is not None:
+        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
+    if length is not None:
+        arguments += [f"unit={length.unit_size}", f"base={length.base}"]
+    return arguments
+
+
 def head_tests(link: LinkLayout, frame: FrameLayout) -> list[str]:
     """The conditions on the header parts that the caller passes."""
     tests = []

@@ -9,14 +9,12 @@ from fieldspec.backends.python.frames import (
     PartView,
     argument_views,
     code_literal,
-    constants,
     framer,
+    frames_arguments,
     head_refusals,
     head_tests,
     head_value,
     is_simple,
-    letter,
-    part_rows,
 )
 from fieldspec.backends.python.naming import Scope
 from fieldspec.backends.python.records import RecordShape
@@ -24,7 +22,7 @@ from fieldspec.backends.python.slots import Words
 from fieldspec.backends.python.text import chained, described, docstring, item_lines, literal, union
 from fieldspec.backends.python.writing import pairs
 from fieldspec.classes import dataclass
-from fieldspec.layout.frame import FrameLayout, LinkLayout, MessageLayout, PartLayout
+from fieldspec.layout.frame import LinkLayout, MessageLayout, PartLayout
 from fieldspec.layout.record import RecordLayout
 from fieldspec.names import Name
 
@@ -249,7 +247,7 @@ def _direction(
         direction=direction,
         frames=frames,
         kind="_Frames" if is_simple(frame) else "_PartFrames",
-        arguments=_frames_arguments(link, frame),
+        arguments=frames_arguments(link, frame),
         quick=f"_{upper}_QUICK_{direction.upper()}S",
         quickly=_quick_key(code),
         classes=f"_{upper}_{direction.upper()}_CLASSES",
@@ -278,46 +276,6 @@ def _known(message: MessageLayout) -> list[str]:
     """The names of a message whose frames have no code: its number and its name."""
     number = message.message.number
     return ([] if number is None else [str(number)]) + [literal(message.name)]
-
-
-def _frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
-    arguments = _simple_arguments(frame) if is_simple(frame) else _part_arguments(frame)
-    for role in ("code", "length"):
-        part = frame.role(role)
-        if part is not None:
-            arguments += [f"{role}={frame.head.index(part)}", f"{role}_offset={part.offset}"]
-            if role == "length":
-                arguments += [f"length_name={literal(part.name)}", f"longest={256**part.size - 1}"]
-    for name, mark in (("start", link.link.start), ("end", link.link.end)):
-        if mark:
-            arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
-    if link.link.encoding == "hex_ascii":
-        arguments.append("hexadecimal=True")
-    if is_simple(frame) and constants(frame):
-        arguments.append(f"constants=({', '.join(constants(frame))},)")
-    return arguments
-
-
-def _simple_arguments(frame: FrameLayout) -> list[str]:
-    """The arguments of `_Frames` for the header and the checksum."""
-    order = next((part.order for part in frame.head if part.size > 1), "big")
-    letters = "".join(map(letter, frame.head))
-    arguments = [literal(f"{'<' if order == 'little' else '>'}{letters}")]
-    arguments.append(literal(frame.checksum.algorithm if frame.checksum else ""))
-    if frame.checksum and frame.checksum.order == "big":
-        arguments.append('check_order="big"')
-    return arguments
-
-
-def _part_arguments(frame: FrameLayout) -> list[str]:
-    """The arguments of `_PartFrames` for the parts."""
-    check, length = frame.checksum, frame.role("length")
-    arguments = [part_rows(frame.head), part_rows(frame.tail), literal(check.algorithm if check else "")]
-    if check is not None:
-        arguments += [f"check={frame.parts.index(check)}", f"covers=({check.start}, {check.stop})"]
-    if length is not None:
-        arguments += [f"unit={length.unit_size}", f"base={length.base}"]
-    return arguments
 
 
 def _exchange(
