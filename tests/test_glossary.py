@@ -25,7 +25,6 @@ STILL_TO_DO: dict[str, int] = {
     "backends/hmi": 11,
     "backends/kv": 34,
     "backends/plcopen": 30,
-    "backends/python": 189,
     "backends/scl": 32,
     "backends/st": 2,
     "backends/twincat": 1,
