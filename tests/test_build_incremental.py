@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -38,9 +38,11 @@ class Place:
         self.devices = ["gadget", "gizmo", "glider-x"]
         output_stage = pipeline.output
 
-        def noted(name: str, versions: list[pipeline.DeviceLayout]) -> dict[str, bytes]:
+        def noted(
+            name: str, versions: list[pipeline.DeviceLayout], links: Sequence[pipeline.PageLink] = ()
+        ) -> dict[str, bytes]:
             self.made.append(f"{versions[0].device.id} {name}")
-            return output_stage(name, versions)
+            return output_stage(name, versions, links)
 
         monkeypatch.setattr(pipeline, "output", noted)
         monkeypatch.setattr(working, "WORTH_IT", 10**9)  # within this process, where the notes are

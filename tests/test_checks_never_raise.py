@@ -51,6 +51,8 @@ def trees() -> tuple[Mapping, ...]:
     for folder in folders:
         files = {}
         for path in sorted(folder.rglob("*.yaml")):
+            if not path.is_file():  # cases of folders and links in the place of files
+                continue
             inside = path.relative_to(folder).as_posix()
             files[inside if "/" in inside else f"gadget/{inside}"] = path.read_bytes()
         project = read(files)

@@ -219,3 +219,9 @@ def test_a_value_that_is_read_only_may_be_requested_and_returned(run_on_devices:
     assert run("encode", "ck10", "read_registers", "station=1", "address=0x4E26", "word_count=3").code == 0
     echo = ["write_register", "station=1", "address=0x4E26", "value=1", "--direction", "response"]
     assert run("encode", "ck10", *echo).code == 0
+
+
+def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
+    ran = run("encode", "widget", *WRITE, "values=-1.00 mm, 007")
+    assert (ran.code, ran.out) == (2, "")
+    assert "`007` is no number" in ran.err

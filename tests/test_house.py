@@ -32,6 +32,7 @@ BACK_ENDS_IMPORT = {
         "changes",
         "diagnostics",
         "explain",
+        "html_text",
         "layout",
         "model",
         "names",

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from layouts import TEST_SPECS, newest
-from made_python import codec_error, made
+from python_package import codec_error, module_of
 
-METER, PROBE = made(newest(TEST_SPECS, "meter")), made(newest(TEST_SPECS, "probe"))
+METER, PROBE = module_of(newest(TEST_SPECS, "meter")), module_of(newest(TEST_SPECS, "probe"))
 CodecError = codec_error()
 
 

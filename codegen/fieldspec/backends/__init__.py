@@ -16,6 +16,14 @@ Files = dict[str, str | Workbook]
 
 
 @dataclass(frozen=True, slots=True)
+class PageLink:
+    """An entry of an index of pages: its text, and the file that it leads to, relative to the index."""
+
+    text: str
+    file: str
+
+
+@dataclass(frozen=True, slots=True)
 class Output:
     """An output by the name of its folder here and below `generated/`.
 
@@ -27,9 +35,13 @@ class Output:
     title: str
     family: str = ""
 
-    def files(self, versions: Sequence[DeviceLayout]) -> Files:
-        """The files for all versions of one device, the oldest first, by path."""
-        return cast("Callable[[Sequence[DeviceLayout]], Files]", self._backend("files"))(versions)
+    def files(self, versions: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> Files:
+        """The files for all versions of one device, the oldest first, by path.
+
+        `links` lead to pages that the back end does not write. Only a back end with an index of pages takes them.
+        """
+        files = cast("Callable[..., Files]", self._backend("files"))
+        return files(versions, links) if links else files(versions)
 
     def shared(self) -> Files:
         """The files that belong to no device, by path."""

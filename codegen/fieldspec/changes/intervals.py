@@ -34,7 +34,7 @@ def bounded(both: Comparison) -> Iterator[Bounded]:
         old, new = _of_values(held)
         if old is not None and new is not None:
             yield Bounded(held, name, "the range", "range", old, new)
-        old, new = held.old.written_ranges, held.new.written_ranges
+        old, new = held.old.writable_ranges, held.new.writable_ranges
         if (held.old.write_ranges or held.new.write_ranges) and (old or new) and held.old.type == held.new.type:
             whole = _whole(held.new.type)
             yield Bounded(held, name, "the range of writing", "write_range", old or whole, new or whole)

@@ -9,6 +9,7 @@ from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.readings import DIRECTIONS, FrameOptions, option_word
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import MessageLayout
+from fieldspec.model.quantity import count_of
 
 
 def frame_options(layout: DeviceLayout, arguments: argparse.Namespace) -> FrameOptions:
@@ -83,7 +84,7 @@ def number_of(text: str) -> int | None:
     """`0x2011`, `2011h` or `8209` as a number."""
     digits = text[:-1] if text[-1:] in ("h", "H") else text
     try:
-        return int(digits, 16) if digits != text else int(text, 0)
+        return int(digits, 16) if digits != text else count_of(text)
     except ValueError:
         return None
 

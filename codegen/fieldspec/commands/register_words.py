@@ -9,6 +9,7 @@ from fieldspec.commands.usage import UsageError
 from fieldspec.explain.registers import Holder, holder_at
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import raw_value
+from fieldspec.model.quantity import count_of
 from fieldspec.model.record import RegisterAccess
 
 _COUNTS = re.compile(r"[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+)(?:[, ]+[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+))*")
@@ -28,8 +29,9 @@ def register_words(layout: DeviceLayout, access: RegisterAccess, start: int, tex
 
 
 def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str) -> Iterator[int]:
-    if re.fullmatch(r"0x[0-9A-Fa-f]{1,4}|[0-9]{1,5}", item):
-        yield int(item, 0)
+    count = count_of(item)
+    if count is not None and 0 <= count <= 0xFFFF:
+        yield count
         return
     held = holder_at(layout, access.space, address)
     if held is None or held.value.size % 2:

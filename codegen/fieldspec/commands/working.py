@@ -166,11 +166,14 @@ def carry_out(work: Work, task: Task) -> Done:
     hashes: dict[str, Hashes] = {}
     stale: list[str] = []
     for name in task.outputs:
-        files = pipeline.output(name, layouts)
         if name == DOCUMENTATION and not task.versions:
-            from fieldspec.render.audit_pages import pages
+            from fieldspec.backends.docs.backend import fact_links
+            from fieldspec.render.audit_pages import LINK, pages
 
-            files |= pages(spec, layouts, task.manual, files, ran)
+            files = pipeline.output(name, layouts, (LINK,))
+            files |= pages(spec, layouts, task.manual, fact_links(layouts[-1], files), ran)
+        else:
+            files = pipeline.output(name, layouts)
         hashes[name] = settled(work, files, stale)
     return Done(task.device, found, identities, hashes, stale)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
@@ -14,6 +13,7 @@ from fieldspec.layout.record import FieldLayout
 from fieldspec.layout.values import Raw
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Fact
+from fieldspec.model.quantity import quantity_of
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.model.value import Kind, ParameterPart, Value
@@ -138,7 +138,7 @@ def _read_as(
     again = None if row.reason else _again(fact.value, field, row)
     if again is None:
         return replace(row, meanings=(element.meaning, *row.meanings), notes=(*row.notes, *fact.notes))
-    read = decode_value(device, fact.value.as_written() if written else fact.value, *again, reserved=fact.reserved)
+    read = decode_value(device, fact.value.for_writing() if written else fact.value, *again, reserved=fact.reserved)
     if element.parameter.trigger and not written:
         read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))
@@ -168,7 +168,6 @@ def _again(value: Value, field: FieldLayout, row: ExplanationRow) -> tuple[bytes
     return None
 
 
-_QUANTITY = re.compile(r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?) ?(\S.*)")
 _MOST_NAMES = 4
 
 
@@ -184,10 +183,10 @@ class Count:
 
 def nearest(value: Value, text: str) -> Count | None:
     """The count next to `50 %`; of two the even one. None where the text is no quantity in the value's unit."""
-    match = _QUANTITY.fullmatch(text.strip())
-    if match is None or match[2] != value.unit:
+    quantity = quantity_of(text.strip())
+    if quantity is None or quantity[1] != value.unit:
         return None
-    counts = (Fraction(match[1]) - Fraction(value.offset)) / Fraction(value.scale)
+    counts = (Fraction(quantity[0]) - Fraction(value.offset)) / Fraction(value.scale)
     raw = round(counts)
     exact = f"{Decimal(round(counts * 10**_MOST_NAMES)).scaleb(-_MOST_NAMES).normalize():f}"
     return Count(raw, exact, in_unit(value, raw), counts == raw)

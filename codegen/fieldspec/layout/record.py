@@ -104,7 +104,7 @@ class RecordLayout:
 
 @dataclass(frozen=True, slots=True)
 class Orders:
-    """The byte order and the word order around a value."""
+    """The byte order and the word order around a value; that of words is empty where nothing is counted in words."""
 
     byte: str
     word: str
@@ -112,7 +112,7 @@ class Orders:
     def of(self, value: Value | None) -> tuple[str, bool]:
         """The byte order of a value, and whether its words are swapped."""
         byte = value.byte_order if value and value.byte_order else self.byte
-        return byte, bool(value and value.size > 2 and value.type.letter not in "s" and self.word != byte)
+        return byte, bool(value and value.size > 2 and value.type.letter not in "s" and self.word and self.word != byte)
 
 
 def record_layout(

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterable, Mapping
-from decimal import Decimal
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import PartLayout
 from fieldspec.layout.record import FieldLayout, RecordLayout
 from fieldspec.model.device import Device
+from fieldspec.model.quantity import count_of, quantity_of
 from fieldspec.model.texts import Example
 from fieldspec.model.value import Kind, Value
 
@@ -20,9 +20,6 @@ if TYPE_CHECKING:
 
 
 Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
-
-_IN_UNIT = r"([-+]?[0-9]{1,30}(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)"
-_COUNT = r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})"
 
 
 class MeaningError(ValueError):
@@ -150,13 +147,14 @@ def _number(device: Device, path: str, value: Value | None, held: Any) -> Raw:
 
 
 def _is_count(held: object) -> bool:
-    return isinstance(held, str) and re.fullmatch(_COUNT, held) is not None
+    return isinstance(held, str) and count_of(held) is not None
 
 
 def _text(device: Device, path: str, value: Value, held: str) -> int:
     """A count, a member's name, a sentinel's name, or a quantity with its unit."""
-    if re.fullmatch(_COUNT, held):
-        return int(held, 0)
+    count = count_of(held)
+    if count is not None:
+        return count
     if value.enum:
         member = device.enums[value.enum].named(held)
         if member is not None:
@@ -164,9 +162,9 @@ def _text(device: Device, path: str, value: Value, held: str) -> int:
     for sentinel in value.sentinels:
         if sentinel.name == held:
             return sentinel.value
-    match = re.fullmatch(_IN_UNIT, held)
-    if match and match[2] == value.unit:
-        raw = value.from_unit(Decimal(match[1]))
+    quantity = quantity_of(held)
+    if quantity is not None and quantity[1] == value.unit:
+        raw = value.from_unit(quantity[0])
         if raw is None:
             raise MeaningError(path, f"`{held}` is no whole number of counts of {value.scale} {value.unit}")
         absent = value.sentinel(raw)

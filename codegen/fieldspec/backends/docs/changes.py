@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
+from fieldspec.backends import PageLink
 from fieldspec.backends.docs.context import cited
 from fieldspec.backends.docs.document import (
     Block,
@@ -17,7 +18,6 @@ from fieldspec.backends.docs.document import (
     TableColumn,
     TableRow,
     cell,
-    clean,
     code,
     innermost,
     styled,
@@ -28,6 +28,7 @@ from fieldspec.backends.docs.identity import version_title
 from fieldspec.changes.change import Change, Effect
 from fieldspec.changes.judging import Compared, Judged, judged
 from fieldspec.classes import dataclass
+from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Version
 
@@ -39,6 +40,7 @@ COLUMNS = (
     TableColumn("Fact", unbroken=True),
     TableColumn("Remarks"),
 )
+
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
@@ -204,11 +206,11 @@ VERSION_COLUMNS = (
 
 
 def versions(
-    layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str, beside: Sequence[tuple[str, str]] = ()
+    layouts: Sequence[DeviceLayout], held: Sequence[Step], ending: str, links: Sequence[PageLink] = ()
 ) -> Document:
     """The versions, the newest first, and the steps between them; `ending` is that of the pages to which they lead.
 
-    `beside` are other pages of the device: what each is, and its file.
+    `links` lead to other pages of the device.
     """
     newest = layouts[-1]
     device = newest.device
@@ -222,7 +224,7 @@ def versions(
     section = Section(
         "versions", (text_piece("Versions"),), (*blocks, table("Versions, the newest first", VERSION_COLUMNS, rows))
     )
-    summary = tuple((text_piece(text, file),) for text, file in beside)
+    summary = tuple((text_piece(link.text, link.file),) for link in links)
     return Document(
         clean(device.name), clean(device.title), newest.identity, device.manual.language, summary, (section,)
     )

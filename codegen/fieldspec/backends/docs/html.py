@@ -26,6 +26,7 @@ from fieldspec.backends.docs.document import (
     paths_of,
 )
 from fieldspec.backends.forms import filled, text
+from fieldspec.html_text import escaped
 
 _TAGS = {
     "": ("", ""),
@@ -45,19 +46,12 @@ def page(document: Document) -> str:
         "backends/docs/page.html.in",
         title=escaped(document.title),
         identity=escaped(document.identity),
-        style=text("backends/docs/page.css"),
+        style=text("backends/page.css"),
         script=text("backends/docs/filter.js"),
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
         contents="".join(map(made.entry, document.sections)),
         sections=[held for section in document.sections for held in made.section(section, 2)],
     )
-
-
-@lru_cache(maxsize=REUSED)
-def escaped(text: str) -> str:
-    """Text that means itself, in an element or in an attribute."""
-    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return text.replace("'", "&#39;").replace('"', "&#34;")
 
 
 def _attribute(name: str, value: str) -> str:

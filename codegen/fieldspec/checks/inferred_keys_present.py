@@ -21,12 +21,12 @@ from fieldspec.model.fact import Fact
 from fieldspec.model.value import UNSPECIFIED, Handling, Value
 
 
-def inferred_keys_given(device: Device) -> Iterator[Diagnostic]:
+def inferred_keys_present(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         for key in fact.inferred:
             if not has_key(fact, key):
                 text = f"{fact.name} has no `{key}` that could be inferred"
-                yield finding("inferred_keys_given", fact.place, "inferred", text, "give it, or take the reason out")
+                yield finding("inferred_keys_present", fact.place, "inferred", text, "give it, or take the reason out")
 
 
 def has_key(fact: Fact, key: str) -> bool:
@@ -40,7 +40,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
     if not isinstance(value, Value):
         return frozenset()
     handling = getattr(fact, "handling", UNSPECIFIED)
-    held: dict[str, object] = {
+    values: dict[str, object] = {
         "type": True,
         "length": True,
         "characters": value.characters is not None,
@@ -67,4 +67,4 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "since": bool(fact.since),
         "until": bool(fact.until),
     }
-    return frozenset(key for key, given in held.items() if given)
+    return frozenset(key for key, value in values.items() if value)

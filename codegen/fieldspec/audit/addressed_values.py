@@ -1,4 +1,4 @@
-"""Every value that a device holds at an address: of arrays each element, of tables each field of each element."""
+"""Every value with an address: each element of an array, and each field of each element of a record table."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ Address: TypeAlias = tuple[str, int]
 
 
 @dataclass(frozen=True, slots=True)
-class Unit:
-    """A value at `address`, which takes `words` there; its bytes begin `skip` bytes behind the first.
+class AddressedValue:
+    """A value of `words` words at `address`; its own bytes begin after `skip` bytes.
 
-    `order` and `swapped` are those of its bytes. What is read of one that is `unread` is not what was written: it can
-    only be written, or starts something.
+    `order` and `swapped` are the order of its bytes. A value is `unread` where a read does not give what was written:
+    it can only be written, or a write starts an action.
     """
 
     space: str
@@ -45,24 +45,28 @@ class Unit:
         return [(self.space, address) for address in range(self.address, self.address + self.words)]
 
 
-def units(layout: DeviceLayout) -> Iterator[Unit]:
-    """The values in the spaces of registers."""
+def addressed_values(layout: DeviceLayout) -> Iterator[AddressedValue]:
+    """The values in the spaces of registers, in the order of the spec."""
     device = layout.device
-    for laid in layout.registers:
-        register = laid.register
-        for number in range(laid.count):
-            name = f"{laid.name}[{register.index_from + number}]" if laid.count > 1 else laid.name
-            address = laid.address + number * laid.stride
-            yield Unit(
+    for register_layout in layout.registers:
+        register = register_layout.register
+        for number in range(register_layout.count):
+            name = (
+                f"{register_layout.name}[{register.index_from + number}]"
+                if register_layout.count > 1
+                else register_layout.name
+            )
+            address = register_layout.address + number * register_layout.stride
+            yield AddressedValue(
                 device.space_name(register.space),
                 name,
                 register,
                 address,
-                max(1, laid.words),
+                max(1, register_layout.words),
                 0,
                 register.value,
-                laid.order,
-                laid.swapped,
+                register_layout.order,
+                register_layout.swapped,
                 register.trigger or register.access == "wo",
                 register.reserved,
             )
@@ -73,13 +77,15 @@ def units(layout: DeviceLayout) -> Iterator[Unit]:
                 yield _field(device.space_name(table.table.space), table, index, name, field, byte, access)
 
 
-def _field(space: str, laid: TableLayout, index: int, name: str, field: FieldLayout, byte: int, access: str) -> Unit:
+def _field(
+    space: str, table: TableLayout, index: int, name: str, field: FieldLayout, byte: int, access: str
+) -> AddressedValue:
     assert field.value is not None
-    return Unit(
+    return AddressedValue(
         space,
-        f"{laid.name}[{index}].{name}",
+        f"{table.name}[{index}].{name}",
         field.field,
-        laid.table.address(index) + byte // 2,
+        table.table.address(index) + byte // 2,
         (byte % 2 + field.size + 1) // 2,
         byte % 2,
         field.value,
@@ -93,9 +99,9 @@ def _field(space: str, laid: TableLayout, index: int, name: str, field: FieldLay
 def _flat(
     record: RecordLayout, access: str, before: str = "", at: int = 0
 ) -> Iterator[tuple[str, FieldLayout, int, str]]:
-    """The values in a record with their names, their first bytes and their access, also those of records in it.
+    """The values of a record, also of nested records: name, field, first byte and access of each element.
 
-    Each of several is there. `access` is that of what the record lies in.
+    `access` is the access of the table or field that contains the record.
     """
     for field in record.fields:
         allowed = narrowed(access, field.field.access)

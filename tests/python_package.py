@@ -1,6 +1,6 @@
-"""The Python output of all specs, built into a folder of its own and imported from there; raw values of its objects.
+"""The Python output of all specs, built and imported as a package in a temporary folder, and helpers for its objects.
 
-The package has another name here, so that the committed one is left alone.
+The package has another name here, so that it does not hide the committed one.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ _FOLDER = tempfile.TemporaryDirectory(prefix="fieldspec-python-")
 
 def texts(name: str = PACKAGE) -> dict[str, str]:
     """The files of the output for all specs, the real and the made-up ones, in a package with a name."""
-    made = shared()
+    outputs = shared()
     for root in (SPECS, TEST_SPECS):
         for versions in layouts(root).values():
-            made |= files(versions)
-    return {path.replace(PACKAGE, name, 1): text for path, text in made.items()}
+            outputs |= files(versions)
+    return {path.replace(PACKAGE, name, 1): text for path, text in outputs.items()}
 
 
-def write(folder: Path, made: Mapping[str, str]) -> None:
+def write(folder: Path, texts: Mapping[str, str]) -> None:
     """Writes files below a folder."""
-    for path, text in made.items():
+    for path, text in texts.items():
         place = folder / path
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(text, encoding="utf-8", newline="\n")
@@ -57,17 +57,17 @@ def runtime(name: str) -> ModuleType:
     return importlib.import_module(f"{package().__name__}.{name}")
 
 
-def made(layout: DeviceLayout) -> ModuleType:
+def module_of(layout: DeviceLayout) -> ModuleType:
     """The module of a device's version."""
     device = package_name(layout.device.id)
     return importlib.import_module(f"{package().__name__}.{device}.{module_name(layout.device.version)}")
 
 
-def made_apart(layout: DeviceLayout, name: str) -> ModuleType:
-    """The module of a layout that is none of the specs', beside the others under a name of its own."""
+def module_apart(layout: DeviceLayout, name: str) -> ModuleType:
+    """The module of a layout that is in no spec, in a subpackage with a name of its own."""
     module = module_name(layout.device.version)
-    made_files = files([layout])
-    text = made_files[f"{PACKAGE}/{package_name(layout.device.id)}/{module}.py"]
+    outputs = files([layout])
+    text = outputs[f"{PACKAGE}/{package_name(layout.device.id)}/{module}.py"]
     folder = f"{package().__name__}/{name}"
     write(Path(_FOLDER.name), {f"{folder}/__init__.py": "", f"{folder}/{module}.py": text})
     importlib.invalidate_caches()
@@ -83,8 +83,8 @@ def codec_error() -> type[Any]:
 def class_of(module: ModuleType, name: str, *suffixes: str) -> Any:
     """The class of a record, of a message's data, or of a word of flags."""
     pascal = Name.of(name).pascal()
-    found = next(pascal + suffix for suffix in ("", *suffixes) if pascal + suffix in module.__all__)
-    return getattr(module, found)
+    class_name = next(pascal + suffix for suffix in ("", *suffixes) if pascal + suffix in module.__all__)
+    return getattr(module, class_name)
 
 
 def record_class(module: ModuleType, record: RecordLayout) -> Any:
@@ -108,67 +108,69 @@ def stored(record: RecordLayout) -> Iterator[FieldLayout]:
 
 
 def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values: Mapping[str, Any]) -> Any:
-    """The object that has some raw values."""
+    """The object with some raw values."""
     by = record.selector
     chosen = record.of_number(values[by.name]) if by is not None else None
     fields = (chosen or record).fields
-    held = {field.name: _made(module, layout, field, values[field.name]) for field in fields if field.name in values}
+    arguments = {
+        field.name: _attribute(module, layout, field, values[field.name]) for field in fields if field.name in values
+    }
     if by is not None and chosen is not None and chosen.fields[-1].is_list:
-        held[chosen.fields[-1].name] = tuple(held[chosen.fields[-1].name])
-    return record_class(module, record)(*(held[field.name] for field in stored(record)))
+        arguments[chosen.fields[-1].name] = tuple(arguments[chosen.fields[-1].name])
+    return record_class(module, record)(*(arguments[field.name] for field in stored(record)))
 
 
-def _made(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
+def _attribute(module: ModuleType, layout: DeviceLayout, field: FieldLayout, value: Any) -> Any:
     if field.is_list:
-        return [_one(module, layout, field, item) for item in held]
-    return _one(module, layout, field, held)
+        return [_element(module, layout, field, item) for item in value]
+    return _element(module, layout, field, value)
 
 
-def _one(module: ModuleType, layout: DeviceLayout, field: FieldLayout, held: Any) -> Any:
+def _element(module: ModuleType, layout: DeviceLayout, field: FieldLayout, value: Any) -> Any:
     if field.record is not None:
-        return built(module, layout, field.record, held)
+        return built(module, layout, field.record, value)
     if field.value is not None and field.value.flags:
-        return class_of(module, field.value.flags, "Flags")(held)
-    return held
+        return class_of(module, field.value.flags, "Flags")(value)
+    return value
 
 
-def raw(held: Any) -> Any:
+def raw(value: Any) -> Any:
     """A value as the reference has it: numbers, texts, bytes, lists."""
-    if isinstance(held, package().Flags):
-        return held.raw
-    if isinstance(held, list | tuple):
-        return [raw(item) for item in held]
-    return int(held) if isinstance(held, int) and not isinstance(held, bool) else held
+    if isinstance(value, package().Flags):
+        return value.raw
+    if isinstance(value, list | tuple):
+        return [raw(item) for item in value]
+    return int(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
 def raws(message: Any, record: RecordLayout) -> dict[str, Any]:
     """The raw values of an object by the names of the spec."""
-    found: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for field, name in zip(stored(record), message.__match_args__, strict=True):
-        held = getattr(message, name)
+        attribute = getattr(message, name)
         if field.record is None:
-            found[field.name] = raw(held)
+            values[field.name] = raw(attribute)
         elif field.is_list:
-            found[field.name] = [raws(item, field.record) for item in held]
+            values[field.name] = [raws(item, field.record) for item in attribute]
         else:
-            found[field.name] = raws(held, field.record)
-    return found
+            values[field.name] = raws(attribute, field.record)
+    return values
 
 
 def only_stored(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
     """The values of those fields that are attributes."""
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for field in stored(record):
-        held = values[field.name]
+        value = values[field.name]
         if field.record is not None:
             inner = field.record
-            held = [only_stored(inner, item) for item in held] if field.is_list else only_stored(inner, held)
-        found[field.name] = held
-    return found
+            value = [only_stored(inner, item) for item in value] if field.is_list else only_stored(inner, value)
+        result[field.name] = value
+    return result
 
 
 def outcome(call: Callable[[], Any]) -> tuple[str, Any]:
-    """What a call of either codec comes to: the reason and the offset of its refusal, or its value as a text.
+    """The outcome of a call of either codec: the reason and the offset of its error, or its result as a text.
 
     In a text, one NaN is like another. The reference leaves characters that are not ASCII to Python.
     """

@@ -1,4 +1,4 @@
-"""What the print does not say of a fact: empty cells in its row, and values that count nothing known."""
+"""What the print does not say about a fact: empty cells in its row, labels elsewhere, numbers without a unit."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from fieldspec.model.value import Kind
 
 @dataclass(frozen=True, slots=True)
 class EmptyCell:
-    """A fact that somebody has explained although a cell of its row is empty which a row beside it has filled."""
+    """A fact that the spec explains although its row has an empty cell where another row of the table has a text."""
 
     fact: Fact
     print: str
 
 
 def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
-    """Members and bits with an empty cell between filled ones, of which nothing is inferred."""
+    """Members and bits with an empty cell between filled ones, and without an inferred key."""
     tables: dict[str, list[tuple[Fact, str, list[str]]]] = {}
     for fact in facts(device):
         if isinstance(fact, Member | Bit) and "source" in fact.place:
@@ -45,12 +45,12 @@ def empty_cells(device: Device, index: ManualIndex) -> Iterator[EmptyCell]:
 
 
 def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:
-    """Facts whose label is on none of the lines that they cite. `text` is the manual's; blanks do not count."""
-    lines = [_plain(line) for line in text.split("\n")]
+    """Facts whose label is on none of the lines that they cite. `text` is that of the manual; blanks do not count."""
+    lines = [_bare(line) for line in text.split("\n")]
     corrected: dict[str, list[str]] = {}
     for erratum in device.errata:
         prints = (erratum.literal, str(erratum.printed.get("label", "")))
-        corrected.setdefault(erratum.fact, []).extend(_plain(one) for one in prints if one)
+        corrected.setdefault(erratum.fact, []).extend(_bare(printed) for printed in prints if printed)
     for fact in facts(device):
         if not fact.label or "label" not in fact.place or "source" not in fact.place:
             continue
@@ -59,18 +59,18 @@ def labels_elsewhere(device: Device, text: str) -> Iterator[Fact]:
         cited = "".join(
             line for source in fact.sources for first, last in source.lines for line in lines[first - 1 : last]
         )
-        prints = (_plain(fact.label), *corrected.get(fact.place.path, ()))
+        prints = (_bare(fact.label), *corrected.get(fact.place.path, ()))
         if not any(text in cited for text in prints):
             yield fact
 
 
-def _plain(text: str) -> str:
-    """Text without blanks, bars between cells and forms of one character."""
+def _bare(text: str) -> str:
+    """A text in compatibility form, without blanks and without bars between cells."""
     return "".join(unicodedata.normalize("NFKC", text).replace("|", "").split())
 
 
 def _row(fact: Fact, index: ManualIndex) -> str:
-    """The line of a fact that cites a single one, as the index has it; nothing of another."""
+    """The index line of a fact that cites a single line; else empty."""
     lines = [interval for source in fact.sources for interval in source.lines]
     if len(lines) != 1 or lines[0][0] != lines[0][1] or not 0 < lines[0][0] <= len(index.lines):
         return ""
@@ -78,20 +78,20 @@ def _row(fact: Fact, index: ManualIndex) -> str:
 
 
 def _explained(fact: Fact) -> bool:
-    """Whether our own words say what a fact means."""
+    """Whether the spec explains a fact in its own words."""
     return bool(fact.doc) or (isinstance(fact, Bit) and bool(fact.zero or fact.one))
 
 
 def without_unit(device: Device) -> Iterator[Fact]:
-    """Numbers of which nothing says what they count: no unit, names, range, constant, note or report.
+    """Numbers without any explanation: no unit, names, range, constant, note or report.
 
     Numbers in messages are left out: they are addresses, numbers of words and their like, or signals.
     """
     for fact, value in values(device):
         if isinstance(fact, Part) or fact.place.path.startswith("messages/") or value.type.kind is not Kind.INTEGER:
             continue
-        said = value.unit or value.enum or value.flags or value.ranges or value.parameter or value.sentinels
-        if said or value.const is not None or fact.notes or fact.reported or getattr(fact, "reserved", False):
+        explanation = value.unit or value.enum or value.flags or value.ranges or value.parameter or value.sentinels
+        if explanation or value.const is not None or fact.notes or fact.reported or getattr(fact, "reserved", False):
             continue
         if isinstance(fact, Register) and fact.same_as:
             continue

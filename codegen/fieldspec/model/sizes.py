@@ -1,4 +1,4 @@
-"""Sizes of records and frames in bytes, as far as the spec determines them."""
+"""Sizes of records, of the parts of frames and of frames in bytes, as far as the spec determines them."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from fieldspec.model.link import CHECKSUM_SIZES, Link, Part
 from fieldspec.model.record import Field, Message, Record
 
 MOST_LEVELS = 64
+"""How deep records may be nested."""
 
 
-class Sizes:
-    """The sizes of a device's records. They are worked out level by level, so that nothing recurses."""
+class RecordSizes:
+    """The sizes of a device's records, whether the device makes sense or not; nothing recurses."""
 
     def __init__(self, device: Device) -> None:
         self._bounds: dict[str, tuple[int, int] | None] = {}
@@ -101,12 +102,12 @@ class Shape:
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
         return len(self.link.start) + coded + len(self.link.end)
 
-    def counted(self, part: Part, data: int) -> int:
+    def span_size(self, part: Part, data: int) -> int:
         """The bytes that a length part counts where there is so much data."""
         parts = self.link.parts(self.direction)
         first, last = self.link.span(self.direction, part) or (0, len(parts) - 1)
-        inside = any(one.role == "body" for one in parts[first : last + 1])
-        return sum(_size(one) for one in parts[first : last + 1]) + inside * data
+        inside = any(part.role == "body" for part in parts[first : last + 1])
+        return sum(part_size(part) for part in parts[first : last + 1]) + inside * data
 
 
 def coded(link: Link) -> bool:
@@ -126,15 +127,16 @@ def messages_on(device: Device, link: Link) -> list[Message]:
 
 def shapes(device: Device, direction: str) -> list[Shape]:
     """The frames in one direction; only those with a length part, where a link has one."""
-    found = []
+    all_shapes = []
     for link in device.links.values():
         parts = link.parts(direction)
         has_length = any(part.role == "length" for part in parts)
-        found.append(Shape(link, direction, sum(_size(part) for part in parts), has_length))
-    return [shape for shape in found if shape.has_length] or found
+        all_shapes.append(Shape(link, direction, sum(part_size(part) for part in parts), has_length))
+    return [shape for shape in all_shapes if shape.has_length] or all_shapes
 
 
-def _size(part: Part) -> int:
+def part_size(part: Part) -> int:
+    """The bytes of a part of a frame; 0 for the body, whose data have sizes of their own."""
     if part.algorithm:
         return CHECKSUM_SIZES.get(part.algorithm, 0)
     return part.value.size if part.value is not None else 0

@@ -7,7 +7,7 @@ number is right.
 Example: the signal SOFTLIMIT in one table, and SOFLIMIT in another.
 
 Cure: Write the name in one way, and an erratum with the other one. If they are two names, say `allow:
-{identifiers_spelled_alike: <reason>}`.
+{identifiers_consistent: <reason>}`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _INNER_CAPITAL = re.compile(r"[a-z][A-Z]")
 _Used = dict[str, list[tuple[Place, str]]]
 
 
-def identifiers_spelled_alike(device: Device) -> Iterator[Diagnostic]:
+def identifiers_consistent(device: Device) -> Iterator[Diagnostic]:
     used: _Used = {}
     for place, key, text in _printed(device):
         for word in _WORD.findall(text):
@@ -72,16 +72,16 @@ def _swapped(word: str) -> Iterator[str]:
 
 def _misspelt(word: str, other: str) -> bool:
     """Whether one of two words is the other with a letter missing or with two in the other order."""
-    variants = {one.casefold() for one in (*_shorter(word), *_swapped(word))}
-    return other.casefold() in variants or word.casefold() in {one.casefold() for one in _shorter(other)}
+    variants = {variant.casefold() for variant in (*_shorter(word), *_swapped(word))}
+    return other.casefold() in variants or word.casefold() in {variant.casefold() for variant in _shorter(other)}
 
 
 def _finding(used: _Used, word: str, other: str) -> Diagnostic:
     """A finding at the rarer of two words; or at the shorter, or at the later one."""
-    rare, usual = sorted((word, other), key=lambda one: (len(used[one]), len(one)))
+    rare, usual = sorted((word, other), key=lambda spelling: (len(used[spelling]), len(spelling)))
     (place, key), (there, its_key) = used[rare][0], used[usual][0]
     return finding(
-        "identifiers_spelled_alike",
+        "identifiers_consistent",
         place,
         key,
         f"`{rare}` is `{usual}` but for a letter",
