@@ -113,18 +113,17 @@ def test_examples_with_trailing_bytes_are_explained(layout: DeviceLayout, exampl
 def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
     """A frame with the checksum of its bytes, if it has its delimiters and room for a checksum."""
     link = layout.links[example.link]
-    check = link.frame(example.direction).checksum
+    shape = link.frame(example.direction)
     try:
         data = codec(layout).links[example.link].parts(frame)
     except CodecError:
         return frame
-    shape = link.frame(example.direction)
-    if check is None or len(data) < shape.head_size + shape.tail_size:
+    if (checksum := shape.checksum) is None or len(data) < shape.head_size + shape.tail_size:
         return frame
-    at = check.at(len(data))
-    order: Literal["big", "little"] = "big" if check.order == "big" else "little"
-    number = ALGORITHMS[check.algorithm](data[check.start : check.stop])
-    data = data[:at] + number.to_bytes(check.size, order) + data[at + check.size :]
+    at = checksum.at(len(data))
+    order: Literal["big", "little"] = "big" if checksum.order == "big" else "little"
+    number = ALGORITHMS[checksum.algorithm](data[checksum.start : checksum.stop])
+    data = data[:at] + number.to_bytes(checksum.size, order) + data[at + checksum.size :]
     inner = data if link.link.encoding == "binary" else data.hex().upper().encode()
     return link.link.start + inner + link.link.end
 
