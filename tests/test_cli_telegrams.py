@@ -10,7 +10,7 @@ import pytest
 
 from command_line import MADE_UP, CommandLine
 from fieldspec.cli import main
-from fieldspec.commands.device_help import suggest
+from fieldspec.commands.completion import suggest
 from fieldspec.model.texts import Example
 from laid_out import newest
 from test_cli_encode import written

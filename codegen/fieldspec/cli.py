@@ -38,8 +38,8 @@ def _help(prog: str) -> argparse.HelpFormatter:
 class _Parser(argparse.ArgumentParser):
     """Says wrong use in one line, with where to read more."""
 
-    def __init__(self, **given: Any) -> None:
-        super().__init__(formatter_class=_help, **given)
+    def __init__(self, **options: Any) -> None:
+        super().__init__(formatter_class=_help, **options)
 
     def error(self, message: str) -> None:  # type: ignore[override]
         raise UsageError(f"{message}; see: {self.prog} --help")
@@ -79,22 +79,22 @@ class _Verb(_Parser):
 
     _mixing = False
 
-    def __init__(self, **given: Any) -> None:
+    def __init__(self, **options: Any) -> None:
         self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] | None = []
-        super().__init__(**given)
+        super().__init__(**options)
 
-    def add_argument(self, *names: str, **given: Any) -> None:  # type: ignore[override]
+    def add_argument(self, *names: str, **options: Any) -> None:  # type: ignore[override]
         """Adds an argument, or notes it while they wait."""
         if self._waiting is None:
-            super().add_argument(*names, **given)
+            super().add_argument(*names, **options)
         else:
-            self._waiting.append((names, given))
+            self._waiting.append((names, options))
 
     def settle(self) -> None:
         """Adds the arguments that wait."""
         waiting, self._waiting = self._waiting or [], None
-        for names, given in waiting:
-            self.add_argument(*names, **given)
+        for names, options in waiting:
+            self.add_argument(*names, **options)
 
     def _learn(self, arguments: Sequence[str]) -> None:
         for argument in arguments:
@@ -113,8 +113,8 @@ class _Verb(_Parser):
         if self.get_default("words") is not None:
             self._learn(args)
             if {"-h", "--help"} & {*args}:
-                told = import_module("fieldspec.commands.device_help").device_help(args)
-                self.epilog = told or self.epilog
+                device_text = import_module("fieldspec.commands.frame_options").device_help(args)
+                self.epilog = device_text or self.epilog
         try:
             return self.parse_known_intermixed_args(args, namespace)
         finally:
@@ -205,7 +205,7 @@ def _parser() -> argparse.ArgumentParser:
     export.add_argument("--to", choices=forms, default="csv")
     export.add_argument("--out", metavar="FILE", help="the file to write; left out: the output")
 
-    def listed(inner: argparse.ArgumentParser) -> None:
+    def list_options(inner: argparse.ArgumentParser) -> None:
         """The options that say how a list is read."""
         inner.add_argument("--encoding", metavar="NAME", help="how the text is encoded, such as gbk, big5 or utf-16")
         inner.add_argument("--sheet", metavar="NAME", help="the sheet of a workbook; left out: the first with cells")
@@ -222,15 +222,15 @@ def _parser() -> argparse.ArgumentParser:
     compare.add_argument("device", metavar="DEVICE[@VERSION]")
     kinds = "CSV, XLSX, JSON, or a table with tabs or bars; -: standard input"
     compare.add_argument("file", metavar="FILE", help=kinds)
-    listed(compare)
+    list_options(compare)
     compare.add_argument("--ignore", metavar="WHAT,...", help="what is not compared, such as name or unit")
     compare.add_argument("--format", choices=("text", "json", "csv"), default="text")
 
     into = verb("import", "write the first file of a device from a register list, with nothing verified")
     into.add_argument("file", metavar="FILE", help=kinds)
-    written = "the file to write, DEVICE/device.yaml; -: the output"
-    into.add_argument("--to", metavar="YAML", required=True, help=written)
-    listed(into)
+    target = "the file to write, DEVICE/device.yaml; -: the output"
+    into.add_argument("--to", metavar="YAML", required=True, help=target)
+    list_options(into)
     into.set_defaults(verb="importing")
 
     audit = verb("audit", "tell what shows that the spec of a device is right, and what does not")

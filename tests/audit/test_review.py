@@ -110,7 +110,7 @@ def test_a_chapter_stands_for_its_sections() -> None:
         f"      - {{at: {n}, name: r{n}, type: u16, source: {s}}}\n" for n, s in enumerate(sections.values())
     )
     held = state("registers:\n  - group: all\n    rows:\n" + rows)
-    from fieldspec.commands.signing import _picked
+    from fieldspec.commands.audit_files import _picked
 
     assert list(_picked(held, "9")) == ["9", "9.1", "9.10"]
 

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fieldspec.audit.register_dump import compared, judged, section
-from fieldspec.commands import list_files, manuals, signing, specs
-from fieldspec.commands.output import print_blocks, print_findings
-from fieldspec.commands.storing import write
+from fieldspec.commands import audit_files, list_files, specs
+from fieldspec.commands.storage import write
+from fieldspec.commands.terminal import print_blocks, print_findings
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import Diagnostic, has_errors, in_order
 from fieldspec.layout.device import DeviceLayout
@@ -32,40 +32,40 @@ COLUMNS = ("address", "value", "words", "space")
 
 def register_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple[Section, tuple[Diagnostic, ...]]:
     """The section of a dump, and what is wrong with it. Raises UsageError for a file that cannot be used."""
-    given = {role: text for role in COLUMNS if (text := getattr(arguments, role)) is not None}
+    columns = list_files.column_options(arguments, COLUMNS)
     encoding = arguments.encoding or ""
-    held = list_files.content(arguments.dump)
+    data = list_files.content(arguments.dump)
     try:
-        sheet = object_sheet(held, encoding) or list_files.sheet(held, encoding, arguments.sheet or "")
-        found = dump(sheet, given, arguments.base or "")
-        file, rows = _file(arguments.dump, held, encoding, sheet)
+        sheet = object_sheet(data, encoding) or list_files.sheet(data, encoding, arguments.sheet or "")
+        dump_rows = dump(sheet, columns, arguments.base or "")
+        file, rows = _file(arguments.dump, data, encoding, sheet)
     except ListError as error:
         raise UsageError(f"{_quote(arguments.dump)} {error}") from None
-    told = compared(layout, found, arguments.offset or 0)
-    if told.unknown and not (told.read or told.holes or told.too_great):
+    comparison = compared(layout, dump_rows, arguments.offset or 0)
+    if comparison.unknown and not (comparison.read or comparison.holes or comparison.too_great):
         raise UsageError(
             f"{_quote(arguments.dump)} has no address that {layout.device.name} has; if it is a dump of this device, "
             "say with --base or --offset how its addresses are counted"
         )
-    wrong = tuple(in_order(judged(told, file, rows)))
-    return section(told, wrong, len(found.skipped)), wrong
+    wrong = tuple(in_order(judged(comparison, file, rows)))
+    return section(comparison, wrong, len(dump_rows.skipped)), wrong
 
 
 def _quote(name: str) -> str:
     return "standard input" if name == "-" else name
 
 
-def _file(name: str, held: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFile, Mapping[int, int]]:
+def _file(name: str, data: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFile, Mapping[int, int]]:
     """The text that findings show, with the offset of each row: the file itself, or its rows where it is no text."""
-    shown = _quote(name)
-    if not held.startswith(MAGIC):
-        text = decoded(held, encoding)
+    label = _quote(name)
+    if not data.startswith(MAGIC):
+        text = decoded(data, encoding)
         lines = text.splitlines(keepends=True)
         if len(lines) == sheet.lines:
             starts = [0]
             for line in lines:
                 starts.append(starts[-1] + len(line))
-            return SourceFile(shown, text), dict(enumerate(starts, 1))
+            return SourceFile(label, text), dict(enumerate(starts, 1))
     rows: dict[int, int] = {}
     parts = []
     at = 0
@@ -73,7 +73,7 @@ def _file(name: str, held: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFi
         rows[row.number] = at
         parts.append("\t".join(row.cells) + "\n")
         at += len(parts[-1])
-    return SourceFile(shown, "".join(parts)), rows
+    return SourceFile(label, "".join(parts)), rows
 
 
 OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", "sheet")
@@ -109,35 +109,37 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{arguments.format} is of the whole audit; give --table with text, json, csv or xlsx")
     if arguments.out and not arguments.table and arguments.format != "html":
         raise UsageError("--out writes a page or a table; give --format html, or --table, such as --table ledger")
-    given = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
-    if given and not arguments.sign:
-        raise UsageError(f"--{given[0]} goes with --sign SECTION")
-    given = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
-    if given and not arguments.dump:
-        raise UsageError(f"--{given[0]} goes with --dump FILE")
+    options = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
+    if options and not arguments.sign:
+        raise UsageError(f"--{options[0]} goes with --sign SECTION")
+    options = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
+    if options and not arguments.dump:
+        raise UsageError(f"--{options[0]} goes with --dump FILE")
     spec, version = specs.spec_at(arguments.specs, arguments.device)
-    layouts = {one: specs.layout_of(spec, one) for one in dict.fromkeys((*spec.versions(), version))}
+    layouts = {
+        each_version: specs.layout_of(spec, each_version) for each_version in dict.fromkeys((*spec.versions(), version))
+    }
     layout = layouts[version]
     if arguments.sign:
-        return signing.sign(arguments, spec, [layouts[one] for one in spec.versions()])
+        return audit_files.sign(arguments, spec, [layouts[each_version] for each_version in spec.versions()])
     if arguments.dump:
         return _print_dump(arguments, layout)
     if arguments.record:
-        return manuals.record(arguments.specs, layout.device, arguments.manual)
-    index, manual = manuals.compared(arguments.specs, spec.id, arguments.manual)
+        return audit_files.record(arguments.specs, layout.device, arguments.manual)
+    index, manual = audit_files.compared(arguments.specs, spec.id, arguments.manual)
     proofs = errata_proofs(spec)
-    held = tuple(layouts.values())
-    subject = Subject(spec, layout, held, of_versions(held), proofs, index, manual)
+    all_layouts = tuple(layouts.values())
+    subject = Subject(spec, layout, all_layouts, of_versions(all_layouts), proofs, index, manual)
     if arguments.as_printed:
-        made, found = printed_report(subject)
+        audit_report, findings = printed_report(subject)
     else:
-        made = report(subject)
-        found = tuple(in_order(made.findings()))
+        audit_report = report(subject)
+        findings = tuple(in_order(audit_report.findings()))
     if arguments.table:
-        _print_table(made, arguments)
+        _print_table(audit_report, arguments)
     else:
-        _print_report(made, found, arguments, layout.device)
-    return 1 if has_errors(found) and not arguments.as_printed else 0
+        _print_report(audit_report, findings, arguments, layout.device)
+    return 1 if has_errors(findings) and not arguments.as_printed else 0
 
 
 def _must_go_together(arguments: argparse.Namespace) -> None:
@@ -165,22 +167,24 @@ def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
     """Prints what a dump says. Exit code 1 where the device held what it should not."""
     from fieldspec.audit.report import dump_report
 
-    section, found = register_dump(arguments, layout)
-    made = dump_report(layout, section)
+    section, findings = register_dump(arguments, layout)
+    report = dump_report(layout, section)
     if arguments.table:
-        _print_table(made, arguments)
+        _print_table(report, arguments)
     else:
-        _print_report(made, found, arguments, layout.device)
-    return 1 if has_errors(found) else 0
+        _print_report(report, findings, arguments, layout.device)
+    return 1 if has_errors(findings) else 0
 
 
-def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argparse.Namespace, device: Device) -> None:
+def _print_report(
+    report: Report, findings: tuple[Diagnostic, ...], arguments: argparse.Namespace, device: Device
+) -> None:
     """Prints the whole audit, or writes the page to a file."""
     form = arguments.format
     if form == "html":
         from fieldspec.render.audit_html import rendered as page
 
-        text = page(made, device, {})
+        text = page(report, device, {})
         if arguments.out:
             write(Path(arguments.out), text.encode("utf-8"))
         else:
@@ -188,23 +192,23 @@ def _print_report(made: Report, found: tuple[Diagnostic, ...], arguments: argpar
     elif form == "json":
         from fieldspec.render.audit_formats import rendered
 
-        print(rendered(made), end="")
+        print(rendered(report), end="")
     elif form == "sarif":
-        print_findings(found, "sarif", "")
+        print_findings(findings, "sarif", "")
     else:
         from fieldspec.render.audit_formats import blocks
 
-        print_blocks(blocks(made, arguments.all or arguments.as_printed))
-        if found:
+        print_blocks(blocks(report, arguments.all or arguments.as_printed))
+        if findings:
             print()
-            print_findings(found, "text", "")
+            print_findings(findings, "text", "")
 
 
-def _print_table(made: Report, arguments: argparse.Namespace) -> None:
+def _print_table(report: Report, arguments: argparse.Namespace) -> None:
     """Prints one table, or writes it to a file."""
     from fieldspec.render.audit_formats import as_csv, as_json, as_xlsx, table_blocks
 
-    tables = {table.name: table for section in made.sections for table in section.tables}
+    tables = {table.name: table for section in report.sections for table in section.tables}
     if arguments.table not in tables:
         raise unknown("table", arguments.table, tables, most=len(tables))
     table = tables[arguments.table]

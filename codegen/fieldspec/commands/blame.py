@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Iterator
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import UsageError
 from fieldspec.reading.nodes import Mapping, Node, Scalar, find, keys, node_at
 from fieldspec.render.blocks import Table
@@ -21,8 +21,8 @@ def run(arguments: argparse.Namespace) -> int:
     tree = spec.tree_at(version)
     fact = find(tree, arguments.path)
     if not isinstance(fact, Mapping):
-        held = "" if fact is None else ", only a list"
-        known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{held}"
+        hint = "" if fact is None else ", only a list"
+        known = f"{arguments.device.partition('@')[0]} has no fact {arguments.path} at {version}{hint}"
         raise UsageError(f"{known}; `fieldspec facts` lists the paths")
     rows = [*_rows(fact, ""), *_inherited(tree, arguments.path, fact)]
     print_blocks([Table(_HEADINGS, tuple(rows))])
@@ -38,8 +38,8 @@ def _rows(node: Mapping, before: str, beside: str = "") -> Iterator[tuple[str, s
             yield from _rows(value, f"{name}/", beside)
         else:
             texts = [item.text for item in value.items if isinstance(item, Scalar)]
-            shown = ", ".join(texts) if len(texts) == len(value.items) else f"{len(value.items)} entries"
-            yield name, _shortened(shown), _place(value) + beside
+            summary = ", ".join(texts) if len(texts) == len(value.items) else f"{len(value.items)} entries"
+            yield name, _shortened(summary), _place(value) + beside
 
 
 def _inherited(tree: Mapping, path: str, fact: Mapping) -> Iterator[tuple[str, str, str]]:

@@ -10,10 +10,18 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from fieldspec.commands import manifest, sources
-from fieldspec.commands.fresh import Earlier, Hashes, digest
-from fieldspec.commands.making import BuildRequest, BuildResult, build_result
-from fieldspec.commands.placing import Beside
+from fieldspec.commands import spec_files
+from fieldspec.commands.building import build_result
+from fieldspec.commands.freshness import (
+    MANIFEST,
+    BuildRequest,
+    BuildResult,
+    EarlierBuild,
+    Hashes,
+    digest,
+    read_manifest,
+)
+from fieldspec.commands.placement import Staging
 from fieldspec.commands.usage import UsageError, unknown
 
 
@@ -28,26 +36,26 @@ def build(arguments: argparse.Namespace) -> int:
     """Builds once."""
     wanted = BuildRequest(_outputs(arguments.to), _devices(arguments.devices))
     out = Path(arguments.out)
-    with Beside(out, look=arguments.check) as beside:
-        path, files = sources.of_devices(arguments.specs, frozenset(wanted.devices))
-        earlier = Earlier(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
+    with Staging(out, look=arguments.check) as beside:
+        path, files = spec_files.of_devices(arguments.specs, frozenset(wanted.devices))
+        earlier = EarlierBuild(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
         result = build_result(wanted, path, files, earlier, None if arguments.check else beside)
         if result.findings:
-            from fieldspec.commands.output import print_findings
+            from fieldspec.commands.terminal import print_findings
             from fieldspec.diagnostics import has_errors
 
             print_findings(result.findings, "text", "")
             if has_errors(result.findings):
                 return 1
-        before = manifest.read(out)
+        before = read_manifest(out)
         hashes = _hashes(wanted, result)
         gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
         now = before.renewed(wanted, result, hashes, gone).text()
-        stale = sorted([*result.stale, *([manifest.NAME] if earlier.hash_of(manifest.NAME) != digest(now) else [])])
+        stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
             return _report([(path, before.reason(path, result, earlier)) for path in stale], gone, beside.unfinished)
         if stale or gone:
-            beside.write(manifest.NAME, now)
+            beside.write(MANIFEST, now)
             beside.place(stale, gone)
         if not wanted.picked:
             earlier.keep(result.devices, result.shared, wanted.whole, result.quiet)
@@ -71,7 +79,7 @@ def _outputs(text: str | None) -> tuple[str, ...]:
 
 def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
     """The versions that are asked for, by device; none where all are, as a device without a version asks for them."""
-    pairs = [sources.split(text) for text in texts]
+    pairs = [spec_files.split(text) for text in texts]
     named = {device: {version for name, version in pairs if name == device} for device, _ in pairs}
     return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in named.items()}
 
@@ -79,14 +87,19 @@ def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
 def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
     """The hashes of all files of the outputs that are built, whether they were made anew or not."""
     holders = [result.shared, *(device.outputs for device in result.devices.values())]
-    return {path: one for held in holders for name in wanted.outputs for path, one in held.get(name, {}).items()}
+    return {
+        path: digest
+        for hashes_by_output in holders
+        for name in wanted.outputs
+        for path, digest in hashes_by_output.get(name, {}).items()
+    }
 
 
 def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: Sequence[str]) -> int:
     for text in unfinished:
         print(text)
     for path, reason in stale:
-        print(f"not fresh: {path}" + (f" ({reason})" if path != manifest.NAME else ""))
+        print(f"not fresh: {path}" + (f" ({reason})" if path != MANIFEST else ""))
     for path in gone:
         print(f"no longer produced: {path}")
     if not (stale or gone or unfinished):
@@ -106,7 +119,7 @@ State = dict[str, tuple[int, int]]
 
 def watch(arguments: argparse.Namespace) -> int:
     """Builds, then waits for a spec to change. It ends with an interrupt, or where the first build is wrong use."""
-    path = sources.folder(arguments.specs)
+    path = spec_files.folder(arguments.specs)
     built: State | None = None
     while True:
         now = _state(path)
@@ -140,13 +153,13 @@ def _build(arguments: argparse.Namespace, first: bool) -> None:
 
 def _state(path: str) -> State:
     """The time and size of every spec file."""
-    found = {}
+    state = {}
     for folder, _, names in os.walk(path):
         for name in names:
             if name.endswith(".yaml") and not name.startswith("."):
                 try:
-                    held = os.stat(os.path.join(folder, name))
+                    status = os.stat(os.path.join(folder, name))
                 except OSError:
                     continue  # it has gone in the meantime
-                found[os.path.join(folder, name)] = held.st_mtime_ns, held.st_size
-    return found
+                state[os.path.join(folder, name)] = status.st_mtime_ns, status.st_size
+    return state

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_findings
+from fieldspec.commands.terminal import print_findings
 from fieldspec.diagnostics import has_errors
 
 
@@ -14,7 +14,7 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec import pipeline
 
     project = specs.project(arguments.specs, frozenset(arguments.devices))
-    found = pipeline.checked(project)
+    findings = pipeline.checked(project)
     checked = ", ".join(sorted(project.devices)) or "nothing"
-    print_findings(found, arguments.format, f"no findings in {checked}")
-    return 1 if has_errors(found) else 0
+    print_findings(findings, arguments.format, f"no findings in {checked}")
+    return 1 if has_errors(findings) else 0

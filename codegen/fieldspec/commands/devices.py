@@ -6,7 +6,7 @@ import argparse
 import sys
 
 from fieldspec.commands import specs
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.diagnostics import has_errors
 from fieldspec.reading.project import DeviceSpec
 from fieldspec.render.blocks import Table

@@ -6,8 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from fieldspec.commands import compiled
-from fieldspec.commands.storing import write
+from fieldspec.commands import layout_cache
+from fieldspec.commands.storage import write
 from fieldspec.commands.usage import UsageError
 
 
@@ -16,14 +16,14 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
-    layout = compiled.asked(arguments)
-    held = items(layout)
-    if not held:
+    layout = layout_cache.requested_layout(arguments)
+    entries = items(layout)
+    if not entries:
         raise UsageError(f"{layout.device.id} has no registers and no parameters")
     if arguments.to == "xlsx":
-        data = as_xlsx(held, layout.device.id)
+        data = as_xlsx(entries, layout.device.id)
     else:
-        data = (as_csv(held) if arguments.to == "csv" else as_json(held)).encode("utf-8")
+        data = (as_csv(entries) if arguments.to == "csv" else as_json(entries)).encode("utf-8")
     if arguments.out is not None:
         write(Path(arguments.out), data)
     elif arguments.to != "xlsx":

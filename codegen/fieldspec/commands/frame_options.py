@@ -1,14 +1,19 @@
-"""The link, direction and message that the user names in options."""
+"""The options of a frame: its link, its direction and its message, as the device calls them."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Collection, Iterable
+import os
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
+from itertools import pairwise
 
+from fieldspec.commands import layout_cache, spec_files
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.readings import DIRECTIONS, FrameOptions, option_word
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.frame import MessageLayout
+from fieldspec.reading.findings import MAIN
 
 
 def frame_options(layout: DeviceLayout, arguments: argparse.Namespace) -> FrameOptions:
@@ -56,16 +61,18 @@ def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str])
 
 def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str]) -> str:
     """The message of some links that a name or a number means."""
-    sent = {name: laid for link in links for name, laid in layout.links[link].messages.items()}
+    sent = {name: message for link in links for name, message in layout.links[link].messages.items()}
     if text in sent:
         return text
     number = number_of(text)
-    found = [name for name, laid in sent.items() if number is not None and laid.message.number == number]
-    found = found or [name for name, laid in sent.items() if number is not None and laid.message.code == number]
-    if len(found) == 1:
-        return found[0]
-    if found:
-        raise UsageError(f"{text} may be {' or '.join(found)}; say which by its name")
+    candidates = [name for name, message in sent.items() if number is not None and message.message.number == number]
+    candidates = candidates or [
+        name for name, message in sent.items() if number is not None and message.message.code == number
+    ]
+    if len(candidates) == 1:
+        return candidates[0]
+    if candidates:
+        raise UsageError(f"{text} may be {' or '.join(candidates)}; say which by its name")
     elsewhere = [link.name for link in layout.links.values() if text in link.messages]
     if elsewhere:
         raise UsageError(f"{text} is not sent on {' or '.join(links)}, but on {' and '.join(elsewhere)}")
@@ -74,9 +81,9 @@ def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str])
 
 def _numbers(sent: Iterable[MessageLayout]) -> Iterable[str]:
     """The numbers of messages, or else their names."""
-    held = list(sent)
-    numbers = [str(laid.message.number) for laid in held if laid.message.number is not None]
-    return numbers or [laid.name for laid in held]
+    messages = list(sent)
+    numbers = [str(message.message.number) for message in messages if message.message.number is not None]
+    return numbers or [message.name for message in messages]
 
 
 def number_of(text: str) -> int | None:
@@ -112,5 +119,25 @@ def _places(
 
 def direction_names(layout: DeviceLayout, link: str) -> tuple[str, str]:
     """What a link calls its directions: to the device, and from it."""
-    held = layout.links[link].link
-    return held.request_name, held.response_name
+    named_link = layout.links[link].link
+    return named_link.request_name, named_link.response_name
+
+
+def device_help(arguments: Sequence[str]) -> str:
+    """What `--help` adds for the device among some arguments: its messages and directions. Empty without a device."""
+    with suppress(UsageError):
+        specs_option = next((after for before, after in pairwise(arguments) if before == "--specs"), None)
+        path = spec_files.folder(specs_option)
+        for argument in arguments:
+            name, _ = spec_files.split(argument)
+            if not name.startswith("-") and name and os.path.isfile(os.path.join(path, name, MAIN)):
+                return " ".join(_sentences(layout_cache.layout(specs_option, argument)))
+    return ""
+
+
+def _sentences(layout: DeviceLayout) -> Iterator[str]:
+    for link in layout.links.values():
+        messages = (message.message for message in link.messages.values())
+        names = ", ".join(message.name if message.number is None else str(message.number) for message in messages)
+        directions = " or ".join(direction_names(layout, link.name))
+        yield f"On {link.name}, --{option_word(link.link.message_name)} is one of {names}; --direction is {directions}."

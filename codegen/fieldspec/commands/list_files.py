@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
+from collections.abc import Sequence
 
 from fieldspec.commands import regular_file
 from fieldspec.commands.regular_file import SizeError
@@ -10,6 +12,14 @@ from fieldspec.commands.usage import UsageError
 from fieldspec.lists.sheet import MOST_BYTES, ListError, Sheet
 from fieldspec.lists.text_sheet import text_sheet
 from fieldspec.lists.workbook import MAGIC, workbook_sheet
+
+COLUMNS = ("address", "space", "name", "words", "type", "access")
+"""The columns of a register list that an option names."""
+
+
+def column_options(arguments: argparse.Namespace, roles: Sequence[str] = COLUMNS) -> dict[str, str]:
+    """The columns that options name, by role."""
+    return {role: column for role in roles if (column := getattr(arguments, role)) is not None}
 
 
 def content(name: str) -> bytes:
@@ -27,10 +37,10 @@ def content(name: str) -> bytes:
         raise UsageError(f"cannot read {name}: {error.strerror}") from None
 
 
-def sheet(held: bytes, encoding: str, named: str) -> Sheet:
+def sheet(data: bytes, encoding: str, named: str) -> Sheet:
     """The rows of a list; what it is, its first bytes say and not its name."""
-    if held.startswith(MAGIC):
-        return workbook_sheet(held, named)
+    if data.startswith(MAGIC):
+        return workbook_sheet(data, named)
     if named:
         raise ListError("is no workbook, so there is no sheet to choose")
-    return text_sheet(held, encoding)
+    return text_sheet(data, encoding)

@@ -10,8 +10,8 @@ from pathlib import Path
 from string import Template
 
 from fieldspec.commands import regular_file, specs
-from fieldspec.commands.sources import INSTALLED
-from fieldspec.commands.storing import write
+from fieldspec.commands.spec_files import INSTALLED
+from fieldspec.commands.storage import write
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
 from fieldspec.reading.nodes import Mapping, Scalar, identity, mappings
@@ -56,14 +56,19 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
         raise UsageError(f"{arguments.name} has a version {arguments.version} already")
     _fits(arguments.version, "version", "a version")
     line = arguments.line or _line_of(spec, base)
-    known = [identity(held) or "" for held in mappings(spec.tree.values.get("versions"))]
+    known = [identity(version_line) or "" for version_line in mappings(spec.tree.values.get("versions"))]
     if line not in known:
         raise unknown(f"line of versions of {arguments.name}", line, known)
     after = ""
     if line != _line_of(spec, base):
-        members = [one.id for held in spec.at(newest)[0].lines if held.name == line for one in held.versions]
+        members = [
+            version.id
+            for version_line in spec.at(newest)[0].lines
+            if version_line.name == line
+            for version in version_line.versions
+        ]
         after = f'  after: "{members[-1]}"\n'
-    path = specs.writable(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
+    path = specs.writable_folder(arguments.specs) / arguments.name / VERSIONS / f"{arguments.version}.yaml"
     return path, _filled(
         "version",
         path,
@@ -106,8 +111,8 @@ def _bring_protocols(folder: Path, name: str) -> None:
         return
     files = specs.files(INSTALLED, frozenset([PROTOCOLS]))
     waiting = [name]
-    for one in waiting:
-        path = f"{PROTOCOLS}/{one}.yaml"
+    for protocol in waiting:
+        path = f"{PROTOCOLS}/{protocol}.yaml"
         tree, _ = parsed(decoded(path, files[path])[0])
         if isinstance(tree, Mapping):
             used = (use.values.get("protocol") for use in mappings(tree.values.get("uses")))

@@ -18,9 +18,9 @@ def run(arguments: argparse.Namespace) -> int:
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version).without("uses")
     for section, key in _EXPANDED.items():
-        held = tree.values.get(section)
-        if isinstance(held, Sequence):
-            items = tuple(item.without(key) if isinstance(item, Mapping) else item for item in held.items)
-            tree = tree.with_value(section, replace(held, items=items))
+        section_items = tree.values.get(section)
+        if isinstance(section_items, Sequence):
+            items = tuple(item.without(key) if isinstance(item, Mapping) else item for item in section_items.items)
+            tree = tree.with_value(section, replace(section_items, items=items))
     print(resolved(tree), end="")
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.render.blocks import Line, Table
 

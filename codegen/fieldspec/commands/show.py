@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from fieldspec.commands import compiled
+from fieldspec.commands import layout_cache
 from fieldspec.commands.frame_options import number_of
-from fieldspec.commands.output import print_blocks
+from fieldspec.commands.terminal import print_blocks
 from fieldspec.commands.usage import unknown
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.render.item import Item, handles, items, numbered, unnamed
@@ -16,7 +16,7 @@ from fieldspec.render.overview import overview
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints an overview of the device, or every item that the given text means."""
-    layout = compiled.asked(arguments)
+    layout = layout_cache.requested_layout(arguments)
     if arguments.item is None:
         print_blocks(overview(layout))
         return 0
@@ -33,15 +33,15 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
     known = list(items(layout))
     for exact in (True, False):
         for place in range(3):
-            found = [item for item in known if text and _called(item, text, place, exact)]
-            if found:
-                return found
-    found = [item for item in known if number is not None and numbered(item, number)]
-    found = found or list(unnamed(layout, text, number))
-    if not found:
+            matches = [item for item in known if text and _called(item, text, place, exact)]
+            if matches:
+                return matches
+    matches = [item for item in known if number is not None and numbered(item, number)]
+    matches = matches or list(unnamed(layout, text, number))
+    if not matches:
         names = {handle for item in known for handle in handles(item) if handle}
         raise unknown(f"item of {layout.device.id}", text, names)
-    return found
+    return matches
 
 
 def _called(item: Item, text: str, place: int, exact: bool) -> bool:

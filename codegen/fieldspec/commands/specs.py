@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from fieldspec.checks.layout_conditions import has_layout
-from fieldspec.commands import sources
-from fieldspec.commands.sources import FOLDER, VARIABLE, files, of_devices, relative_path, split
+from fieldspec.commands import spec_files
+from fieldspec.commands.spec_files import FOLDER, VARIABLE, files, of_devices, relative_path, split
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -24,24 +24,24 @@ __all__ = [
     "spec_at",
     "split",
     "unsound",
-    "writable",
+    "writable_folder",
 ]
 
 
-def folder(given: str | None) -> Path:
+def folder(specs_option: str | None) -> Path:
     """The specs' folder, as `sources` finds it."""
-    return Path(sources.folder(given))
+    return Path(spec_files.folder(specs_option))
 
 
-def writable(given: str | None) -> Path:
+def writable_folder(specs_option: str | None) -> Path:
     """The specs' folder for a verb that writes into it, as `sources` finds it."""
-    return Path(sources.writable(given))
+    return Path(spec_files.writable_folder(specs_option))
 
 
-def project(given: str | None, devices: frozenset[str] = frozenset()) -> Project:
+def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
     """The project in the specs' folder; devices that are asked for must be there."""
-    path, held = of_devices(given, devices)
-    return read(held, devices, relative_path(path))
+    path, contents = of_devices(specs_option, devices)
+    return read(contents, devices, relative_path(path))
 
 
 def picked(spec: DeviceSpec, version: str) -> str:
@@ -49,19 +49,19 @@ def picked(spec: DeviceSpec, version: str) -> str:
     known = spec.versions()
     if not version:
         return known[-1]
-    for one in version.split(JOINT):
-        if one not in spec.lines.place and version not in known:
-            raise unknown(f"version of {spec.id}", one, spec.lines.place)
+    for part in version.split(JOINT):
+        if part not in spec.lines.place and version not in known:
+            raise unknown(f"version of {spec.id}", part, spec.lines.place)
     return version
 
 
-def spec_at(given: str | None, text: str) -> tuple[DeviceSpec, str]:
+def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
     """The spec of `DEVICE` or `DEVICE@VERSION` and the version, for verbs that look at the spec as it is written."""
     name, version = split(text)
-    found = project(given, frozenset([name]))
-    if name not in found.devices:
+    read_specs = project(specs_option, frozenset([name]))
+    if name not in read_specs.devices:
         raise unsound(name)
-    spec = found.devices[name]
+    spec = read_specs.devices[name]
     return spec, picked(spec, version)
 
 

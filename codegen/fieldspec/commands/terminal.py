@@ -24,18 +24,18 @@ def on_terminal() -> bool:
     return sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
-def print_findings(found: Sequence[Diagnostic], form: str, when_none: str) -> None:
+def print_findings(findings: Sequence[Diagnostic], form: str, when_none: str) -> None:
     """Findings in one of FORMATS; in text, a line says so where there are none."""
-    if form == "text" and not found:
+    if form == "text" and not findings:
         print(when_none)
     elif form == "text" and on_terminal():
         from rich.text import Text
 
         from fieldspec.render.text import rendered
 
-        _console().print(Text.from_ansi(rendered(found, coloured=True)), soft_wrap=True)
+        _console().print(Text.from_ansi(rendered(findings, coloured=True)), soft_wrap=True)
     else:
-        print(import_module(f"fieldspec.render.{form}").rendered(found), end="")
+        print(import_module(f"fieldspec.render.{form}").rendered(findings), end="")
 
 
 def print_blocks(blocks: Iterable[Block]) -> None:

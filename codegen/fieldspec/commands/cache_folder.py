@@ -43,11 +43,11 @@ def folder() -> str:
 
 def checksum(*contents: bytes) -> str:
     """A hash of contents one after the other, and of where each of them ends."""
-    made = blake2b(digest_size=24)
+    hasher = blake2b(digest_size=24)
     for content in contents:
-        made.update(b"%d\n" % len(content))
-        made.update(content)
-    return made.hexdigest()
+        hasher.update(b"%d\n" % len(content))
+        hasher.update(content)
+    return hasher.hexdigest()
 
 
 def cached(kind: str, name: str) -> bytes | None:
@@ -59,12 +59,12 @@ def cached(kind: str, name: str) -> bytes | None:
             if not _ours(state):
                 return None
             with open(number, "rb", closefd=False) as file:
-                held, _, content = file.read(state.st_size + 1).partition(b"\n")
+                expected, _, content = file.read(state.st_size + 1).partition(b"\n")
         finally:
             os.close(number)
     except OSError:
         return None
-    return content if held == checksum(content).encode() else None
+    return content if expected == checksum(content).encode() else None
 
 
 def store(kind: str, name: str, content: bytes) -> None:
@@ -82,8 +82,7 @@ _BESIDE = ".new"
 
 def _write(path: str, content: bytes) -> None:
     """Writes a file whole, one process at a time. Raises OSError; nothing is left then."""
-    from fieldspec.commands.locking import lock, unlock
-    from fieldspec.commands.storing import put
+    from fieldspec.commands.storage import lock, unlock, write_through
 
     within = os.path.dirname(path)
     os.makedirs(within, mode=0o700, exist_ok=True)
@@ -93,13 +92,13 @@ def _write(path: str, content: bytes) -> None:
             if not entry.name.isalnum():  # a process was killed while it wrote
                 os.unlink(entry)
         try:
-            put(path + _BESIDE, content, 0o600)
+            write_through(path + _BESIDE, content, 0o600)
             os.replace(path + _BESIDE, path)
         except BaseException:
             with suppress(OSError):
                 os.unlink(path + _BESIDE)
             raise
-        files = sorted(os.scandir(within), key=lambda one: one.stat().st_mtime_ns)
+        files = sorted(os.scandir(within), key=lambda entry: entry.stat().st_mtime_ns)
         for old in files[:-MOST]:
             os.unlink(old)
     finally:
@@ -179,7 +178,7 @@ def _python() -> bytes:
 
 def _states(folder: str, within: str) -> Iterator[str]:
     with os.scandir(folder) as entries:
-        for entry in sorted(entries, key=lambda one: one.name):
+        for entry in sorted(entries, key=lambda entry: entry.name):
             if entry.is_dir():
                 if entry.name not in _OTHERS:
                     yield from _states(entry.path, f"{within}/{entry.name}")
@@ -187,17 +186,17 @@ def _states(folder: str, within: str) -> Iterator[str]:
                 yield _state(f"{within}/{entry.name}", entry.stat())
 
 
-def _state(name: str, held: os.stat_result) -> str:
-    return f"{name} {held.st_size} {held.st_mtime_ns} {held.st_ctime_ns} {held.st_ino}"
+def _state(name: str, status: os.stat_result) -> str:
+    return f"{name} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns} {status.st_ino}"
 
 
 def _files(package: str) -> list[str]:
     """All files of the compiler but those that Python makes of them, in order."""
-    found = []
+    paths = []
     for folder, inner, names in os.walk(package, onerror=_raised):
         inner[:] = sorted(name for name in inner if name not in _OTHERS)
-        found += [os.path.join(folder, name) for name in sorted(names) if not name.endswith((".pyc", ".pyo"))]
-    return found
+        paths += [os.path.join(folder, name) for name in sorted(names) if not name.endswith((".pyc", ".pyo"))]
+    return paths
 
 
 def _raised(error: OSError) -> None:
@@ -212,8 +211,8 @@ def _version(module: str, distribution: str) -> str:
     around, name = os.path.split(spec.origin)
     around = os.path.dirname(around) if name.startswith("__init__.") else around
     for name in sorted(os.listdir(around)):
-        plain = name.lower().replace("-", "_")
-        if plain.startswith(f"{distribution}_") and plain.endswith("_info"):
+        lower_name = name.lower().replace("-", "_")
+        if lower_name.startswith(f"{distribution}_") and lower_name.endswith("_info"):
             return name
     with open(spec.origin, "rb") as file:
         return checksum(file.read())

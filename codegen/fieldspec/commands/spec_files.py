@@ -23,9 +23,9 @@ INSTALLED = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file
 """The specs that an installation brings along. They are read, and nobody writes there."""
 
 
-def writable(given: str | None) -> str:
+def writable_folder(specs_option: str | None) -> str:
     """The specs' folder for a verb that writes into it. Raises UsageError for that of the installation."""
-    path = folder(given)
+    path = folder(specs_option)
     if path == INSTALLED:
         raise UsageError(
             f"the specs that come with fieldspec are not changed; copy {INSTALLED} to a folder {FOLDER} of your own"
@@ -33,9 +33,9 @@ def writable(given: str | None) -> str:
     return path
 
 
-def folder(given: str | None) -> str:
+def folder(specs_option: str | None) -> str:
     """The specs' folder: as given, by the environment, here or in a folder above, or the installed one."""
-    named = given or os.environ.get(VARIABLE)
+    named = specs_option or os.environ.get(VARIABLE)
     if named:
         if not os.path.isdir(named):
             raise UsageError(f"there is no folder {named}; give the folder of the specs with --specs")
@@ -64,7 +64,7 @@ def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> d
 
     What is no regular file, lies outside the folder or is too large is not read: a `Refused` stands for it.
     """
-    found: dict[str, bytes] = {}
+    contents: dict[str, bytes] = {}
     try:
         for device in sorted(_names(path)):
             if only and device not in only and device != PROTOCOLS:
@@ -73,12 +73,12 @@ def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> d
             for number, (inner, file, linked) in enumerate(sorted(_of_specs(os.path.join(path, device)))):
                 content = _content(path, file, linked, left, number)
                 left -= 0 if isinstance(content, Refused) else len(content)
-                found[f"{device}/{inner}"] = content
+                contents[f"{device}/{inner}"] = content
                 if number == MOST_FILES:
                     break
     except OSError as error:
         raise UsageError(f"cannot read {error.filename}: {error.strerror}") from None
-    return found
+    return contents
 
 
 def _content(root: str | os.PathLike[str], path: str, linked: bool, left: int, number: int) -> bytes:
@@ -138,9 +138,9 @@ def _names(path: str | os.PathLike[str]) -> list[str]:
         return []
 
 
-def of_devices(given: str | None, wanted: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
+def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
     """The specs' folder and its files; devices that are asked for must be there."""
-    path = folder(given)
+    path = folder(specs_option)
     known = devices(path)
     for device in sorted(wanted.difference(known)):
         raise unknown("device", device, known)
