@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from importlib.metadata import version
 
 from peers.can import message
-from peers.kaitai import reader, writer, written_bytes
+from peers.kaitai import encoded_bytes, reader, writer
 from peers.point import CONSTRUCT, FIELDS, Bare, Checked
 from rows import Row, printed, timed, use_generated
 
@@ -37,7 +37,7 @@ def rows() -> Iterator[Row]:
     kaitai_point._read()
 
     def by_kaitai() -> bytes:
-        return written_bytes(kaitai_point, 64)
+        return encoded_bytes(kaitai_point, 64)
 
     assert by_kaitai() == data
 

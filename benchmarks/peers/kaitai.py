@@ -19,7 +19,7 @@ def writer(name: str) -> Any:
     return _compiled_class(name, "--read-write")
 
 
-def written_bytes(record: Any, size: int) -> bytes:
+def encoded_bytes(record: Any, size: int) -> bytes:
     """The bytes of an object of a class that writes, as the manual of Kaitai Struct says it."""
     from kaitaistruct import BytesIO, KaitaiStream
 

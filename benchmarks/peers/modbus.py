@@ -98,7 +98,7 @@ class Addressed:
     message: Message
 
 
-def written_bytes(station: int, message: Message) -> bytes:
+def encoded_bytes(station: int, message: Message) -> bytes:
     """A frame in one `pack`, its CRC by a table for each place: nothing by hand was found to be faster."""
     start, count = message.start, message.count
     try:

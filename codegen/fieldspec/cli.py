@@ -61,14 +61,17 @@ class _Suggested(tuple[str, ...]):
         return True
 
 
-class _Targets:
-    """The models of memory by name. The verb itself says which ones there are."""
+class _Names:
+    """Names that are imported when they are listed. The verb itself refuses others."""
+
+    def __init__(self, module: str, attribute: str) -> None:
+        self._module, self._attribute = module, attribute
 
     def __contains__(self, text: object) -> bool:
         return True
 
     def __iter__(self) -> Iterator[str]:
-        return iter(import_module("fieldspec.plc.layout.memory").MEMORIES)
+        return iter(getattr(import_module(self._module), self._attribute))
 
 
 class _Verb(_Parser):
@@ -76,6 +79,9 @@ class _Verb(_Parser):
 
     Where the verb has a default for `words`, options that it does not know are kept there.
     """
+
+    late_help: tuple[str, str] | None = None
+    """The module and function that write the end of the help, given the arguments; imported for help alone."""
 
     _mixing = False
 
@@ -112,9 +118,9 @@ class _Verb(_Parser):
         self._mixing = True
         if self.get_default("words") is not None:
             self._learn(args)
-            if {"-h", "--help"} & {*args}:
-                device_text = import_module("fieldspec.commands.frame_options").device_help(args)
-                self.epilog = device_text or self.epilog
+        if self.late_help and {"-h", "--help"} & {*args}:
+            module, function = self.late_help
+            self.epilog = getattr(import_module(module), function)(args) or self.epilog
         try:
             return self.parse_known_intermixed_args(args, namespace)
         finally:
@@ -137,8 +143,8 @@ def _parser() -> argparse.ArgumentParser:
     top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
     verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Verb)
 
-    def verb(name: str, help: str, compiled: bool = False) -> argparse.ArgumentParser:
-        inner = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
+    def verb(name: str, help: str, compiled: bool = False) -> _Verb:
+        inner: _Verb = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
         inner.add_argument("--specs", metavar="DIR", help="the folder of the specs")
         if compiled:
             inner.add_argument(
@@ -148,6 +154,7 @@ def _parser() -> argparse.ArgumentParser:
 
     build = verb("build", "write the outputs")
     build.add_argument("devices", nargs="*", metavar="DEVICE[@VERSION]", help="left out: all devices")
+    build.late_help = ("fieldspec.commands.plugin_loading", "outputs_help")
     build.add_argument("--to", metavar="NAME,...", help="the outputs to write; left out: all")
     build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (generated)")
     build.add_argument("--check", action="store_true", help="write nothing; tell which files are not fresh")
@@ -167,15 +174,22 @@ def _parser() -> argparse.ArgumentParser:
     placed = verb("layout", "tell where a controller has the members of a record in its memory", compiled=True)
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message by name or number")
-    placed.add_argument("--target", required=True, choices=_Targets(), metavar="NAME", help="one of %(choices)s")
+    placed.add_argument(
+        "--target",
+        required=True,
+        choices=_Names("fieldspec.plc.layout.memory", "MEMORIES"),
+        metavar="NAME",
+        help="one of %(choices)s",
+    )
 
     facts = verb("facts", "list every fact of a device", compiled=True)
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
-    def sent(inner: argparse.ArgumentParser, direction: str, message: str) -> None:
+    def sent(inner: _Verb, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
         inner.set_defaults(words=[])
+        inner.late_help = ("fieldspec.commands.frame_options", "device_help")
         inner.add_argument("--link", help="the link that the frame is sent on")
         inner.add_argument("--direction", choices=_Suggested(("request", "response")), metavar="NAME", help=direction)
         inner.add_argument("--message", metavar="NAME", help=message)

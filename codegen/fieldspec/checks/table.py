@@ -175,6 +175,9 @@ MOST_FINDINGS = 200
 
 _BY_NAME = dict(CHECKS)
 
+INSTALLED: dict[str, Check] = {}
+"""The checks of installed packages, by their codes; `commands` adds them."""
+
 
 def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     """The findings of all checks, `without` those of some, in order."""
@@ -183,9 +186,9 @@ def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     for allowance in given:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
-    names = [name for name, _ in CHECKS if name not in without]
+    names = [name for name in (*_BY_NAME, *INSTALLED) if name not in without]
     found = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
-    unused = () if "allowances_used" in without else allowances_used(given, used, _BY_NAME)
+    unused = () if "allowances_used" in without else allowances_used(given, used, {**_BY_NAME, **INSTALLED})
     return in_order([*found, *unused])
 
 
@@ -200,7 +203,7 @@ def _unallowed(device: Device, name: str, given: list[Allowance], used: set[Allo
     """The findings of a check that none of its allowances allows; those that are met are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
     kept = 0
-    for finding in _BY_NAME[name](device):
+    for finding in (_BY_NAME.get(name) or INSTALLED[name])(device):
         own = own or [(allowance, allowance.spans()) for allowance in given]
         covering = [allowance for allowance, spans in own if covered(finding, spans)]
         used.update(covering)

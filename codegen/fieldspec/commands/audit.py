@@ -99,6 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
     """
     from fieldspec.audit.report import printed_report, report
     from fieldspec.audit.section import Subject
+    from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.facts import of_versions
     from fieldspec.proofs.running import errata_proofs
 
@@ -115,6 +116,7 @@ def run(arguments: argparse.Namespace) -> int:
     options = [option for option in OF_DUMPS if getattr(arguments, option) is not None]
     if options and not arguments.dump:
         raise UsageError(f"--{options[0]} goes with --dump FILE")
+    load_checks()
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     layouts = {
         each_version: specs.layout_of(spec, each_version) for each_version in dict.fromkeys((*spec.versions(), version))

@@ -147,7 +147,7 @@ def _before(path: Path) -> str:
 
 def _must_be_sound(folder: Path, device: str, text: str) -> None:
     """Reads the spec with the new file before anything is written."""
-    files = specs.files(folder, frozenset([device]))
+    files = specs.with_protocols(specs.files(folder, frozenset([device])))
     files[f"{device}/{FILE}"] = text.encode("utf-8")
     if read(files, frozenset([device])).findings:
         raise UsageError(

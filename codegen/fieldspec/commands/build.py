@@ -22,6 +22,7 @@ from fieldspec.commands.freshness import (
     read_manifest,
 )
 from fieldspec.commands.placement import Staging
+from fieldspec.commands.plugins import package_hashes
 from fieldspec.commands.usage import UsageError, unknown
 
 
@@ -34,11 +35,13 @@ def run(arguments: argparse.Namespace) -> int:
 
 def build(arguments: argparse.Namespace) -> int:
     """Builds once."""
-    wanted = BuildRequest(_outputs(arguments.to), _devices(arguments.devices))
+    anew = arguments.check or arguments.no_cache
+    wanted = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
+    packages = package_hashes(anew)
     out = Path(arguments.out)
     with Staging(out, look=arguments.check) as beside:
         path, files = spec_files.of_devices(arguments.specs, frozenset(wanted.devices))
-        earlier = EarlierBuild(out, files, trusted=not (arguments.check or arguments.no_cache or wanted.picked))
+        earlier = EarlierBuild(out, files, packages, trusted=not (anew or wanted.picked))
         result = build_result(wanted, path, files, earlier, None if arguments.check else beside)
         if result.findings:
             from fieldspec.commands.terminal import print_findings
@@ -50,10 +53,12 @@ def build(arguments: argparse.Namespace) -> int:
         before = read_manifest(out)
         hashes = _hashes(wanted, result)
         gone = before.gone(hashes, wanted.outputs) if wanted.whole else []
-        now = before.renewed(wanted, result, hashes, gone).text()
+        now = before.renewed(wanted, result, hashes, gone, packages).text()
         stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
-            return _report([(path, before.reason(path, result, earlier)) for path in stale], gone, beside.unfinished)
+            return _report(
+                [(path, before.reason(path, result, earlier, packages)) for path in stale], gone, beside.unfinished
+            )
         if stale or gone:
             beside.write(MANIFEST, now)
             beside.place(stale, gone)
@@ -63,9 +68,11 @@ def build(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _outputs(text: str | None) -> tuple[str, ...]:
+def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
     from fieldspec.backends import OUTPUTS
+    from fieldspec.commands.plugin_loading import load_outputs
 
+    load_outputs(anew)
     if text is None:
         return tuple(OUTPUTS)
     names = tuple(name for name in text.split(",") if name)

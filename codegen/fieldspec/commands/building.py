@@ -66,10 +66,12 @@ def _anew(
     """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
     from fieldspec import pipeline
     from fieldspec.commands import specs
+    from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.commands.workers import DOCUMENTATION, Task, Work, stage_changes, task_results
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
+    load_checks()
     project = read(files, only)  # without the folder, which outputs must not depend on
     outputs = not has_errors(project.findings)
     tasks = []
@@ -84,7 +86,7 @@ def _anew(
     work = Work(project, earlier.out, beside)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
-    located = _from_here(findings, spec_files.relative_path(path))
+    located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
     if has_errors(findings):
         return BuildResult(located, {}, {}, [], False)
     stale = [path for result in done.values() for path in result.stale]
@@ -106,8 +108,8 @@ def _anew(
     return BuildResult(located, devices, {**shared, **hashes}, stale, not findings)
 
 
-def _from_here(findings: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
-    """Findings that show the files below the folder of the specs as they are found from here."""
+def _from_here(findings: Iterable[Diagnostic], folder: str, origins: Mapping[str, str]) -> list[Diagnostic]:
+    """Findings that show the files by the paths by which they are found from here."""
     from fieldspec.source import SourceFile, Span
 
     files: dict[str, SourceFile] = {}
@@ -115,7 +117,8 @@ def _from_here(findings: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
     def moved(span: Span) -> Span:
         file = span.file
         if file.path not in files:
-            files[file.path] = SourceFile(f"{folder}/{file.path}" if folder else file.path, file.text)
+            path = origins.get(file.path) or (f"{folder}/{file.path}" if folder else file.path)
+            files[file.path] = SourceFile(path, file.text)
         return Span(files[file.path], span.start, span.end)
 
     return [

@@ -12,7 +12,9 @@ from fieldspec.diagnostics import has_errors
 def run(arguments: argparse.Namespace) -> int:
     """Prints all findings of all files. Exit code 1 where one of them is an error."""
     from fieldspec import pipeline
+    from fieldspec.commands.plugin_loading import load_checks
 
+    load_checks()
     project = specs.project(arguments.specs, frozenset(arguments.devices))
     findings = pipeline.checked(project)
     checked = ", ".join(sorted(project.devices)) or "nothing"

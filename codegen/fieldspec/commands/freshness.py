@@ -15,6 +15,7 @@ from typing import Any
 
 from fieldspec.classes import TYPE_CHECKING, attributes, dataclass
 from fieldspec.commands import cache_folder
+from fieldspec.commands.plugins import package_hashes
 from fieldspec.commands.regular_file import content
 from fieldspec.reading.findings import PROTOCOLS
 
@@ -88,23 +89,27 @@ def file_digest(out: Path, path: str) -> str | None:
 class EarlierBuild:
     """What is known of an earlier build into a folder. `now` are the hashes of the spec files as they are.
 
+    `packages` are those of installed packages that bring outputs, checks and protocols.
+
     Where it is not `trusted`, nothing is known, and nothing is noted.
     """
 
-    def __init__(self, out: Path, files: Mapping[str, bytes], trusted: bool = True) -> None:
+    def __init__(
+        self, out: Path, files: Mapping[str, bytes], packages: Hashes | None = None, trusted: bool = True
+    ) -> None:
         self.now = {path: digest(data) for path, data in files.items()}
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
         self.out = out
         self._name = str(out.resolve())
         self._specs: Hashes = {}
-        self._held: dict[str, Any] = {}
-        self._found: dict[str, str | None] = {}
-        self._compiler = _running() if trusted else ""
+        self._note: dict[str, Any] = {}
+        self._file_digests: dict[str, str | None] = {}
+        self._compiler = _running(packages or {}) if trusted else ""
         note = cache_folder.cached(KIND, self._name) if self._compiler else None
         earlier_data = json.loads(note) if note else {}
         if earlier_data.get("compiler") == self._compiler:
-            self._held = earlier_data
+            self._note = earlier_data
             self._specs, self.shared = earlier_data["specs"], earlier_data["shared"]
             self.devices = {name: Built(**device_data) for name, device_data in earlier_data["devices"].items()}
 
@@ -124,9 +129,9 @@ class EarlierBuild:
 
     def hash_of(self, path: str) -> str | None:
         """The hash of a file of the outputs as it is now; None where it cannot be read."""
-        if path not in self._found:
-            self._found[path] = file_digest(self.out, path)
-        return self._found[path]
+        if path not in self._file_digests:
+            self._file_digests[path] = file_digest(self.out, path)
+        return self._file_digests[path]
 
     def confined(self) -> bool:
         """Whether all that has changed are files of devices that are known, so that the others need not be read."""
@@ -139,7 +144,7 @@ class EarlierBuild:
 
         What is made while the compiler changes is not noted, as nobody can tell which one has made it.
         """
-        if not self._compiler or _running() != self._compiler:
+        if not self._compiler or _running(package_hashes()) != self._compiler:
             return
         others = {} if whole else self.devices
         data: dict[str, Any] = {
@@ -151,7 +156,7 @@ class EarlierBuild:
             },
             "shared": {**self.shared, **shared},
         }
-        if data != self._held:
+        if data != self._note:
             cache_folder.store(KIND, self._name, json.dumps(data, separators=(",", ":")).encode())
 
 
@@ -164,12 +169,13 @@ _at_start: dict[str, str] = {}
 """The compiler that this process began with, by the state of its files, once it is known."""
 
 
-def _running() -> str:
-    """The compiler that runs; empty where it cannot be told, as its files are not those any more that it began with."""
+def _running(packages: Hashes) -> str:
+    """The compiler that runs, with its plug-ins; empty where its files have changed since it began."""
     try:
-        state = cache_folder.state(cache_folder.WHOLE)
+        parts = [text.encode() for pair in sorted(packages.items()) for text in pair]
+        state = cache_folder.checksum(cache_folder.state(cache_folder.WHOLE).encode(), *parts)
         if not _at_start:
-            _at_start[state] = cache_folder.identity()
+            _at_start[state] = cache_folder.checksum(cache_folder.identity().encode(), *parts)
     except OSError:
         return ""
     return _at_start.get(state, "")
@@ -181,11 +187,15 @@ _NAMED = 3
 
 @dataclass(frozen=True, slots=True)
 class Manifest:
-    """Identities of versions, hashes of spec files by device, and hashes of the files that were made of them."""
+    """Identities of versions, hashes of spec files by device, and hashes of the files that were made of them.
+
+    `packages` are versions and hashes of installed packages that bring outputs, checks and protocols.
+    """
 
     identities: Hashes
     specs: dict[str, Hashes]
     files: Hashes
+    packages: Hashes
 
     def text(self) -> bytes:
         """The file."""
@@ -194,10 +204,13 @@ class Manifest:
             "identities": dict(sorted(self.identities.items())),
             "specs": specs,
             "files": dict(sorted(self.files.items())),
+            **({"packages": self.packages} if self.packages else {}),
         }
         return (json.dumps(data, indent=1) + "\n").encode("utf-8")
 
-    def renewed(self, wanted: BuildRequest, result: BuildResult, hashes: Hashes, gone: Sequence[str]) -> Manifest:
+    def renewed(
+        self, wanted: BuildRequest, result: BuildResult, hashes: Hashes, gone: Sequence[str], packages: Hashes
+    ) -> Manifest:
         """The manifest after a build that has made or kept files with some hashes, and removes others."""
         identities = {} if wanted.whole else dict(self.identities)
         specs = {} if wanted.whole else dict(self.specs)
@@ -206,15 +219,16 @@ class Manifest:
             specs[name] = device.inputs
         if wanted.picked or any(path.partition("/")[0] not in wanted.outputs for path in self.files):
             specs = self.specs  # some files are still of other specs
+            packages = self.packages
         files = {path: digest for path, digest in self.files.items() if path not in gone} | hashes
-        return Manifest(identities, specs, files)
+        return Manifest(identities, specs, files, packages)
 
     def gone(self, hashes: Hashes, names: Sequence[str]) -> list[str]:
         """Files of an earlier build that the outputs being built no longer produce."""
         ours = (path for path in self.files if path.partition("/")[0] in names and path not in hashes)
         return sorted(path for path in ours if ".." not in path.split("/"))
 
-    def reason(self, path: str, result: BuildResult, earlier: EarlierBuild) -> str:
+    def reason(self, path: str, result: BuildResult, earlier: EarlierBuild, packages: Hashes) -> str:
         """Why a file is not what a build would write."""
         if path not in self.files:
             return "it is new"
@@ -229,9 +243,18 @@ class Manifest:
             before, now = self.specs.get(name, {}), result.devices[name].inputs
             changed = sorted(file for file in before.keys() | now.keys() if before.get(file) != now.get(file))
             if before and changed:
-                more = f" and {len(changed) - _NAMED} more" if len(changed) > _NAMED else ""
-                return f"changed: {', '.join(changed[:_NAMED])}{more}"
+                return f"changed: {_enumerated(changed)}"
+        if changed := sorted(
+            name for name in self.packages.keys() | packages.keys() if self.packages.get(name) != packages.get(name)
+        ):
+            return f"changed: {_enumerated([f'the package {name}' for name in changed])}"
         return "another compiler has written it"
+
+
+def _enumerated(names: Sequence[str]) -> str:
+    """The first few names, and how many more there are."""
+    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    return f"{', '.join(names[:_NAMED])}{more}"
 
 
 def read_manifest(out: Path) -> Manifest:
@@ -239,6 +262,6 @@ def read_manifest(out: Path) -> Manifest:
     try:
         data = json.loads(content(out / MANIFEST, LARGEST_OUTPUT))
         specs = {device: dict(files) for device, files in data.get("specs", {}).items()}
-        return Manifest(dict(data["identities"]), specs, dict(data["files"]))
+        return Manifest(dict(data["identities"]), specs, dict(data["files"]), dict(data.get("packages", {})))
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        return Manifest({}, {}, {})
+        return Manifest({}, {}, {}, {})

@@ -67,7 +67,9 @@ def _device(path: Path) -> str:
 def _passes(device: str, text: str, name: str) -> None:
     """Refuses what would not pass the check: the list contradicts itself in a way that no skeleton can show."""
     from fieldspec import pipeline
+    from fieldspec.commands.plugin_loading import load_checks
 
+    load_checks()
     findings = pipeline.checked(pipeline.load({f"{device}/{MAIN}": text.encode("utf-8")}))
     if has_errors(findings):
         messages = "; ".join(

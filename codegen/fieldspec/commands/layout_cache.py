@@ -38,9 +38,11 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
     path, contents = spec_files.of_devices(specs_option, frozenset([name]))
     files = {path: content for path, content in contents.items() if not path.endswith(f"/{spec_files.INDEX}")}
     folder = spec_files.relative_path(path)
+    origins = spec_files.origins(files)
 
     def source(path: str) -> SourceFile:
-        return SourceFile(f"{folder}/{path}" if folder else path, files[path].removeprefix(MARK).decode())
+        shown = origins.get(path) or (f"{folder}/{path}" if folder else path)
+        return SourceFile(shown, files[path].removeprefix(MARK).decode())
 
     key = "" if anew else _key(text, files)
     content = cache_folder.cached(KIND, key) if key else None

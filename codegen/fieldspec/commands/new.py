@@ -9,7 +9,7 @@ from importlib import resources
 from pathlib import Path
 from string import Template
 
-from fieldspec.commands import regular_file, specs
+from fieldspec.commands import regular_file, spec_files, specs
 from fieldspec.commands.spec_files import INSTALLED
 from fieldspec.commands.storage import write
 from fieldspec.commands.usage import UsageError, unknown
@@ -93,7 +93,8 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     _fits(name, "device_id", "a device")
     folder = specs.folder(arguments.specs)
     folder = Path(specs.FOLDER) if str(folder) == INSTALLED else folder
-    places = {path.stem: path for place in (Path(INSTALLED), folder) for path in (place / PROTOCOLS).glob("*.yaml")}
+    places = {name: Path(path) for name, path in spec_files.installed_protocols().items()}
+    places |= {path.stem: path for path in (folder / PROTOCOLS).glob("*.yaml")}
     protocols = sorted(places)
     if arguments.protocol is None or arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol or "", [*protocols, *SHAPES])
@@ -106,20 +107,20 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
 
 
 def _bring_protocols(folder: Path, name: str) -> None:
-    """Copies a protocol, and those that it uses, from the specs of the installation, unless they are there already."""
-    if (folder / PROTOCOLS / f"{name}.yaml").exists():
-        return
-    files = specs.files(INSTALLED, frozenset([PROTOCOLS]))
+    """Copies a protocol of fieldspec, and those that it uses, unless they are there already."""
+    own = spec_files.bundled_protocols()
     waiting = [name]
     for protocol in waiting:
         path = f"{PROTOCOLS}/{protocol}.yaml"
-        tree, _ = parsed(decoded(path, files[path])[0])
+        if (folder / path).exists() or protocol not in own:
+            continue
+        data = regular_file.content(own[protocol], LARGEST_FILE)
+        tree, _ = parsed(decoded(path, data)[0])
         if isinstance(tree, Mapping):
             used = (use.values.get("protocol") for use in mappings(tree.values.get("uses")))
             waiting += [use.text for use in used if isinstance(use, Scalar) and use.text not in waiting]
-        if not (folder / path).exists():
-            write(folder / path, files[path], new=True)
-            print(specs.relative_path(folder / path))
+        write(folder / path, data, new=True)
+        print(specs.relative_path(folder / path))
 
 
 def _overlays(path: Path) -> Iterator[str]:

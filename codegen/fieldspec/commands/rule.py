@@ -11,9 +11,11 @@ from fieldspec.render.blocks import Line, Table
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints one rule, or a list of all."""
-    from fieldspec.rules import all_rules, change_rules
+    from fieldspec.commands.plugin_loading import load_checks
+    from fieldspec.rules import all_rules, change_rules, installed_rules
 
-    findings, changes = all_rules(), change_rules()
+    load_checks()
+    findings, changes = (*all_rules(), *installed_rules()), change_rules()
     if arguments.code is None:
         print_blocks(
             [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 
 from fieldspec.classes import TYPE_CHECKING
 from fieldspec.commands.regular_file import NO_LINK, IrregularError, SizeError, content
@@ -11,16 +12,25 @@ from fieldspec.reading.findings import LARGEST_FILE, LARGEST_FOLDER, MAIN, MOST_
 from fieldspec.source import Refused
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
 FOLDER = "specs"
 VARIABLE = "FIELDSPEC_SPECS"
 INDEX = "manual.index"
 """The file of a device with the index of its manual, which audits are made from."""
 
-
-INSTALLED = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "_specs")
+_PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+INSTALLED = os.path.join(_PACKAGE, "_specs")
 """The specs that an installation brings along. They are read, and nobody writes there."""
+_CHECKOUT = os.path.join(os.path.dirname(os.path.dirname(_PACKAGE)), FOLDER)
+"""The same specs in a source checkout."""
+
+_USE = re.compile(
+    rb"""protocol["']?(?:\s|\#.*\n){0,999}:(?:\s|\#.*\n){0,999}  # the key, and comments before its value
+    ["']?([A-Za-z0-9][A-Za-z0-9_-]*)(?![A-Za-z0-9_-]|["']?\s*:)  # the name, which is no key itself""",
+    re.VERBOSE,
+)
+"""What may be the use of a protocol. It is looked for without a YAML reader, which `decode` does not load."""
 
 
 def writable_folder(specs_option: str | None) -> str:
@@ -138,6 +148,70 @@ def _names(path: str | os.PathLike[str]) -> list[str]:
         return []
 
 
+class InstalledFile(bytes):
+    """The content of a protocol that is not among the specs, with the path that it was read from."""
+
+    path: str
+
+
+def with_protocols(files: Mapping[str, bytes]) -> dict[str, bytes]:
+    """Spec files, with those of protocols that they use and do not have: fieldspec's own, and those of plug-ins.
+
+    Raises UsageError for a broken plug-in.
+    """
+    complete = dict(files)
+    waiting = list(files)
+    available: dict[str, str] | None = None
+    for path in waiting:
+        for name in _uses(complete[path]):
+            key = f"{PROTOCOLS}/{name}.yaml"
+            if key in complete:
+                continue
+            available = installed_protocols() if available is None else available
+            if name in available:
+                complete[key] = _installed_file(available[name])
+                waiting.append(key)
+    return complete
+
+
+def origins(files: Mapping[str, bytes]) -> dict[str, str]:
+    """Where the files were read from that are not in the folder of the specs."""
+    return {path: data.path for path, data in files.items() if isinstance(data, InstalledFile)}
+
+
+def _uses(data: bytes) -> Iterator[str]:
+    """The names of protocols that a spec file may use."""
+    at = data.find(b"protocol")
+    while at >= 0:
+        if match := _USE.match(data, at):
+            yield match[1].decode()
+        at = data.find(b"protocol", at + 1)
+
+
+def installed_protocols() -> dict[str, str]:
+    """The files of the protocols that are installed, by name: fieldspec's own, and those of plug-ins."""
+    from fieldspec.commands.plugins import protocol_paths
+
+    own = bundled_protocols()
+    return protocol_paths(own) | own
+
+
+def bundled_protocols() -> dict[str, str]:
+    """The files of fieldspec's own protocols, by name; of an installation, or of a source checkout."""
+    folder = os.path.join(INSTALLED if os.path.isdir(INSTALLED) else _CHECKOUT, PROTOCOLS)
+    names = sorted(name for name in _names(folder) if name.endswith(".yaml") and not name.startswith("."))
+    return {name.removesuffix(".yaml"): os.path.join(folder, name) for name in names}
+
+
+def _installed_file(path: str) -> bytes:
+    try:
+        file = InstalledFile(content(path, LARGEST_FILE))
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    file.path = path.replace(os.sep, "/")
+    return file
+
+
 def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
     """The specs' folder and its files; devices that are asked for must be there."""
     path = folder(specs_option)
@@ -146,7 +220,7 @@ def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -
         raise unknown("device", device, known)
     if not known:
         raise UsageError(f"the folder {path} holds no device; a device is a folder with a {MAIN}")
-    return path, files(path, wanted)
+    return path, with_protocols(files(path, wanted))
 
 
 def relative_path(path: str | os.PathLike[str]) -> str:

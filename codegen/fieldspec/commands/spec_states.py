@@ -209,8 +209,8 @@ def _folder(text: str, path: Path, version: str) -> SpecState:
     if not any(path.glob(f"*/{MAIN}")):
         raise UsageError(f"the folder {text} holds no specs; a device is a folder with a {MAIN}")
     only = frozenset([device]) if device else frozenset[str]()
-    files = _of_devices(specs.files(path, only))
-    return _wide(text, read(files, only, specs.relative_path(path)), device, version)
+    files = specs.with_protocols(_of_devices(specs.files(path, only)))
+    return _wide(text, read(files, only, specs.relative_path(path), specs.origins(files)), device, version)
 
 
 def _revision(text: str, here: Path | None, bare_paths: bool) -> SpecState:
@@ -225,7 +225,8 @@ def _revision(text: str, here: Path | None, bare_paths: bool) -> SpecState:
     spec_tree = tree(revision, path.strip("/") if colon else None, here)
     folder = spec_tree.path if bare_paths else f"{revision}:{spec_tree.path}"
     only = frozenset([spec_tree.device]) if spec_tree.device else frozenset[str]()
-    return _wide(text, read(_of_devices(spec_tree.files), only, folder), spec_tree.device, version)
+    files = specs.with_protocols(_of_devices(spec_tree.files))
+    return _wide(text, read(files, only, folder, specs.origins(files)), spec_tree.device, version)
 
 
 def _of_devices(files: dict[str, bytes]) -> dict[str, bytes]:

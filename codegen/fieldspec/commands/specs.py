@@ -6,7 +6,16 @@ from pathlib import Path
 
 from fieldspec.checks.layout_conditions import has_layout
 from fieldspec.commands import spec_files
-from fieldspec.commands.spec_files import FOLDER, VARIABLE, files, of_devices, relative_path, split
+from fieldspec.commands.spec_files import (
+    FOLDER,
+    VARIABLE,
+    files,
+    of_devices,
+    origins,
+    relative_path,
+    split,
+    with_protocols,
+)
 from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.diagnostics import has_errors
 from fieldspec.layout.device import DeviceLayout, device_layout
@@ -18,12 +27,14 @@ __all__ = [
     "files",
     "folder",
     "layout_of",
+    "origins",
     "picked",
     "project",
     "relative_path",
     "spec_at",
     "split",
     "unsound",
+    "with_protocols",
     "writable_folder",
 ]
 
@@ -41,7 +52,7 @@ def writable_folder(specs_option: str | None) -> Path:
 def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
     """The project in the specs' folder; devices that are asked for must be there."""
     path, contents = of_devices(specs_option, devices)
-    return read(contents, devices, relative_path(path))
+    return read(contents, devices, relative_path(path), origins(contents))
 
 
 def picked(spec: DeviceSpec, version: str) -> str:
