@@ -172,10 +172,11 @@ _at_start: dict[str, str] = {}
 def _running(packages: Hashes) -> str:
     """The compiler that runs, with its plug-ins; empty where its files have changed since it began."""
     try:
-        parts = [text.encode() for pair in sorted(packages.items()) for text in pair]
-        state = cache_folder.checksum(cache_folder.state(cache_folder.WHOLE).encode(), *parts)
+        installed = [text.encode() for pair in sorted(packages.items()) for text in pair]
+        state = cache_folder.checksum(cache_folder.state(cache_folder.WHOLE).encode(), *installed)
         if not _at_start:
-            _at_start[state] = cache_folder.checksum(cache_folder.identity().encode(), *parts)
+            identity = cache_folder.identity()
+            _at_start[state] = cache_folder.checksum(identity.encode(), *installed) if installed else identity
     except OSError:
         return ""
     return _at_start.get(state, "")
