@@ -79,7 +79,7 @@ class _Way:
 
 def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, list[str]]:
     """The message, and the values behind it."""
-    pairs = list(arguments.given)
+    pairs = list(arguments.assignments)
     named = arguments.message is not None or arguments.words
     if not named and pairs and "=" not in pairs[0]:
         arguments.message = pairs.pop(0)
