@@ -213,7 +213,7 @@ def _parser() -> argparse.ArgumentParser:
     encode = verb("encode", "encode the frame of a message", compiled=True)
     encode.add_argument("device", metavar="DEVICE[@VERSION]")
     encode.add_argument(
-        "given",
+        "assignments",
         nargs="*",
         metavar="MESSAGE NAME=VALUE",
         help="raw values, quantities such as 20.00mm, or names of enum members",
