@@ -1,4 +1,4 @@
-"""`fieldspec audit`: what shows that the spec of a device is right, also beside a register dump."""
+"""`fieldspec audit`: the evidence that the spec of a device is right, and the judgement of register dumps."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ COLUMNS = ("address", "value", "words", "space")
 
 
 def register_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple[Section, tuple[Diagnostic, ...]]:
-    """The section of a dump, and what is wrong with it. Raises UsageError for a file that cannot be used."""
+    """The section about a dump, and its findings. Raises UsageError for a file that cannot be used."""
     columns = list_files.column_options(arguments, COLUMNS)
     encoding = arguments.encoding or ""
     data = list_files.content(arguments.dump)
@@ -56,7 +56,7 @@ def _quote(name: str) -> str:
 
 
 def _file(name: str, data: bytes, encoding: str, sheet: Sheet) -> tuple[SourceFile, Mapping[int, int]]:
-    """The text that findings show, with the offset of each row: the file itself, or its rows where it is no text."""
+    """The text that findings show, and the offset of each row in it: the file, or the rows of a workbook."""
     label = _quote(name)
     if not data.startswith(MAGIC):
         text = decoded(data, encoding)
@@ -80,22 +80,22 @@ OF_DUMPS = ("address", "value", "words", "space", "base", "offset", "encoding", 
 """The options that say how a dump is read."""
 
 ALONE = ("sign", "dump", "record", "as_printed")
-"""The options of which each asks for something else than the audit, so that one excludes the others."""
+"""The options that ask for something other than the audit; each excludes the others."""
 
 FORMED = ("sign", "record")
-"""Those that write a file of the spec, and print nothing that has a form."""
+"""Those that write a file of the spec and print no report."""
 
 WHOLE = ("sarif", "html")
-"""The formats that hold all sections."""
+"""The formats of the whole report."""
 
 LISTS = ("csv", "xlsx")
-"""The formats that hold one table."""
+"""The formats of a single table."""
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Prints the audit, or one table of it. Exit code 1 where a section has a finding that is an error.
 
-    What is found in the print says nothing against the spec, and has the exit code 0.
+    Findings in the print, with `--as-printed`, say nothing against the spec; the exit code is then 0.
     """
     from fieldspec.audit.report import printed_report, report
     from fieldspec.audit.section import Subject
@@ -105,9 +105,9 @@ def run(arguments: argparse.Namespace) -> int:
 
     _must_go_together(arguments)
     if arguments.format in LISTS and not arguments.table:
-        raise UsageError(f"{arguments.format} holds one table; name it with --table, such as --table ledger")
+        raise UsageError(f"{arguments.format} holds a single table; name it with --table, such as --table ledger")
     if arguments.table and arguments.format in WHOLE:
-        raise UsageError(f"{arguments.format} is of the whole audit; give --table with text, json, csv or xlsx")
+        raise UsageError(f"{arguments.format} shows the whole audit; use --table with text, json, csv or xlsx")
     if arguments.out and not arguments.table and arguments.format != "html":
         raise UsageError("--out writes a page or a table; give --format html, or --table, such as --table ledger")
     options = [option for option in ("by", "on", "how") if getattr(arguments, option) is not None]
@@ -145,20 +145,18 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _must_go_together(arguments: argparse.Namespace) -> None:
-    """Refuses options of which one would do nothing beside the other."""
+    """Refuses options that exclude each other. Raises UsageError."""
     asked = [option for option in ALONE if getattr(arguments, option)]
     if len(asked) > 1:
-        raise UsageError(
-            f"{_option_text(asked[0])} and {_option_text(asked[1])} do not go together; ask for one at a time"
-        )
+        raise UsageError(f"{_option_text(asked[0])} and {_option_text(asked[1])} cannot be combined; use one at a time")
     beside = [option for option in ("table", "out", "all") if getattr(arguments, option)]
     beside += ["format"] if arguments.format != "text" else []
     if asked and asked[0] in FORMED and beside:
         raise UsageError(
-            f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no use; leave it out"
+            f"{_option_text(asked[0])} prints no report, so {_option_text(beside[0])} has no effect; leave it out"
         )
     if asked and asked[0] in ("sign", "dump") and arguments.manual:
-        raise UsageError(f"{_option_text(asked[0])} looks into no manual, so --manual has no use; leave it out")
+        raise UsageError(f"{_option_text(asked[0])} reads no manual, so --manual has no effect; leave it out")
 
 
 def _option_text(option: str) -> str:
@@ -166,7 +164,7 @@ def _option_text(option: str) -> str:
 
 
 def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
-    """Prints what a dump says. Exit code 1 where the device held what it should not."""
+    """Prints the report on a dump. Exit code 1 where a finding is an error."""
     from fieldspec.audit.report import dump_report
 
     section, findings = register_dump(arguments, layout)
@@ -216,7 +214,7 @@ def _print_table(report: Report, arguments: argparse.Namespace) -> None:
     table = tables[arguments.table]
     if arguments.format == "text":
         if arguments.out:
-            raise UsageError("a table in a file has a format; give --format csv, xlsx or json")
+            raise UsageError("--out needs a format for the table; give --format csv, xlsx or json")
         print_blocks(table_blocks(table))
         return
     data = {"csv": as_csv, "xlsx": as_xlsx, "json": as_json}[arguments.format](table)
@@ -225,6 +223,6 @@ def _print_table(report: Report, arguments: argparse.Namespace) -> None:
     elif arguments.format != "xlsx":
         print(data.decode("utf-8"), end="")
     elif sys.stdout.isatty():
-        raise UsageError("a workbook is no text; name its file with --out")
+        raise UsageError("a workbook cannot be printed; name a file with --out")
     else:
         sys.stdout.buffer.write(data)

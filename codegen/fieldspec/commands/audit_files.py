@@ -1,4 +1,4 @@
-"""The texts of manuals and their indexes: files that are read and written, and what is wrong with them."""
+"""The files of an audit: the text of a manual, its index beside the spec, and the reviews that `--sign` records."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from fieldspec.reading.project import DeviceSpec, read
 
 MOST_BYTES = 32 << 20
 _LEAST_SHARE = 10
-"""What a text has to have in common with the manual, in percent of the lines, to be compared with it at all."""
+"""The least percentage of lines that a text must share with the manual to be compared with it."""
 
 
 def recorded(specs_option: str | None, device: str) -> ManualIndex | None:
-    """The index beside the spec of a device, where there is one."""
+    """The index beside the spec of a device, None where there is none. Raises UsageError."""
     folder = specs.folder(specs_option)
     path = folder / device / NAME
     try:
@@ -44,7 +44,7 @@ def recorded(specs_option: str | None, device: str) -> ManualIndex | None:
 
 
 def at_hand(name: str) -> ManualIndex:
-    """The index of a manual's text that the user has."""
+    """The index of the text of a manual that the user has. Raises UsageError."""
     try:
         content = regular_file.content(name, MOST_BYTES)
     except SizeError:
@@ -77,7 +77,7 @@ def compared(specs_option: str | None, device: str, name: str | None) -> tuple[M
 
 
 def record(specs_option: str | None, device: Device, name: str | None) -> int:
-    """Writes the index of a manual beside the spec of a device, which must be about that very text."""
+    """Writes the index of a manual beside the spec of a device, which must cite that very text. Raises UsageError."""
     if not name:
         raise UsageError("give the text of the manual that is to be recorded: --manual FILE --record")
     manual, cited = at_hand(name), device.manual
@@ -100,13 +100,13 @@ _HEAD = "# yaml-language-server: $schema=../../codegen/fieldspec/schema/spec.sch
 def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[DeviceLayout]) -> int:
     """Appends an entry to the reviews of a device. Raises UsageError, and writes nothing, where that cannot be done."""
     if not arguments.by or not arguments.by.strip():
-        raise UsageError('--sign needs to know who has compared it; give a name or a role, as in --by "second reader"')
+        raise UsageError('--sign records who made the comparison; give a name or a role, as in --by "second reader"')
     today = time.strftime("%Y-%m-%d")
     day = arguments.on or today
     if not is_day(day):
-        raise UsageError(f"--on {day} is no day; write it as in 2026-01-31")
+        raise UsageError(f"--on {day} is not a date; write it as in 2026-01-31")
     if day > today:
-        raise UsageError(f"--on {day} is still to come, as today is {today}; give the day of the comparison")
+        raise UsageError(f"--on {day} is in the future, today is {today}; give the day of the comparison")
     all_layouts = list(layouts)
     signed = _picked(states(of_versions(all_layouts)), arguments.sign)
     manual = all_layouts[-1].device.manual
@@ -123,7 +123,7 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
 
 
 def _picked(now: Mapping[str, State], name: str) -> dict[str, State]:
-    """The sections that a name means: one, a chapter with all of its sections, or all of them."""
+    """The sections that a name means: a section, a chapter with its sections, or all. Raises UsageError."""
     if name == ALL:
         return {section: now[section] for section in sorted(now, key=section_order)}
     matches = [section for section in now if section == name or section.startswith(f"{name}.")]
@@ -133,7 +133,7 @@ def _picked(now: Mapping[str, State], name: str) -> dict[str, State]:
 
 
 def _before(path: Path) -> str:
-    """What the file has; it must end with the list of reviews, so that an entry can follow."""
+    """The text of the file, empty where there is none. Raises UsageError."""
     try:
         text = regular_file.content(path, LARGEST_FILE).decode("utf-8")
     except FileNotFoundError:
@@ -146,7 +146,7 @@ def _before(path: Path) -> str:
 
 
 def _must_be_sound(folder: Path, device: str, text: str) -> None:
-    """Reads the spec with the new file before anything is written."""
+    """Reads the spec with the new file before anything is written. Raises UsageError."""
     files = specs.with_protocols(specs.files(folder, frozenset([device])))
     files[f"{device}/{FILE}"] = text.encode("utf-8")
     if read(files, frozenset([device])).findings:

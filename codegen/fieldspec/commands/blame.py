@@ -16,7 +16,7 @@ _LONGEST = 60
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one row for each attribute; those that a group gives its rows are marked."""
+    """Prints one row for each attribute; defaults of its group are marked."""
     spec, version = specs.spec_at(arguments.specs, arguments.device)
     tree = spec.tree_at(version)
     fact = find(tree, arguments.path)
@@ -43,7 +43,7 @@ def _rows(node: Mapping, before: str, beside: str = "") -> Iterator[tuple[str, s
 
 
 def _inherited(tree: Mapping, path: str, fact: Mapping) -> Iterator[tuple[str, str, str]]:
-    """What the group around a row gives it."""
+    """The attributes that a row takes from the defaults of its group."""
     at = keys(tree, path) or []
     for end in range(len(at) - 1, 0, -1):
         holder = node_at(tree, at[:end])

@@ -27,7 +27,7 @@ from fieldspec.commands.usage import UsageError, unknown
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Builds, or with `--check` tells what a build would change. Exit code 1 for findings and stale files."""
+    """Builds, or with `--check` lists what a build would change. Exit code 1 for findings and stale files."""
     if arguments.watch:
         return watch(arguments)
     return build(arguments)
@@ -80,19 +80,19 @@ def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
         if name not in OUTPUTS:
             raise unknown("output", name, OUTPUTS)
     if not names:
-        raise UsageError(f"--to names no output; there are {', '.join(OUTPUTS)}")
+        raise UsageError(f"--to names no output; the outputs are {', '.join(OUTPUTS)}")
     return names
 
 
 def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
-    """The versions that are asked for, by device; none where all are, as a device without a version asks for them."""
+    """The requested versions by device; no version means all of them."""
     pairs = [spec_files.split(text) for text in texts]
     named = {device: {version for name, version in pairs if name == device} for device, _ in pairs}
     return {device: frozenset() if "" in versions else frozenset(versions) for device, versions in named.items()}
 
 
 def _hashes(wanted: BuildRequest, result: BuildResult) -> Hashes:
-    """The hashes of all files of the outputs that are built, whether they were made anew or not."""
+    """The hashes of all files of the requested outputs, rebuilt or not."""
     holders = [result.shared, *(device.outputs for device in result.devices.values())]
     return {
         path: digest
@@ -119,13 +119,13 @@ def _report(stale: Sequence[tuple[str, str]], gone: Sequence[str], unfinished: S
 PAUSE = 0.05
 """Seconds between two looks at the files."""
 SETTLED = 0.02
-"""Seconds for which nothing changes once a file is written whole."""
+"""Seconds without a change after which a file counts as completely written."""
 
 State = dict[str, tuple[int, int]]
 
 
 def watch(arguments: argparse.Namespace) -> int:
-    """Builds, then waits for a spec to change. It ends with an interrupt, or where the first build is wrong use."""
+    """Builds, then waits for a spec to change, until interrupted. Raises UsageError if the first build does."""
     path = spec_files.folder(arguments.specs)
     built: State | None = None
     while True:
@@ -140,7 +140,7 @@ def watch(arguments: argparse.Namespace) -> int:
 
 
 def _build(arguments: argparse.Namespace, first: bool) -> None:
-    """Builds once. What is wrong use may be put right while we wait, but for what was given to us."""
+    """Builds once. Wrong use may be corrected while we wait, except in the first build."""
     start = time.perf_counter()
     try:
         code = build(arguments)

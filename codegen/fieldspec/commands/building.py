@@ -1,4 +1,4 @@
-"""What a build makes: of every device what is not fresh any more, and nothing else."""
+"""Plans a build and carries it out: of every device only the outputs that are out of date."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class _Plan:
-    """What is done for a device: whether it is checked, which outputs are made, and which are kept as they are."""
+    """What a build does for a device: whether it is checked, which outputs are rebuilt, and which are reused."""
 
     check: bool
     outputs: tuple[str, ...]
@@ -30,9 +30,9 @@ class _Plan:
 def build_result(
     wanted: BuildRequest, path: str, files: Mapping[str, bytes], earlier: EarlierBuild, beside: Staging | None = None
 ) -> BuildResult:
-    """Makes what must be made of some spec files; nothing where something is found that stops a build.
+    """Builds what is out of date; nothing where a finding stops the build.
 
-    What is not the same as what lies there is written `beside` it.
+    Files that differ from the ones in place are written to `beside`. Raises UsageError.
     """
     plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
     reusable = {name: earlier.unchanged(earlier.shared.get(name)) for name in wanted.outputs}
@@ -63,7 +63,7 @@ def _anew(
     earlier: EarlierBuild,
     beside: Staging | None,
 ) -> BuildResult:
-    """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
+    """Reads the specs, of all devices or of `only` some, and carries out the plans."""
     from fieldspec import pipeline
     from fieldspec.commands import specs
     from fieldspec.commands.plugin_loading import load_checks

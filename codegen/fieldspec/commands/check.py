@@ -1,4 +1,4 @@
-"""`fieldspec check`: everything that is wrong with the specs."""
+"""`fieldspec check`: all findings in the specs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`fieldspec compare`: a device beside a register list that someone else has made."""
+"""`fieldspec compare`: a device beside a register list from another source."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     ignored = frozenset(filter(None, (arguments.ignore or "").split(",")))
     for aspect in sorted(ignored - {*ASPECTS}):
-        raise unknown("thing that is compared", aspect, ASPECTS)
+        raise unknown("aspect to compare", aspect, ASPECTS)
     layout = layout_cache.requested_layout(arguments)
     columns = list_files.column_options(arguments)
     try:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class FramePrinter:
-    """Prints at once what it is given. Notes and errata that were printed once are not repeated."""
+    """Prints explanations of frames at once. Notes and errata are printed only the first time."""
 
     def __init__(self, layout: DeviceLayout, form: str) -> None:
         self.layout, self.form = layout, form
@@ -78,13 +78,13 @@ LONGEST_LINE = 8192
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Explains what is given, or each line of the standard input. Exit code 1 where anything is wrong."""
+    """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong."""
     layout = layout_cache.requested_layout(arguments)
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")
     options = frame_options(layout, arguments)
     if arguments.request and "response" not in options.directions:
-        raise UsageError(f"--request gives what a response answers, so --direction cannot be {arguments.direction}")
+        raise UsageError(f"--request says what a response answers, so --direction cannot be {arguments.direction}")
     asked = _asked(layout, options, arguments.request)
     printer = FramePrinter(layout, arguments.format)
     text = " ".join(arguments.frame)
@@ -102,7 +102,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _asked(layout: DeviceLayout, options: FrameOptions, text: str | None) -> OpenRequest | None:
-    """The request that the user names."""
+    """The request in `--request`. Raises UsageError where it is wrong."""
     if text is None:
         return None
     places = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
@@ -124,10 +124,10 @@ def _frame(layout: DeviceLayout, text: str) -> LogLine:
 
 
 class Log:
-    """Explains the frames of a log, one a line; what it keeps does not grow with the log.
+    """Explains the frames of a log, one in each line, in constant memory.
 
     `asked` is the request, in line `asked_in`, that the next response answers. `mark` is the direction that a line
-    without bytes gives to the next one.
+    without bytes announces for the next one.
     """
 
     def __init__(
@@ -140,7 +140,7 @@ class Log:
         self.wrong = False
 
     def explain(self, stream: BinaryIO) -> int:
-        """Explains every line. What cannot be read is reported and passed over."""
+        """Explains every line, and reports those that it cannot read. Returns the exit code."""
         for number, line in _lines(stream):
             try:
                 if len(line) >= LONGEST_LINE:
@@ -167,13 +167,13 @@ class Log:
             self.asked_in = number if self.asked else 0
 
     def _request(self, reading: ChosenReading) -> OpenRequest | None:
-        """What the next response answers: the frame, where it is a request, and not for all stations."""
+        """The frame as the request that the next response answers; None for other frames and broadcasts."""
         request = reading.explanation
         if request.direction != "request" or (reading.wrong and request.reasons != ("unknown_code",)):
             return None
         link = self.layout.links[request.link]
         if reading.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
-            return None  # nothing says that it is a request at all
+            return None  # nothing shows that it is a request
         station, stations = link.request.role("station"), link.link.stations
         if station and stations and request.values.get(station.name) == stations.broadcast:
             return None
@@ -181,7 +181,7 @@ class Log:
 
 
 def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:
-    """The lines of a log with their numbers from 1. Long ones are cut; UTF-16, as Windows shells write it, is taken."""
+    """The lines of a log, numbered from 1. Long lines are cut; UTF-16, which Windows shells write, is accepted."""
     number = 0
     while line := stream.readline(LONGEST_LINE):
         number += 1

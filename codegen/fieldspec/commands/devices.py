@@ -1,4 +1,4 @@
-"""`fieldspec devices`: what there is."""
+"""`fieldspec devices`: the devices and their versions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _HEADINGS = ("device", "name", "vendor", "versions", "registers", "parameters", 
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one row a device, counted at its newest version. Exit code 1 where a device cannot be read."""
+    """Prints a row for each device, with counts at its newest version. Exit code 1 where a device cannot be read."""
     project = specs.project(arguments.specs)
     print_blocks([Table(_HEADINGS, tuple(_row(name, spec) for name, spec in sorted(project.devices.items())))])
     if has_errors(project.findings):

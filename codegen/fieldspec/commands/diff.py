@@ -1,4 +1,4 @@
-"""`fieldspec diff`: what differs between two versions, or two states of the specs, and whom it hurts."""
+"""`fieldspec diff`: the differences between two versions or two states of the specs, and whom they affect."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from fieldspec.render.changes import AcceptedChange, Difference, hurts
 
 FORMATS = ("text", "json", "markdown", "html", "sarif", "github")
 REVIEWS = ("sarif", "github")
-"""The forms that code reviews take."""
+"""The formats for code reviews."""
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the changes. Exit code 1 where `--fail-on` is met, or where a spec accepts what has not happened."""
+    """Prints the changes. Exit code 1 where `--fail-on` applies, or where a spec accepts a change that is not there."""
     bare_paths = arguments.format in REVIEWS
     old, new = (spec_state(text, arguments.specs, bare_paths) for text in (arguments.old, arguments.new))
     compared = list(_compared(old, new))
@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Compared:
-    """Comparisons that are shown as one: the same device at several versions, by the names of both sides."""
+    """Comparisons that are shown together: the same device at several versions. `old` and `new` are labels."""
 
     old: str
     new: str
@@ -58,7 +58,7 @@ class _Compared:
 
 
 def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
-    """The comparisons that two sides ask for, device by device."""
+    """The comparisons of two states, device by device."""
     for device in _common(old, new):
         before, after = old.spec(device), new.spec(device)
         both = [version for version in after.versions() if version in before.versions()]
@@ -75,7 +75,7 @@ def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
 
 
 def _common(old: SpecState, new: SpecState) -> list[str]:
-    """The devices to compare: the one that is asked for, or all that both sides have."""
+    """The devices to compare: the requested one, or all that both states have. Raises UsageError."""
     asked = {spec_state.device for spec_state in (old, new) if spec_state.device}
     if len(asked) > 1:
         raise UsageError(f"{old.device} and {new.device} are two devices; compare two versions of one")
@@ -85,12 +85,12 @@ def _common(old: SpecState, new: SpecState) -> list[str]:
     if not common and old.project.devices.keys() != new.project.devices.keys():
         raise UsageError(f"{old.name} and {new.name} have no device in common")
     if len(common) > 1 and (old.version or new.version):
-        raise UsageError(f"say of which device the version is: there are {', '.join(common)}")
+        raise UsageError(f"say which device the version belongs to: there are {', '.join(common)}")
     return common
 
 
 def _pair(old: SpecState, new: SpecState, device: str) -> _Compared:
-    """One comparison of the versions that are asked for; where one side names none, the same or its newest."""
+    """The comparison of the requested versions; a state without one takes the same version, or its newest."""
     before, after = old.version, new.version
     if not before:
         known = old.spec(device).versions()
@@ -109,7 +109,7 @@ def _of(old: SpecState, new: SpecState, device: str, before: str, after: str) ->
 
 
 def _difference(compared: _Compared) -> Difference:
-    """What a comparison shows: a change that is found at several versions once."""
+    """The changes of a comparison; a change at several versions appears once."""
     versions_of: dict[tuple[object, ...], list[str]] = {}
     change_of: dict[tuple[object, ...], AcceptedChange] = {}
     for version, step in compared.by_version.items():
@@ -138,7 +138,7 @@ def _difference(compared: _Compared) -> Difference:
 
 
 def _devices(old: SpecState, new: SpecState) -> Iterator[Difference]:
-    """The devices that one side alone has, where whole folders are compared."""
+    """The devices that only one state has, where whole folders are compared."""
     if old.device or new.device:
         return
     gone = [device for device in old.project.devices if device not in new.project.devices]
@@ -152,7 +152,7 @@ def _devices(old: SpecState, new: SpecState) -> Iterator[Difference]:
 
 
 def _unused(compared: list[_Compared]) -> list[Diagnostic]:
-    """The findings of acceptances that accept nothing."""
+    """The findings about acceptances that accept nothing."""
     rules = {name for name, _, _ in RULES}
     by_device: dict[str, list[Compared]] = {}
     for step in (step for each in compared for step in each.by_version.values()):

@@ -25,7 +25,7 @@ _MOST = 20
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the frame as hexadecimal bytes, with its characters where it is made of them."""
+    """Prints the frame in hexadecimal, and as characters where it consists of them."""
     from fieldspec.reference import CodecError, codec
 
     layout = layout_cache.requested_layout(arguments)
@@ -64,13 +64,13 @@ def _judge(layout: DeviceLayout, way: _Way, frame: bytes) -> None:
 
 
 def _row_name(row: ExplanationRow) -> str:
-    """The path of a value, with the parameter that it is."""
+    """The path of a value, with the name of its parameter."""
     return row.path if not row.meanings or not row.meanings[0].name else f"{row.path} ({row.meanings[0].name})"
 
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """Which message is sent, and which way."""
+    """The message, its link and its direction."""
 
     link: str
     direction: str
@@ -78,14 +78,14 @@ class _Way:
 
 
 def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, list[str]]:
-    """The message, and the values behind it."""
+    """The message, and the assignments of values."""
     pairs = list(arguments.assignments)
     named = arguments.message is not None or arguments.words
     if not named and pairs and "=" not in pairs[0]:
         arguments.message = pairs.pop(0)
     options = frame_options(layout, arguments)
     if not options.message:
-        raise UsageError(f"nothing says which message it is; {layout.device.id} has {_some(layout.messages)}")
+        raise UsageError(f"name the message; {layout.device.id} has {_some(layout.messages)}")
     if arguments.direction:
         return _Way(*options.places[0], options.message), pairs
     return _Way(options.places[0][0], "request", options.message), pairs
@@ -106,7 +106,7 @@ def _nested(pairs: list[str]) -> dict[str, object]:
     for pair in pairs:
         name, equals, value = pair.partition("=")
         if not equals or not name:
-            raise UsageError(f"{pair} is no NAME=VALUE")
+            raise UsageError(f"{pair} is not of the form NAME=VALUE")
         *path, last = name.split(".")
         holder = root
         for step in path:
@@ -115,7 +115,7 @@ def _nested(pairs: list[str]) -> dict[str, object]:
                 raise UsageError(f"{name}: {step} has a value of its own")
             holder = inner
         if last in holder:
-            raise UsageError(f"{name} is given twice")
+            raise UsageError(f"{name} has two values")
         holder[last] = value
     return {name: _lists_of(value) for name, value in root.items()}
 
@@ -135,18 +135,18 @@ def _order(key: str) -> tuple[int, str]:
 
 
 def _by_print(layout: DeviceLayout, way: _Way, texts: dict[str, object]) -> None:
-    """Puts our names in the place of the manual's."""
+    """Replaces printed names by the names of fields. Raises UsageError for a field with two values."""
     body = body_of(layout, way.link, way.direction, way.message, False)
     printed = {field.field.printed_name.lower(): field.name for field in body.fields if field.field.printed_name}
     for name in [name for name in texts if body.named(name) is None and name.lower() in printed]:
         own = printed[name.lower()]
         if own in texts:
-            raise UsageError(f"{name} is {own}, which is given twice")
+            raise UsageError(f"{name} and {own} are the same field; give it one value")
         texts[own] = texts.pop(name)
 
 
 def _with_address(layout: DeviceLayout, message: str, texts: dict[str, object]) -> None:
-    """Puts the address of a register in the place of its name."""
+    """Replaces the name of a register by its address. Raises UsageError for a register in another space."""
     device = layout.device
     accesses = device.register_access(layout.messages[message].message)
     named = texts.get(accesses.start) if accesses else None
@@ -160,7 +160,7 @@ def _with_address(layout: DeviceLayout, message: str, texts: dict[str, object]) 
 
 
 def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) -> None:
-    """Puts the words of registers in the place of quantities in their units, and of names."""
+    """Replaces quantities and names by the words of registers. Raises UsageError."""
     access = layout.device.register_access(layout.messages[message].message)
     if access is None or access.operation != "write":
         return
@@ -178,7 +178,7 @@ def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) ->
 
 
 def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -> None:
-    """Refuses a request to write what can only be read, or to read what can only be written."""
+    """Refuses to write what can only be read, and to read what can only be written. Raises UsageError."""
     accesses = layout.device.register_access(layout.messages[way.message].message)
     if accesses is None or way.direction != "request":
         return
@@ -187,7 +187,7 @@ def _refuse_access(layout: DeviceLayout, way: _Way, values: Mapping[str, Raw]) -
     span = accessed(accesses, values, {}, 0, carried)
     why = forbidden(layout, span, accesses.operation) if span is not None else ""
     if why:
-        raise UsageError(f"{why}: no frame is made of it")
+        raise UsageError(f"{why}; no frame is written")
 
 
 def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> object:
@@ -213,7 +213,7 @@ def _count_of(layout: DeviceLayout, way: _Way, name: str, text: object) -> objec
 
 
 def _fields(layout: DeviceLayout, way: _Way) -> list[str]:
-    """What can be given: the parts of the head that no other part decides, and the fields of the body."""
+    """The names that take values: parts of the header that nothing else decides, and fields of the body."""
     shape = layout.links[way.link].frame(way.direction)
     head = [part.name for part in shape.head if part.role in ("station", "plain") and not part.reserved]
     body = body_of(layout, way.link, way.direction, way.message, False)
@@ -246,9 +246,9 @@ _COUNTS = re.compile(r"[-+]?(?:0x[0-9A-Fa-f]+|[0-9]+)(?:[, ]+[-+]?(?:0x[0-9A-Fa-
 
 
 def register_words(layout: DeviceLayout, access: RegisterAccess, start: int, text: str) -> list[int] | None:
-    """The words of `50.00 mm, 0x0001`: an item in a unit, or a name, is the whole value of the register there.
+    """The words of `50.00 mm, 0x0001`: a quantity or a name stands for the whole value of the register at its address.
 
-    None where there are counts of words alone. Raises UsageError for an item that no register at its address takes.
+    None where all items are raw words. Raises UsageError for an item that no register at its address takes.
     """
     if _COUNTS.fullmatch(text.strip()):
         return None
@@ -272,7 +272,7 @@ def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str
 
 
 def _bytes(layout: DeviceLayout, holder: Holder, item: str) -> bytes:
-    """The bytes of a value as they lie in the registers."""
+    """The bytes of a value in the order of the registers."""
     from fieldspec.reference.records import encoded_value, value_construct
 
     raw = raw_value(layout.device, holder.path, holder.value, item)

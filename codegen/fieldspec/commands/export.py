@@ -1,4 +1,4 @@
-"""`fieldspec export`: the registers and parameters of a device as a list for other programs and people."""
+"""`fieldspec export`: the registers and parameters of a device as a list for people and other programs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from fieldspec.commands.usage import UsageError
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the list to a file, or to the output."""
+    """Writes the list to a file or to standard output."""
     from fieldspec.lists.export import as_csv, as_json, as_xlsx
     from fieldspec.lists.item import items
 
@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
     elif arguments.to != "xlsx":
         print(data.decode("utf-8"), end="")
     elif sys.stdout.isatty():
-        raise UsageError("a workbook is no text; name its file with --out")
+        raise UsageError("a workbook cannot be printed; name a file with --out")
     else:
         sys.stdout.buffer.write(data)
     return 0

@@ -1,4 +1,4 @@
-"""`fieldspec facts`: every fact of a device, one row each."""
+"""`fieldspec facts`: all facts of a device, one in each row."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _number(cell: object) -> int | float:
-    """An exact decimal as a number of JSON, which prints as it is written in the spec."""
+    """An exact decimal as a JSON number, which prints as in the spec."""
     if isinstance(cell, Decimal):
         return int(cell) if cell == cell.to_integral_value() else float(cell)
     raise TypeError(type(cell).__name__)

@@ -17,7 +17,7 @@ from fieldspec.reading.findings import MAIN
 
 
 def frame_options(layout: DeviceLayout, arguments: argparse.Namespace) -> FrameOptions:
-    """What the options say. Raises UsageError for what the device does not have."""
+    """The meaning of the options. Raises UsageError for names that the device does not have."""
     links = _links(layout, arguments.link)
     what, text, links = _word(layout, arguments, links)
     message = ""
@@ -35,7 +35,7 @@ def _links(layout: DeviceLayout, name: str | None) -> list[str]:
 
 
 def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str]) -> tuple[str, str, list[str]]:
-    """What a message is called, the one that is asked for, and the links that have such ones."""
+    """What a message is called, the requested name, and the links with such messages."""
     words = {f"--{option_word(link.link.message_name)}": link.link.message_name for link in layout.links.values()}
     named = [("--message", arguments.message)] if arguments.message is not None else []
     named += [(option.replace("_", "-"), text) for option, text in arguments.words]
@@ -47,7 +47,7 @@ def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str])
     if not named:
         return "message", "", links
     if len(named) > 1:
-        raise UsageError(f"{named[0][0]} and {named[1][0]} both say which message it is; give one of them")
+        raise UsageError(f"{named[0][0]} and {named[1][0]} both name the message; use one of them")
     ((option, text),) = named
     word = words.get(option, "message")
     if option == "--message":
@@ -60,7 +60,7 @@ def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str])
 
 
 def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str]) -> str:
-    """The message of some links that a name or a number means."""
+    """The message with a name or a number, on some links. Raises UsageError."""
     sent = {name: message for link in links for name, message in layout.links[link].messages.items()}
     if text in sent:
         return text
@@ -72,7 +72,7 @@ def _message(layout: DeviceLayout, what: str, text: str, links: Collection[str])
     if len(candidates) == 1:
         return candidates[0]
     if candidates:
-        raise UsageError(f"{text} may be {' or '.join(candidates)}; say which by its name")
+        raise UsageError(f"{text} may be {' or '.join(candidates)}; use the name")
     elsewhere = [link.name for link in layout.links.values() if text in link.messages]
     if elsewhere:
         raise UsageError(f"{text} is not sent on {' or '.join(links)}, but on {' and '.join(elsewhere)}")
@@ -98,7 +98,7 @@ def number_of(text: str) -> int | None:
 def _places(
     layout: DeviceLayout, links: Collection[str], text: str | None, others: Collection[str]
 ) -> tuple[tuple[str, str], ...]:
-    """The links that have a direction of that name, with the direction. A name of the link goes before our words."""
+    """The links with a direction of that name. Names of the link take precedence over `request` and `response`."""
     if not text:
         return tuple((link, direction) for link in links for direction in DIRECTIONS)
     places = []
@@ -118,7 +118,7 @@ def _places(
 
 
 def direction_names(layout: DeviceLayout, link: str) -> tuple[str, str]:
-    """What a link calls its directions: to the device, and from it."""
+    """The names that a link has for its directions: to the device, and from it."""
     named_link = layout.links[link].link
     return named_link.request_name, named_link.response_name
 

@@ -1,8 +1,7 @@
-"""What an earlier build has left, and how much of it still holds.
+"""Which outputs of an earlier build are still up to date, and the manifest that a build leaves among them.
 
-A build notes from which bytes of specs, by which compiler, it has made which bytes of outputs, all as hashes. An output
-of a device is fresh where all of these are the same now: the compiler, every spec file that the device is read from,
-and every file of the output as it lies there. Times of files play no part in it, so there is nothing to be misled by.
+A build records hashes of the compiler, of the spec files that it read, and of the files that it wrote. An output of a
+device is up to date where all of these are unchanged. Times of files play no part.
 """
 
 from __future__ import annotations
@@ -24,15 +23,15 @@ if TYPE_CHECKING:
 
 KIND = "builds"
 LARGEST_OUTPUT = 1 << 30
-"""Bytes of an output; a file that has more was not written by a build."""
+"""The most bytes of an output; a larger file was not written by a build."""
 Hashes = dict[str, str]
 
 
 @dataclass(frozen=True, slots=True)
 class Built:
-    """A device as it was built: from which files, with which identities of versions, and each of its outputs.
+    """A device as it was built: hashes of its spec files, identities of its versions, and hashes of its outputs.
 
-    `warned` says that it has findings that do not stop a build: they are worked out and shown again.
+    `warned` says that it has warnings; it is then checked in every build, so that they are shown.
     """
 
     inputs: Hashes
@@ -87,11 +86,11 @@ def file_digest(out: Path, path: str) -> str | None:
 
 
 class EarlierBuild:
-    """What is known of an earlier build into a folder. `now` are the hashes of the spec files as they are.
+    """The record of an earlier build into a folder. `now` has the hashes of the spec files as they are.
 
     `packages` are those of installed packages that bring outputs, checks and protocols.
 
-    Where it is not `trusted`, nothing is known, and nothing is noted.
+    Where it is not `trusted`, the record is neither read nor written.
     """
 
     def __init__(
@@ -122,7 +121,7 @@ class EarlierBuild:
         return sorted(path for path in now | set(before) if before.get(path) != self.now.get(path))
 
     def unchanged(self, files: Hashes | None) -> Hashes | None:
-        """The files of an output with their hashes, where there is one and all of it lies there as it was built."""
+        """The hashes of an output whose files are all as they were built, else None."""
         if files is None or any(self.hash_of(path) != expected for path, expected in files.items()):
             return None
         return files
@@ -134,15 +133,15 @@ class EarlierBuild:
         return self._file_digests[path]
 
     def confined(self) -> bool:
-        """Whether all that has changed are files of devices that are known, so that the others need not be read."""
+        """Whether only files of known devices have changed, so that the others need not be read."""
         paths = {path for path in self._specs.keys() | self.now.keys() if self._specs.get(path) != self.now.get(path)}
         folders = {path.partition("/")[0] for path in paths}
         return bool(self._specs) and PROTOCOLS not in folders and folders <= {*self.devices} & {*devices_in(self.now)}
 
     def keep(self, devices: Mapping[str, Built], shared: Mapping[str, Hashes], whole: bool, quiet: bool) -> None:
-        """Notes a build for the next one. `quiet` says that nothing was found in any file.
+        """Records a build for the next one. `quiet` says that there were no findings.
 
-        What is made while the compiler changes is not noted, as nobody can tell which one has made it.
+        A build during which the compiler changed is not recorded.
         """
         if not self._compiler or _running(package_hashes()) != self._compiler:
             return
@@ -161,12 +160,12 @@ class EarlierBuild:
 
 
 def devices_in(paths: Iterable[str]) -> list[str]:
-    """The folders of devices that hold some spec files."""
+    """The devices that some spec files belong to."""
     return sorted({folder for path in paths if (folder := path.partition("/")[0]) != PROTOCOLS})
 
 
 _at_start: dict[str, str] = {}
-"""The compiler that this process began with, by the state of its files, once it is known."""
+"""The compiler that this process began with, by the state of its files."""
 
 
 def _running(packages: Hashes) -> str:
@@ -212,25 +211,25 @@ class Manifest:
     def renewed(
         self, wanted: BuildRequest, result: BuildResult, hashes: Hashes, gone: Sequence[str], packages: Hashes
     ) -> Manifest:
-        """The manifest after a build that has made or kept files with some hashes, and removes others."""
+        """The manifest after a build whose files have the given hashes, and which removes others."""
         identities = {} if wanted.whole else dict(self.identities)
         specs = {} if wanted.whole else dict(self.specs)
         for name, device in result.devices.items():
             identities |= device.identities
             specs[name] = device.inputs
         if wanted.picked or any(path.partition("/")[0] not in wanted.outputs for path in self.files):
-            specs = self.specs  # some files are still of other specs
+            specs = self.specs  # some files are still from other specs
             packages = self.packages
         files = {path: digest for path, digest in self.files.items() if path not in gone} | hashes
         return Manifest(identities, specs, files, packages)
 
     def gone(self, hashes: Hashes, names: Sequence[str]) -> list[str]:
-        """Files of an earlier build that the outputs being built no longer produce."""
+        """Files of an earlier build that the requested outputs no longer have."""
         ours = (path for path in self.files if path.partition("/")[0] in names and path not in hashes)
         return sorted(path for path in ours if ".." not in path.split("/"))
 
     def reason(self, path: str, result: BuildResult, earlier: EarlierBuild, packages: Hashes) -> str:
-        """Why a file is not what a build would write."""
+        """Why a file differs from what a build would write."""
         if path not in self.files:
             return "it is new"
         if earlier.hash_of(path) is None:
@@ -259,7 +258,7 @@ def _enumerated(names: Sequence[str]) -> str:
 
 
 def read_manifest(out: Path) -> Manifest:
-    """What the last build has left; nothing where it cannot be read."""
+    """The manifest of the last build; an empty one where it cannot be read."""
     try:
         data = json.loads(content(out / MANIFEST, LARGEST_OUTPUT))
         specs = {device: dict(files) for device, files in data.get("specs", {}).items()}

@@ -1,4 +1,4 @@
-"""`fieldspec import`: the first file of a device, written from a register list that someone else has made."""
+"""`fieldspec import`: a first spec of a device, written from a register list of another source."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _FOLDER = re.compile(r"[^a-z0-9]+")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file, or prints it for `-`; it refuses to write over another one, and what the check refuses."""
+    """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors."""
     from fieldspec.lists.cells import REFERENCE
     from fieldspec.lists.listing import listing, moved
     from fieldspec.lists.sheet import ListError
@@ -58,14 +58,14 @@ def _device(path: Path) -> str:
     identity = _FOLDER.sub("-", name.lower()).strip("-") or "device"
     form = schema()["$defs"]["device_id"]
     if path.name == MAIN and identity != name:
-        raise UsageError(f"the folder {name} is no name of a device: {form['description']}")
+        raise UsageError(f"the folder {name} is not a valid name of a device: {form['description']}")
     if not re.fullmatch(form["pattern"], identity) or len(identity) > form["maxLength"]:
         raise UsageError(f"{identity} is no name of a device: {form['description']}")
     return str(identity)
 
 
 def _passes(device: str, text: str, name: str) -> None:
-    """Refuses what would not pass the check: the list contradicts itself in a way that no skeleton can show."""
+    """Refuses a spec that would not pass the check, because the list contradicts itself. Raises UsageError."""
     from fieldspec import pipeline
     from fieldspec.commands.plugin_loading import load_checks
 

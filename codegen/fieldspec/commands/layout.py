@@ -1,4 +1,4 @@
-"""`fieldspec layout`: where a controller has the members of a record in its memory."""
+"""`fieldspec layout`: where a controller places the members of a record in memory."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from fieldspec.render.memory import blocks
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints the places as a table and a drawing. Exit code 1 where they are not those on the wire."""
+    """Prints the offsets as a table and a drawing. Exit code 1 where they differ from those on the wire."""
     if arguments.target not in MEMORIES:
         raise unknown("target", arguments.target, MEMORIES)
     memory = MEMORIES[arguments.target]
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _asked(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact, str]]:
-    """The records that are meant, one for each type that a field can have, with what they are called."""
+    """The records that a name means, one for each case of a choice, with their titles. Raises UsageError."""
     known = list(_records(layout))
     number = number_of(name)
     meant = [candidate for candidate in known if name == candidate[0].name]
@@ -54,7 +54,7 @@ def _asked(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordLayout, Fact
 
 
 def _records(layout: DeviceLayout) -> Iterator[tuple[RecordLayout, Fact, set[str]]]:
-    """All records with the words that mean them: records, those of tables, and the data of messages."""
+    """All records, of tables and messages too, with the words that name them."""
     for record in layout.records.values():
         tables = {table.name for table in layout.tables.values() if table.record is record}
         yield record, record.record, {record.name, *tables}

@@ -1,7 +1,7 @@
-"""Compiled devices: the layouts that verbs use which do not judge a spec, kept from one call to the next.
+"""Layouts of devices, cached from one call to the next, for verbs that do not judge a spec.
 
-What is kept is found by a hash of the compiler, of the device and version that are asked for, and of every byte of the
-spec files that they are read from, so that it never is that of another spec.
+The key is a hash of the compiler, of the requested device and version, and of every byte of the spec files. A layout is
+stored as lines of JSON, and an object is rebuilt when it is first accessed.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 KIND = "devices"
 MARK = b"\xef\xbb\xbf"
-"""What some editors write in front of UTF-8."""
+"""The byte order mark that some editors write before UTF-8."""
 
 
 def requested_layout(arguments: argparse.Namespace) -> DeviceLayout:
@@ -33,7 +33,7 @@ def requested_layout(arguments: argparse.Namespace) -> DeviceLayout:
 
 
 def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLayout:
-    """The layout of `DEVICE` or `DEVICE@VERSION`; `anew` says to look at nothing that is kept, and to keep nothing."""
+    """The layout of `DEVICE` or `DEVICE@VERSION`. With `anew`, the cache is not used. Raises UsageError."""
     name, version = spec_files.split(text)
     path, contents = spec_files.of_devices(specs_option, frozenset([name]))
     files = {path: content for path, content in contents.items() if not path.endswith(f"/{spec_files.INDEX}")}
@@ -51,7 +51,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
             cached_layout: DeviceLayout = from_json(content, source)
             return cached_layout
         except ValueError:
-            pass  # somebody else has written it
+            pass  # another program has written it
     content = _compiled(name, version, files)
     if key:
         cache_folder.store(KIND, key, content)
@@ -60,7 +60,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
 
 
 def _key(text: str, files: dict[str, bytes]) -> str:
-    """Under which name a compiled device is kept; empty where the compiler cannot be told."""
+    """The key of a layout; empty where the files of the compiler cannot be read."""
     try:
         named = [part for path, content in files.items() for part in (path.encode(), content)]
         return cache_folder.checksum(cache_folder.state().encode(), text.encode(), *named)
@@ -69,7 +69,7 @@ def _key(text: str, files: dict[str, bytes]) -> str:
 
 
 def _compiled(name: str, version: str, files: dict[str, bytes]) -> bytes:
-    """A device as it is kept."""
+    """The layout of a device as lines of JSON. Raises UsageError."""
     from fieldspec.commands.layout_cache import to_json
     from fieldspec.commands.specs import layout_of, picked, unsound
     from fieldspec.diagnostics import has_errors
@@ -84,28 +84,28 @@ def _compiled(name: str, version: str, files: dict[str, bytes]) -> bytes:
 
 _NODES = "fieldspec.reading.nodes"
 HOMES = ("fieldspec.model.", "fieldspec.layout.", "fieldspec.names:")
-"""Where the classes of a layout come from."""
+"""The modules that the classes of a layout may come from."""
 
 
 def to_json(root: object) -> bytes:
-    """The lines of an object and of all that it holds. Of source files, the paths are kept alone."""
+    """An object, and all objects in it, as lines of JSON. Of source files, only paths are stored."""
     return _Freezing().lines(root)
 
 
 def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
-    """The object that was frozen. `source` gives the files that it was read from, by their paths.
+    """The object that `to_json` stored. `source` returns the source file with a path.
 
-    Raises ValueError where these are no such lines, or where they name a class that no layout has.
+    Raises ValueError for other content, and for a class that does not belong to a layout.
     """
     head, *lines = content.decode().split("\n")
     classes, files = _read(head)
     if not all(name.startswith(HOMES) for name in classes):
-        raise ValueError("these are no classes of a layout")
+        raise ValueError("the classes do not belong to a layout")
     return _Thawing(classes, files, lines, source).object(0, len(lines) - 1)
 
 
 class _Freezing:
-    """Writes what an object holds before the object itself. The class of the root has the number 0."""
+    """Writes the parts of an object before the object itself. The class of the root has the number 0."""
 
     def __init__(self) -> None:
         self.classes: dict[type, int] = {}
@@ -129,7 +129,7 @@ class _Freezing:
             return ["dict", *(self.value(element) for pair in value.items() for element in pair)]
         if kind is bytes:
             return ["bytes", value.hex()]
-        # Most of all objects, and each of them in one place: a line would be too much. Of nodes, nothing else counts.
+        # The most frequent objects, each used once: a line for each would be too much. Of nodes, only the span matters.
         if kind is Span or kind.__module__ == _NODES:
             return ["span", self.files.setdefault(value.file.path, len(self.files)), value.start, value.end]
         if isinstance(value, Enum):
@@ -160,9 +160,9 @@ def _read(line: str) -> list[Any]:
 
 
 class _Thawing:
-    """Makes objects by the numbers of their lines, each of them once.
+    """Makes objects by the numbers of their lines, each only once.
 
-    At first an object has no attributes, and is of a class that takes them from its line when one is asked for.
+    At first an object has no attributes; its class reads them from its line when one is accessed.
     """
 
     def __init__(
@@ -188,11 +188,11 @@ class _Thawing:
         return getattr(import_module(module), name)
 
     def waits(self, number: int) -> type:
-        """The class of objects that have no attributes yet."""
+        """The class of objects whose attributes have not been read yet."""
         final = self.cls(number)
         names = attributes(final)
 
-        puts = [getattr(final, name).__set__ for name in names]  # past what forbids to set them
+        puts = [getattr(final, name).__set__ for name in names]  # the class itself forbids assignment
 
         def fill(instance: Any) -> Any:
             for put, value in zip(puts, _read(self.lines[self.numbers[id(instance)]]), strict=True):

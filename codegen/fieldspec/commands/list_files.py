@@ -1,4 +1,4 @@
-"""Files of register lists: reading, encoding and writing them."""
+"""Files of register lists, and the options that say how they are read."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def column_options(arguments: argparse.Namespace, roles: Sequence[str] = COLUMNS
 
 
 def content(name: str) -> bytes:
-    """The bytes of a file, or of standard input for `-`."""
+    """The bytes of a file, or of standard input for `-`. Raises UsageError."""
     try:
         if name == "-":
             read = sys.stdin.buffer.read(MOST_BYTES + 1)
@@ -38,9 +38,9 @@ def content(name: str) -> bytes:
 
 
 def sheet(data: bytes, encoding: str, named: str) -> Sheet:
-    """The rows of a list; what it is, its first bytes say and not its name."""
+    """The rows of a list. Its first bytes, not its name, decide whether it is a workbook. Raises ListError."""
     if data.startswith(MAGIC):
         return workbook_sheet(data, named)
     if named:
-        raise ListError("is no workbook, so there is no sheet to choose")
+        raise ListError("is not a workbook, so --sheet has no effect; leave it out")
     return text_sheet(data, encoding)

@@ -1,4 +1,4 @@
-"""`fieldspec matrix`: facts by versions."""
+"""`fieldspec matrix`: the facts of all versions side by side."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints a row for each fact that is not the same in all versions, or for every fact."""
+    """Prints a row for each fact that differs between versions, or for every fact."""
     name, version = specs.split(arguments.device)
     if version:
-        raise UsageError(f"the matrix is of all versions; leave out @{version}")
+        raise UsageError(f"the matrix shows all versions; leave out @{version}")
     spec, _ = specs.spec_at(arguments.specs, name)
     fact_matrix = matrix({version: rows(specs.layout_of(spec, version)) for version in each(spec)}, arguments.all)
     if arguments.format == "text":

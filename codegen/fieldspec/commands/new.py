@@ -1,4 +1,4 @@
-"""`fieldspec new`: the first file of a device, or the file of a version, with comments that say how to go on."""
+"""`fieldspec new`: the first file of a device or the file of a version, with comments on the next steps."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from fieldspec.reading.yaml_reader import decoded, parsed
 from fieldspec.schema import schema
 
 SHAPES = ("packet", "telegram")
-"""The skeletons of devices that share no protocol."""
+"""The skeletons of devices without a protocol."""
 
 _EDITORS = "# yaml-language-server: $$schema=$schema\n"
 """The line that tells editors where the schema is."""
 
-# Sections of a protocol whose items a device cites, and the key that an item needs there.
+# The sections of a protocol whose entries a device must cite, and the key that an entry needs there.
 _CITED = {"links": "", "messages": "", "enums": "", "records": "fields"}
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file; it refuses to write over another one."""
+    """Writes the file; never overwrites one."""
     if arguments.kind == "version":
         path, text = _version(arguments)
     else:
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _version(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.version is None:
-        raise UsageError("name the version: fieldspec new version DEVICE VERSION --based-on VERSION")
+        raise UsageError("name the version; use: fieldspec new version DEVICE VERSION --based-on VERSION")
     spec, newest = specs.spec_at(arguments.specs, arguments.name)
     base = arguments.based_on or newest
     if base not in spec.lines.place:
@@ -88,7 +88,7 @@ def _line_of(spec: DeviceSpec, version: str) -> str:
 
 def _device(arguments: argparse.Namespace) -> tuple[Path, str]:
     if arguments.version is not None:
-        raise UsageError("a new device has no version yet: fieldspec new device NAME --protocol PROTOCOL")
+        raise UsageError("a new device has no version yet; use: fieldspec new device NAME --protocol PROTOCOL")
     name = arguments.name
     _fits(name, "device_id", "a device")
     folder = specs.folder(arguments.specs)
@@ -124,7 +124,7 @@ def _bring_protocols(folder: Path, name: str) -> None:
 
 
 def _overlays(path: Path) -> Iterator[str]:
-    """A line for each item of a protocol that a device has to cite."""
+    """A line for each entry of a protocol that a device must cite. Raises UsageError."""
     try:
         content = regular_file.content(path, LARGEST_FILE)
     except OSError as error:
@@ -147,12 +147,12 @@ def _overlays(path: Path) -> Iterator[str]:
 def _fits(text: str, form: str, what: str) -> None:
     part = schema()["$defs"][form]
     if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
-        raise UsageError(f"{text} is no name of {what}: {part['description']}")
+        raise UsageError(f"{text} is not a valid name of {what}: {part['description']}")
 
 
 def _filled(skeleton: str, path: Path, **words: str) -> str:
     text = resources.files("fieldspec").joinpath(f"skeletons/{skeleton}.yaml").read_text("utf-8")
     up = "../" * (2 if path.parent.name != VERSIONS else 3)
-    if Path(INSTALLED).is_dir():  # nobody knows where the schema lies from there
+    if Path(INSTALLED).is_dir():  # the schema is not beside the specs
         text = text.removeprefix(_EDITORS)
     return Template(text).substitute(words, schema=f"{up}codegen/fieldspec/schema/spec.schema.json")

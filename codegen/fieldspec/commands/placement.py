@@ -1,4 +1,9 @@
-"""Puts files into place, all or none, also where the process is killed in the middle of it."""
+"""Moves the files of a build into place, all or none, even if the process is killed halfway.
+
+Files are moved one by one. So the new ones are first written into a folder of their own, beside the old ones. Then a
+journal is put there: from now on the new state holds, and whoever finds the journal completes it. Where that fails, the
+journal becomes one that says to undo.
+"""
 
 from __future__ import annotations
 
@@ -20,11 +25,11 @@ _FOLDER = re.compile(re.escape(BESIDE) + "[0-9a-f]{16}")
 
 
 class Staging:
-    """Files that lie beside a folder of outputs until all of them are moved into place. None is left when this ends.
+    """A folder of new files beside the outputs, until all of them are moved into place.
 
-    Whoever makes a file writes it, in whichever process, so that no more than one output is in memory at a time. While
-    this lasts, no other build writes into the folder; what one has left that was killed is completed or undone first.
-    With `look`, nothing is written, and `unfinished` says what was left.
+    Any process of the build may write files, so that only one output is in memory at a time. The folder of outputs is
+    locked against other builds; a build that was killed is first completed or undone. With `look`, nothing is written,
+    and `unfinished` describes such builds. Raises UsageError.
     """
 
     def __init__(self, out: Path, look: bool = False) -> None:
@@ -55,7 +60,7 @@ class Staging:
     def _enter(self) -> None:
         self._absent = missing_folders(self.out)
         while self._lock is None:
-            with suppress(FileNotFoundError):  # another build has removed the folder that it made
+            with suppress(FileNotFoundError):  # another build has removed the folder again
                 self.out.mkdir(parents=True, exist_ok=True)
                 self._lock = lock(self.out)
                 break
@@ -63,7 +68,7 @@ class Staging:
             self._recover(folder)
 
     def _recover(self, folder: Path) -> None:
-        """Completes or undoes what a build has left that was killed. Raises UsageError."""
+        """Completes or undoes a build that was killed. Raises UsageError."""
         try:
             recover(self.out, folder)
         except JournalError as error:
@@ -71,7 +76,7 @@ class Staging:
         except OSError as error:
             raise UsageError(
                 f"an earlier build was interrupted, and cannot be completed: cannot write "
-                f"{error.filename or self.out}: {error.strerror}; build again when that is mended"
+                f"{error.filename or self.out}: {error.strerror}; build again when that is fixed"
             ) from None
 
     def __exit__(self, *raised: object) -> None:
@@ -98,7 +103,7 @@ class Staging:
             raise self._unwritten(error) from None
 
     def place(self, paths: Sequence[str], gone: Sequence[str]) -> None:
-        """Moves files that were written into place, and removes others; on failure nothing has changed."""
+        """Moves written files into place and removes others; on failure nothing has changed. Raises UsageError."""
         journal = None
         try:
             inside(self.out, (*paths, *gone))
@@ -119,7 +124,7 @@ class Staging:
             raise
 
     def _revert(self, journal: Journal | None) -> None:
-        """Puts back what was there, where anything was moved. Raises UsageError: the next build does the rest."""
+        """Restores the old files, where any was moved. Raises UsageError where the next build must do that."""
         try:
             if journal is not None and self._pending and (self._folder / COMPLETE).exists():
                 undo(self.out, self._folder, journal)
@@ -135,7 +140,7 @@ class Staging:
 
 
 def _left_over(out: Path) -> list[Path]:
-    """The folders that builds have left that were killed; nobody writes into them while we have the lock."""
+    """The folders left by builds that were killed; nobody writes into them while we have the lock."""
     with os.scandir(out) as entries:
         return sorted(
             out / entry.name
@@ -145,7 +150,7 @@ def _left_over(out: Path) -> list[Path]:
 
 
 def _described(folder: Path) -> str:
-    """What a build has left that was killed, for `build --check`."""
+    """A folder left by a build that was killed, as `build --check` reports it."""
     if any((folder / name).exists() for name in (COMPLETE, UNDO)):
         return f"unfinished: {folder.name} (a build was interrupted while it moved files into place)"
     return f"left over: {folder.name} (a build was interrupted before it moved any file)"
@@ -157,18 +162,18 @@ _MOST_BYTES = 64 << 20
 
 
 _ITSELF: dict[str, bool] = {"follow_symlinks": False} if os.link in os.supports_follow_symlinks else {}
-"""That a second name is given to a symbolic link, not to what it leads to."""
+"""Link symbolic links themselves, not their targets."""
 
 
 class JournalError(ValueError):
-    """A journal that fieldspec has not written."""
+    """A journal that fieldspec did not write."""
 
 
 @dataclass(frozen=True, slots=True)
 class Journal:
-    """The paths of files that are placed and removed, below the folder of outputs.
+    """The paths of files to place and to remove, below the folder of outputs.
 
-    `absent` are those where there was no file before, `folders` those that are made for them, the outermost first.
+    `absent` are those without an old file, `folders` the folders to create for them, the outermost first.
     """
 
     place: tuple[str, ...]
@@ -178,7 +183,7 @@ class Journal:
 
 
 def prepared(out: Path, folder: Path, place: Sequence[str], remove: Sequence[str]) -> Journal:
-    """Keeps the old files beside the new ones. Raises OSError; nothing has changed yet."""
+    """Saves the old files beside the new ones. Raises OSError; nothing has changed then."""
     absent = []
     folders: dict[str, None] = {}
     for path in (*place, *remove):
@@ -195,7 +200,7 @@ def prepared(out: Path, folder: Path, place: Sequence[str], remove: Sequence[str
 
 
 def _keep(target: Path, old: Path) -> None:
-    """Gives a file a second name, or copies it where the file system has no second names."""
+    """Links a file, or copies it where the file system has no hard links."""
     try:
         os.link(target, old, **_ITSELF)
     except OSError:
@@ -203,7 +208,7 @@ def _keep(target: Path, old: Path) -> None:
 
 
 def begin(folder: Path, journal: Journal) -> None:
-    """Puts the journal into its folder: from now on the new state holds. Raises OSError."""
+    """Puts the journal in place: from now on the new state holds. Raises OSError."""
     beside = folder / f"{COMPLETE}.part"
     write_through(beside, json.dumps({name: getattr(journal, name) for name in attributes(Journal)}).encode())
     for inner in (NEW, OLD):
@@ -214,7 +219,7 @@ def begin(folder: Path, journal: Journal) -> None:
 
 
 def complete(out: Path, folder: Path, journal: Journal) -> None:
-    """Moves what is not in place yet. Raises OSError."""
+    """Moves the files that are not in place yet. Raises OSError."""
     for path in journal.folders:
         (out / path).mkdir(exist_ok=True)
     for path in journal.place:
@@ -230,7 +235,7 @@ def complete(out: Path, folder: Path, journal: Journal) -> None:
 
 
 def undo(out: Path, folder: Path, journal: Journal) -> None:
-    """Puts back what was there. Raises OSError; whoever finds the journal then goes on with it."""
+    """Restores the old files. Raises OSError; whoever finds the journal then continues."""
     if (folder / COMPLETE).exists():
         os.replace(folder / COMPLETE, folder / UNDO)
     absent = set(journal.absent)
@@ -246,9 +251,9 @@ def undo(out: Path, folder: Path, journal: Journal) -> None:
 
 
 def recover(out: Path, folder: Path) -> None:
-    """Completes or undoes what a run has left that was killed, and removes its folder.
+    """Completes or undoes a build that was killed, and removes its folder.
 
-    Raises OSError where neither can be done, and JournalError; everything is then left as it is.
+    Raises OSError where neither is possible, and JournalError; nothing has changed then.
     """
     journal = _read(folder)
     if journal is not None:
@@ -264,14 +269,14 @@ def recover(out: Path, folder: Path) -> None:
 
 
 def discard(folder: Path) -> None:
-    """Removes the folder of a journal that is done, the journal first: without it, nothing of the rest counts."""
+    """Removes a folder with its journal, the journal first: without it the rest is meaningless."""
     for name in (COMPLETE, UNDO):
         (folder / name).unlink(missing_ok=True)
     shutil.rmtree(folder, ignore_errors=True)
 
 
 def _read(folder: Path) -> Journal | None:
-    """The journal in a folder; None where the files were not complete yet."""
+    """The journal in a folder; None where the build was killed before it wrote one. Raises JournalError."""
     for name in (UNDO, COMPLETE):
         try:
             data = json.loads(content(folder / name, _MOST_BYTES))
@@ -285,7 +290,7 @@ def _read(folder: Path) -> Journal | None:
 
 
 def inside(out: Path, paths: Iterable[str]) -> None:
-    """Refuses paths that lead out of a folder, by themselves or by symbolic links. Raises JournalError."""
+    """Refuses paths that lead out of a folder, directly or by symbolic links. Raises JournalError."""
     within = os.path.join(os.path.realpath(out), "")
     known = {}
     for path in paths:
@@ -297,7 +302,7 @@ def inside(out: Path, paths: Iterable[str]) -> None:
 
 
 def _remove_empty(out: Path, paths: Iterable[str]) -> None:
-    """Removes folders in which nothing is left."""
+    """Removes the empty folders around some paths."""
     for path in paths:
         for folder in (out / path).parents:
             if folder == out or not _remove_if_empty(folder):
@@ -305,7 +310,7 @@ def _remove_empty(out: Path, paths: Iterable[str]) -> None:
 
 
 def _remove_if_empty(folder: Path) -> bool:
-    """Removes a folder in which there is nothing; whether it is gone. Raises OSError."""
+    """Removes a folder if it is empty; returns whether it is gone. Raises OSError."""
     try:
         folder.rmdir()
     except FileNotFoundError:

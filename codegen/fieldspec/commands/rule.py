@@ -1,4 +1,4 @@
-"""`fieldspec rule`: what a rule of findings or of changes says, why, an example, and the cure."""
+"""`fieldspec rule`: what a rule demands, why, an example, and the cure."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from fieldspec.render.blocks import Line, Table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints one rule, or a list of all."""
+    """Prints a rule, or a list of all rules."""
     from fieldspec.commands.plugin_loading import load_checks
     from fieldspec.rules import all_rules, change_rules, installed_rules
 

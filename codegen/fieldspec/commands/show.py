@@ -1,4 +1,4 @@
-"""`fieldspec show`: a device, or one item of it, with its bits drawn."""
+"""`fieldspec show`: a device or one of its items, with its bits drawn."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from fieldspec.render.overview import overview
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints an overview of the device, or every item that the given text means."""
+    """Prints an overview of the device, or every item that a text names."""
     layout = layout_cache.requested_layout(arguments)
     if arguments.item is None:
         print_blocks(overview(layout))
@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
-    """The items with a name, else those with an address or a number; our names go before the manual's words."""
+    """The items with a name, else those with an address or a number; names of the spec come before printed ones."""
     known = list(items(layout))
     for exact in (True, False):
         for place in range(3):
@@ -45,6 +45,6 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
 
 
 def _called(item: Item, text: str, place: int, exact: bool) -> bool:
-    """Whether a text is one of the handles of an item, capital letters being others only where it is `exact`."""
+    """Whether a text is one of the handles of an item; upper and lower case differ only where it is `exact`."""
     handle = "".join(handles(item)[place : place + 1])
     return handle == text if exact else handle.lower() == text.lower()

@@ -1,4 +1,4 @@
-"""Finds the specs' folder and reads its files. Nothing of the compiler is needed for that, so that it takes no time."""
+"""Finds the folder with the specs and reads its files, without importing the compiler, which would take time."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 FOLDER = "specs"
 VARIABLE = "FIELDSPEC_SPECS"
 INDEX = "manual.index"
-"""The file of a device with the index of its manual, which audits are made from."""
+"""The file of a device with the index of its manual, for audits."""
 
 _PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 INSTALLED = os.path.join(_PACKAGE, "_specs")
-"""The specs that an installation brings along. They are read, and nobody writes there."""
+"""The specs in an installation of fieldspec. They are never written."""
 _CHECKOUT = os.path.join(os.path.dirname(os.path.dirname(_PACKAGE)), FOLDER)
 """The same specs in a source checkout."""
 
@@ -34,21 +34,21 @@ _USE = re.compile(
 
 
 def writable_folder(specs_option: str | None) -> str:
-    """The specs' folder for a verb that writes into it. Raises UsageError for that of the installation."""
+    """The folder with the specs, for a verb that writes there. Raises UsageError for the installed specs."""
     path = folder(specs_option)
     if path == INSTALLED:
         raise UsageError(
-            f"the specs that come with fieldspec are not changed; copy {INSTALLED} to a folder {FOLDER} of your own"
+            f"the installed specs of fieldspec are not changed; copy {INSTALLED} to a folder {FOLDER} of your own"
         )
     return path
 
 
 def folder(specs_option: str | None) -> str:
-    """The specs' folder: as given, by the environment, here or in a folder above, or the installed one."""
+    """The folder with the specs: by option, by environment, here or above, or installed. Raises UsageError."""
     named = specs_option or os.environ.get(VARIABLE)
     if named:
         if not os.path.isdir(named):
-            raise UsageError(f"there is no folder {named}; give the folder of the specs with --specs")
+            raise UsageError(f"there is no folder {named}; give the folder with the specs with --specs")
         return named
     above, last = os.getcwd(), ""
     while above != last:
@@ -62,7 +62,7 @@ def folder(specs_option: str | None) -> str:
 
 
 def devices(path: str | os.PathLike[str]) -> list[str]:
-    """The devices of a folder of specs, each of them a folder with a file of a fixed name, whatever that is."""
+    """The devices in a folder of specs: the folders that contain the main file of a device."""
     try:
         return sorted(name for name in _names(path) if os.path.lexists(os.path.join(path, name, MAIN)))
     except OSError:  # which nobody may look into
@@ -70,9 +70,9 @@ def devices(path: str | os.PathLike[str]) -> list[str]:
 
 
 def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> dict[str, bytes]:
-    """The files of specs below a folder by relative path; of all devices' folders, or of `only` some.
+    """The spec files below a folder by relative path, of all devices or of `only` some. Raises UsageError.
 
-    What is no regular file, lies outside the folder or is too large is not read: a `Refused` stands for it.
+    A file that is not regular, outside the folder or too large is not read; a `Refused` takes its place.
     """
     contents: dict[str, bytes] = {}
     try:
@@ -92,7 +92,7 @@ def files(path: str | os.PathLike[str], only: frozenset[str] = frozenset()) -> d
 
 
 def _content(root: str | os.PathLike[str], path: str, linked: bool, left: int, number: int) -> bytes:
-    """The bytes of a spec file, or what stands for them; `left` is how many bytes the folder may still have."""
+    """The bytes of a spec file, or a `Refused`; `left` is the number of bytes that the folder may still have."""
     most = min(left, LARGEST_FILE)
     if number >= MOST_FILES:
         return Refused.because("file_too_large", f"the folder has more than {MOST_FILES} files", "take some out of it")
@@ -116,14 +116,14 @@ _COPY = "put a regular file in its place"
 
 
 def _leads_out(root: str | os.PathLike[str], path: str) -> bool:
-    """Whether a file, or a folder on the way to it, is a link to what lies outside the specs' folder."""
+    """Whether a symbolic link on the path of a file leads out of the folder with the specs."""
     return not os.path.realpath(path).startswith(os.path.join(os.path.realpath(root), ""))
 
 
 def _of_specs(path: str) -> Iterator[tuple[str, str, bool]]:
-    """The files of a device's folder that are specs, or the index of its manual.
+    """The spec files in the folder of a device, and the index of its manual.
 
-    Each is its path within the folder, the one by which it is opened, and whether there is a symbolic link on the way.
+    Each is its path within the folder, the path to open, and whether there is a symbolic link on the way.
     """
     within = os.path.islink(path)
     for folder in ("", VERSIONS):
@@ -133,7 +133,7 @@ def _of_specs(path: str) -> Iterator[tuple[str, str, bool]]:
             with os.scandir(inner) as entries:
                 for entry in entries:
                     name = entry.name
-                    hidden = name.startswith(".")  # what editors leave beside a file
+                    hidden = name.startswith(".")  # left by editors beside a file
                     if not hidden and (name.endswith(".yaml") or (name == INDEX and not folder)):
                         yield f"{folder}/{name}" if folder else name, entry.path, linked or entry.is_symlink()
         except (FileNotFoundError, NotADirectoryError):
@@ -213,7 +213,7 @@ def _installed_file(path: str) -> bytes:
 
 
 def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
-    """The specs' folder and its files; devices that are asked for must be there."""
+    """The folder with the specs, its files, and those of installed protocols. Raises UsageError for unknown ones."""
     path = folder(specs_option)
     known = devices(path)
     for device in sorted(wanted.difference(known)):
@@ -224,7 +224,7 @@ def of_devices(specs_option: str | None, wanted: frozenset[str] = frozenset()) -
 
 
 def relative_path(path: str | os.PathLike[str]) -> str:
-    """The folder as findings show it: from here, so that editors and code reviews find the files."""
+    """The folder as findings show it: relative to the current one, so that editors find the files."""
     text, here = os.path.realpath(path), os.getcwd()
     if text == here:
         return ""
@@ -233,6 +233,6 @@ def relative_path(path: str | os.PathLike[str]) -> str:
 
 
 def split(text: str) -> tuple[str, str]:
-    """`drive@2.0` as device and version; the version is empty where none is given."""
+    """`drive@2.0` as device and version; the version is empty in `drive`."""
     device, _, version = text.partition("@")
     return device, version

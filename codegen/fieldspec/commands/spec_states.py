@@ -17,13 +17,13 @@ from fieldspec.render.text import place
 
 
 class NoRevision(UsageError):
-    """A name that is that of no revision."""
+    """A name that is not a revision."""
 
 
 @dataclass(frozen=True, slots=True)
 class Tree:
-    """The spec files of a folder at a revision, by path below it. `path` is the folder's own in the repository, empty
-    for its root, and `device` the one that was asked for, empty for all."""
+    """The spec files of a folder at a revision, by path below it. `path` is the path of the folder in the repository,
+    empty for its root; `device` is the requested device, empty for all."""
 
     path: str
     device: str
@@ -31,9 +31,9 @@ class Tree:
 
 
 def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
-    """The specs at a revision: in a folder of the repository, or where `specs`, the folder of the specs, lies in it.
+    """The specs at a revision: in a folder of the repository, or where the folder `specs` is in it. Raises UsageError.
 
-    The folder may be that of all specs, that of one device, or one that has the folder `specs`.
+    The folder may contain all specs, or be the folder of a device, or contain the folder `specs`.
     """
     here = specs if specs is not None and path is None else Path.cwd()
     _verified(here, revision)
@@ -61,7 +61,7 @@ def _below(blobs: dict[str, str], folder: str) -> dict[str, str]:
 
 
 def _verified(here: Path, revision: str) -> None:
-    """Refuses what is no revision."""
+    """Refuses a name that is not a revision. Raises NoRevision."""
     try:
         _git(here, "rev-parse", "--git-dir")
     except _Failed:
@@ -116,7 +116,7 @@ def _of_specs(steps: list[str]) -> bool:
 
 
 class _Failed(Exception):
-    """Git did not do what it was asked for."""
+    """Git reported an error."""
 
 
 def _git(here: Path, *arguments: str, data: bytes = b"") -> bytes:
@@ -131,7 +131,7 @@ def _git(here: Path, *arguments: str, data: bytes = b"") -> bytes:
 
 @dataclass(frozen=True, slots=True)
 class SpecState:
-    """One side of a comparison, by the name that the user gave it.
+    """The old or the new state of a comparison, by the name that the user gave it.
 
     `device` and `version` are empty where all are meant. `wide` says that it is a state of specs, not a version.
     """
@@ -143,20 +143,20 @@ class SpecState:
     wide: bool
 
     def spec(self, device: str) -> DeviceSpec:
-        """The spec of a device, which must be there."""
+        """The spec of a device. Raises UsageError where there is none."""
         if device not in self.project.devices:
             raise UsageError(f"{self.name} holds no device {device}; there are {', '.join(self.project.devices)}")
         return self.project.devices[device]
 
     def at(self, device: str, version: str) -> Device:
-        """A device at a version. Its spec must be one that can be read."""
+        """A device at a version. Raises UsageError for a spec that cannot be read."""
         spec = self.spec(device)
         model, findings = spec.at(specs.picked(spec, version))
         _sound(self.name, Project({}, findings))
         return model
 
     def label(self, device: str, version: str = "") -> str:
-        """How this side is called for a device, at a version or at several."""
+        """What this state is called for a device, at a version or at several."""
         at = f"@{version}" if version else ""
         if not self.wide:
             return f"{device}{at}"
@@ -166,9 +166,9 @@ class SpecState:
 
 
 def spec_state(text: str, specs_option: str | None, bare_paths: bool) -> SpecState:
-    """The side that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, tried in this order.
+    """The state that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, in this order.
 
-    With `plain`, the files of a revision are shown by their paths in the repository, without the revision.
+    With `bare_paths`, files of a revision are shown by their paths in the repository, without the revision.
     """
     try:
         here: Path | None = specs.folder(specs_option)
@@ -199,7 +199,7 @@ def _named(text: str, project: Project, device: str, version: str) -> SpecState:
 
 
 def _folder(text: str, path: Path, version: str) -> SpecState:
-    """A folder of specs, that of one device, or one with the folder `specs` in it."""
+    """A folder of specs, the folder of a device, or one that contains the folder `specs`."""
     device = ""
     if (path / MAIN).is_file():
         path = path.resolve()
@@ -230,7 +230,7 @@ def _revision(text: str, here: Path | None, bare_paths: bool) -> SpecState:
 
 
 def _of_devices(files: dict[str, bytes]) -> dict[str, bytes]:
-    """Spec files without those of folders that are no device, or none yet."""
+    """The spec files in folders of devices and of protocols."""
     folders = {path.partition("/")[0] for path in files if path.partition("/")[2] == MAIN} | {PROTOCOLS}
     return {path: data for path, data in files.items() if path.partition("/")[0] in folders}
 
@@ -241,7 +241,7 @@ def _wide(text: str, project: Project, device: str, version: str) -> SpecState:
 
 
 def _sound(name: str, project: Project) -> None:
-    """Refuses specs that cannot be read; whether they are right is not asked."""
+    """Refuses specs that cannot be read, right or wrong. Raises UsageError."""
     if has_errors(project.findings):
         first = project.findings[0]
         raise UsageError(f"the specs of {name} cannot be read: {place(first.span)}: {first.message}")

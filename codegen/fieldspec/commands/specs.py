@@ -1,4 +1,4 @@
-"""Finds the specs' folder, reads its files, and picks devices and versions."""
+"""Reads specs, and selects devices and versions. It imports the compiler; `spec_files` does not."""
 
 from __future__ import annotations
 
@@ -40,23 +40,23 @@ __all__ = [
 
 
 def folder(specs_option: str | None) -> Path:
-    """The specs' folder, as `sources` finds it."""
+    """The folder with the specs. Raises UsageError."""
     return Path(spec_files.folder(specs_option))
 
 
 def writable_folder(specs_option: str | None) -> Path:
-    """The specs' folder for a verb that writes into it, as `sources` finds it."""
+    """The folder with the specs, for a verb that writes there. Raises UsageError."""
     return Path(spec_files.writable_folder(specs_option))
 
 
 def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
-    """The project in the specs' folder; devices that are asked for must be there."""
+    """The project in the folder with the specs. Raises UsageError for unknown devices."""
     path, contents = of_devices(specs_option, devices)
     return read(contents, devices, relative_path(path), origins(contents))
 
 
 def picked(spec: DeviceSpec, version: str) -> str:
-    """The version that is asked for, or the newest."""
+    """The requested version, or the newest. Raises UsageError for an unknown one."""
     known = spec.versions()
     if not version:
         return known[-1]
@@ -67,7 +67,7 @@ def picked(spec: DeviceSpec, version: str) -> str:
 
 
 def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
-    """The spec of `DEVICE` or `DEVICE@VERSION` and the version, for verbs that look at the spec as it is written."""
+    """The spec of `DEVICE` or `DEVICE@VERSION`, and the version. Raises UsageError."""
     name, version = split(text)
     read_specs = project(specs_option, frozenset([name]))
     if name not in read_specs.devices:
@@ -77,12 +77,12 @@ def spec_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
 
 
 def unsound(name: str) -> UsageError:
-    """That a verb which does not judge specs cannot use that of a device."""
+    """The error of a verb that cannot use a spec with findings."""
     return UsageError(f"the spec of {name} has findings; see them with: fieldspec check {name}")
 
 
 def layout_of(spec: DeviceSpec, version: str) -> DeviceLayout:
-    """The layout of a device at a version."""
+    """The layout of a device at a version. Raises UsageError for a spec with errors."""
     device, broken = spec.at(version)
     if has_errors(broken) or not has_layout(device):
         raise unsound(spec.id)

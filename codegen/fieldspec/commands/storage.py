@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all."""
+"""Files that are written all or nothing, in folders that one process at a time writes into."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from pathlib import Path
 from fieldspec.commands.usage import UsageError
 
 BESIDE = ".fieldspec-"
-"""What the names of files and folders begin with that are there only while something is written."""
+"""The prefix of temporary files and folders."""
 LEFT_OVER = re.compile(r"\.fieldspec-[0-9a-z_]{8,16}")
-"""The names of those that a process has left that was killed."""
+"""The names of temporary files left by a process that was killed."""
 
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
 
 
 def write_through(path: str | os.PathLike[str], content: bytes, mode: int = 0o666) -> None:
-    """Writes a file that nobody looks for yet, down to the disk. Raises OSError."""
+    """Writes a file through to the disk. Raises OSError."""
     number = os.open(path, _NEW, mode)
     try:
         left = memoryview(content)
@@ -33,28 +33,28 @@ def write_through(path: str | os.PathLike[str], content: bytes, mode: int = 0o66
 
 
 def sync_folder(folder: str | os.PathLike[str]) -> None:
-    """Writes the names in a folder down to the disk, where the system can do that. Raises OSError."""
+    """Writes the entries of a folder through to the disk, where the system can do that. Raises OSError."""
     if os.name == "posix":
         number = os.open(folder, os.O_RDONLY)
         try:
             os.fsync(number)
         except OSError as error:
-            if error.errno != errno.EINVAL:  # a file system that does not do that for folders
+            if error.errno != errno.EINVAL:  # a file system that cannot do that for folders
                 raise
         finally:
             os.close(number)
 
 
 def missing_folders(folder: Path) -> list[Path]:
-    """The folders that must be made for a folder to be there, the innermost first."""
+    """The folders that must be created so that a folder exists, the innermost first."""
     return [above for above in (folder, *folder.parents) if not above.exists()]
 
 
 @contextmanager
 def exclusive_folder(folder: Path) -> Iterator[None]:
-    """Makes a folder and keeps others from writing into it. A folder in which nothing was written is removed.
+    """Creates and locks a folder. If it stays empty, it is removed again.
 
-    Files that a killed process has left there are removed. Raises UsageError.
+    Temporary files left by a killed process are removed. Raises UsageError.
     """
     absent = missing_folders(folder)
     number = None
@@ -66,7 +66,7 @@ def exclusive_folder(folder: Path) -> Iterator[None]:
                 break
         for entry in [*os.scandir(folder)]:
             if LEFT_OVER.fullmatch(entry.name) and entry.is_file(follow_symlinks=False):
-                with suppress(OSError):  # in a folder that many write into, it may be another user's
+                with suppress(OSError):  # it may belong to another user
                     os.unlink(entry.path)
     except OSError as error:
         unlock(number)
@@ -75,7 +75,7 @@ def exclusive_folder(folder: Path) -> Iterator[None]:
     try:
         yield
     finally:
-        _remove(absent)  # which fails where something is in it
+        _remove(absent)  # fails for a folder that is not empty
         unlock(number)
 
 
@@ -86,7 +86,7 @@ def _remove(folders: list[Path]) -> None:
 
 
 def replace(path: Path, content: bytes) -> None:
-    """Puts a content in place of a file, in a folder where we are `alone`; nothing or all of it. Raises UsageError."""
+    """Replaces a file in an `exclusive_folder`, all or nothing. Raises UsageError."""
     beside = path.with_name(f"{BESIDE}{os.urandom(8).hex()}")
     try:
         try:
@@ -102,7 +102,7 @@ def replace(path: Path, content: bytes) -> None:
 
 
 def write(path: Path, content: bytes, new: bool = False) -> None:
-    """Writes a file all or nothing; with `new`, there must be none yet. Raises UsageError."""
+    """Writes a file all or nothing. Raises UsageError, with `new` also for a file that exists."""
     with exclusive_folder(path.parent):
         if new and os.path.lexists(path):
             raise UsageError(f"there is a file {path} already")
@@ -116,10 +116,10 @@ except ImportError:  # Windows
 
 
 def lock(folder: str | os.PathLike[str], shared: bool = False, patient: bool = True) -> int | None:
-    """Waits for the lock of a folder; gives the open folder, for `unlock`, or None where the system has no such lock.
+    """Waits for the lock of a folder. Returns the open folder, for `unlock`, or None where the system has no such lock.
 
-    A `shared` lock keeps writers out, and no readers. Raises OSError: FileNotFoundError for a folder that is not there,
-    and BlockingIOError instead of waiting where we are not `patient`.
+    A `shared` lock keeps out writers, not readers. Raises OSError: FileNotFoundError for a missing folder, and
+    BlockingIOError instead of waiting where it is not `patient`.
     """
     if fcntl is None:
         return None
@@ -134,17 +134,17 @@ def lock(folder: str | os.PathLike[str], shared: bool = False, patient: bool = T
         except BaseException:
             os.close(number)
             raise
-        os.close(number)  # another process has removed the folder, and a third one has made it again
+        os.close(number)  # the folder was removed and created again
 
 
 def unlock(number: int | None) -> None:
-    """Gives the lock back."""
+    """Releases a lock."""
     if number is not None:
         os.close(number)
 
 
 def _locked(number: int, shared: bool, patient: bool, folder: str | os.PathLike[str]) -> bool:
-    """Whether an open folder is locked now; a file system that cannot lock says so at once."""
+    """Locks an open folder; False for a file system without locks."""
     kind = fcntl.LOCK_SH if shared else fcntl.LOCK_EX
     try:
         fcntl.flock(number, kind | fcntl.LOCK_NB)

@@ -7,11 +7,11 @@ from collections.abc import Iterable
 
 
 class UsageError(Exception):
-    """A call that cannot be carried out: one line that says what is wrong and what to do. Exit code 2."""
+    """Wrong use: one line that says what is wrong and what to do. Exit code 2."""
 
 
 def unknown(what: str, name: str, known: Iterable[str], most: int = 20) -> UsageError:
-    """That there is no such thing, with the nearest one, or all of them, if they are not more than `most`."""
+    """The error for an unknown name, with the nearest known one, or all if there are not more than `most`."""
     import difflib
 
     names = sorted(set(known), key=_in_order)
@@ -26,5 +26,5 @@ def unknown(what: str, name: str, known: Iterable[str], most: int = 20) -> Usage
 
 
 def _in_order(name: str) -> list[object]:
-    """By letters, and by what numbers count."""
+    """A sort key: letters as letters, digits as numbers."""
     return [int(part) if number % 2 else part for number, part in enumerate(re.split(r"([0-9]{1,9})", name))]

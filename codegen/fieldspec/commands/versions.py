@@ -1,4 +1,4 @@
-"""`fieldspec versions`: the versions of a device, and what depends on them."""
+"""`fieldspec versions`: the versions of a device and what depends on them."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _named(node: Node, bound: str) -> Iterator[str]:
-    """The versions that a bound names, once for each fact that has it."""
+    """The versions that a bound names, once for each fact with that bound."""
     if isinstance(node, Mapping):
         yield from (scalar.text for scalar in named(node.values.get(bound)))
     for _, inner in children(node):
@@ -51,7 +51,7 @@ def _named(node: Node, bound: str) -> Iterator[str]:
 
 
 def each(spec: DeviceSpec) -> list[str]:
-    """Every version of a device on its own; of lines without outputs, which say what it is too, beside the newest."""
+    """Every version of a device; those of lines without outputs are joined with the newest version."""
     built = spec.versions()
     others = [version for version in spec.lines.place if version not in built]
     return [*built, *(other if other in spec.lines.alike else f"{built[-1]}+{other}" for other in others)]

@@ -1,6 +1,6 @@
-"""Checks devices and makes their outputs, on all processors where that is worth it.
+"""Checks devices and builds their outputs, on all processors where that pays off.
 
-A process is forked with the project that is read already, and sends back findings and files.
+Processes are forked after the specs are read; they send back findings and hashes, and write files themselves.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ if TYPE_CHECKING:
     from fieldspec.audit.manual_lines import ManualIndex
 
 DOCUMENTATION = "docs"
-"""The output that audits are a part of, where all versions of a device are built."""
+"""The output that contains audits, where all versions of a device are built."""
 
 WORTH_IT = 200_000
-"""Bytes of specs that take longer than starting processes."""
+"""The least bytes of specs for which starting processes pays off."""
 
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """A device of which some versions get outputs, all where none is named, and whether it is checked first.
+    """A device, the versions to build (none: all), whether to check it first, and the outputs to build.
 
-    `manual` is the index of its manual, for its audit, which is a part of its documentation.
+    `manual` is the index of its manual, for the audit in its documentation.
     """
 
     device: str
@@ -46,9 +46,9 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class TaskResult:
-    """What is found in a device, the identities of its versions, and its files; nothing after errors.
+    """The findings of a device, the identities of its versions, and its files; only findings after errors.
 
-    `hashes` are those of all files by output, `stale` are the paths of those that did not lie there already.
+    `hashes` has all files by output; `stale` has the paths of those that differ from the files in place.
     """
 
     device: str
@@ -60,9 +60,9 @@ class TaskResult:
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """What all tasks share: the project, the folder of outputs, what writes beside it, None where nothing is written.
+    """What all tasks share: the project, the folder of outputs, and the staging folder, None to write nothing.
 
-    `known` is what checks have come to, where they have run already.
+    `known` has the outcomes of checks that have run already.
     """
 
     project: Project
@@ -74,11 +74,11 @@ class Work:
 def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
     """The results of tasks in any order. `size` is that of the specs, in bytes.
 
-    Each processor has one device at a time. Where there are more processors than devices, these are checked first, and
-    then each of them has outputs of a device.
+    Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
+    first, and then each processor takes outputs of a device.
     """
     devices = work.project.devices
-    tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # who is left alone has a small one
+    tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()
     if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
         return [task_result(work, task) for task in tasks]
@@ -103,13 +103,13 @@ def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[Tas
         number = min(processes, len(tasks))
         try:
             pool = ProcessPoolExecutor(number, get_context("fork"), _start, (work, ends[0], ends[1]))
-        except OSError:  # the system has no semaphores for us
+        except OSError:  # the system has no semaphores
             return [task_result(work, task) for task in tasks]
         with pool:
             try:
                 return list(pool.map(_result_at_hand, tasks))
             except KeyboardInterrupt:
-                os.close(ends.pop())  # which ends the others at once
+                os.close(ends.pop())  # ends the other processes at once
                 raise
     except BrokenProcessPool:
         raise UsageError("a process of the build was killed, perhaps for want of memory; nothing was changed") from None
@@ -119,7 +119,7 @@ def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[Tas
 
 
 def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
-    """The outputs that one process makes, those that take the longest first."""
+    """The outputs that one process builds, the slowest first."""
     families: dict[str, list[str]] = {}
     for name in sorted(names, key=lambda name: name != DOCUMENTATION):
         families.setdefault(OUTPUTS[name].family or name, []).append(name)
@@ -127,7 +127,7 @@ def _families(names: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def _size(spec: DeviceSpec) -> int:
-    """About how much there is to do for a device."""
+    """An estimate of the work for a device."""
     return len(spec.files) * len(spec.versions())
 
 
@@ -176,7 +176,7 @@ def task_result(work: Work, task: Task) -> TaskResult:
 
 
 def stage_changes(work: Work, files: Mapping[str, bytes], stale: list[str]) -> Hashes:
-    """The hashes of some files. Those that do not lie there already are written beside, and noted as `stale`."""
+    """The hashes of some files. Those that differ from the files in place are staged and added to `stale`."""
     hashes = {path: digest(content) for path, content in files.items()}
     for path, content in files.items():
         if file_digest(work.out, path) != hashes[path]:
@@ -190,7 +190,7 @@ _work_at_hand: Work
 
 
 def _start(work: Work, reading: int, writing: int) -> None:
-    """Begins a process that ends with its parent, however that ends: only the parent has what writes into the pipe."""
+    """Initializes a process that ends with its parent: only the parent has the writing end of the pipe."""
     import signal
     from threading import Thread
 
@@ -202,7 +202,7 @@ def _start(work: Work, reading: int, writing: int) -> None:
 
 
 def _end_with_parent(reading: int) -> None:
-    """Waits until nobody can write into a pipe any more."""
+    """Waits until the writing end of a pipe is closed, then ends the process."""
     os.read(reading, 1)
     os._exit(1)
 
