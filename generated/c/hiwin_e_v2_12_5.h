@@ -3211,7 +3211,8 @@ static inline bool hiwin_e_message_word_pulses_enabled(uint16_t word)
  * Printed as M_LIMIT_POS 轉矩上限值.
  * One count is 100/2^14 %. Range: 0..32767.
  * Note: It has an effect from firmware 2.12.5 or 3.12.5 on (6.11.2 L1856).
- * Note: With both limits 0 there is no limit, and while STW2.8 is 1 they do not count (6.11.2 L1858-1860).
+ * Note: With both limits 0 this function is off, and so it is while STW2.8 is 1 (6.11.2 L1858-1860); the
+ * limits of 6.3 go on to count.
  * Source: 3.1 L499
  */
 #define HIWIN_E_SIGNAL_POSITIVE_TORQUE_LIMIT_MIN 0
@@ -3225,7 +3226,8 @@ static inline bool hiwin_e_message_word_pulses_enabled(uint16_t word)
  * Printed as M_LIMIT_NEG 轉矩下限值.
  * One count is 100/2^14 %. Range: -32768..0.
  * Note: It has an effect from firmware 2.12.5 or 3.12.5 on (6.11.2 L1856).
- * Note: With both limits 0 there is no limit, and while STW2.8 is 1 they do not count (6.11.2 L1858-1860).
+ * Note: With both limits 0 this function is off, and so it is while STW2.8 is 1 (6.11.2 L1858-1860); the
+ * limits of 6.3 go on to count.
  * Note: Pt403 and Pt484 hold the limit of that direction as a positive number.
  * Source: 3.1 L500
  */
@@ -5828,9 +5830,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_motor_type_encod
     if (!hiwin_e_motor_type_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 2u)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
 }
@@ -5946,9 +5945,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_applicati
 {
     if (!hiwin_e_gantry_application_mode_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!((value == 1u) || (value == 2u) || (value == 11u))) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
@@ -6653,9 +6649,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
     if (!hiwin_e_gantry_parameter_command_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value <= 3u)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, value);
     return HIWIN_E_OK;
 }
@@ -6688,9 +6681,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_gantry_parameter
 {
     if (!hiwin_e_gantry_parameter_status_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= (-6) && value <= 2)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
@@ -7292,9 +7282,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_drive_reset_enco
     if (!hiwin_e_drive_reset_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
     }
-    if (!(value >= (-1) && value <= 2)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
-    }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
 }
@@ -7322,9 +7309,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_parameter_save_e
 {
     if (!hiwin_e_parameter_save_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= 0 && value <= 1)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;
@@ -7358,9 +7342,6 @@ static inline hiwin_e_codec_status hiwin_e_par_drive_parameters_mastership_encod
 {
     if (!hiwin_e_mastership_known((int64_t)value)) {
         return HIWIN_E_ERR_UNKNOWN_VALUE;
-    }
-    if (!(value >= 0 && value <= 1)) {
-        return HIWIN_E_ERR_OUT_OF_RANGE;
     }
     hiwin_e_store_u16_be(out, (uint16_t)value);
     return HIWIN_E_OK;

@@ -16,6 +16,7 @@ from fieldspec.model.fact import Claim
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
+from fieldspec.model.task import Step, Task
 from fieldspec.model.texts import Erratum, Example, Limit, Lookup, Note
 from fieldspec.model.value import Conversion, Signal
 
@@ -87,6 +88,7 @@ _OF_DEVICE: tuple[tuple[type, str], ...] = (
     (Conversion, "conversions"),
     (Lookup, "lookups"),
     (Limit, "limits"),
+    (Task, "tasks"),
     (Note, "notes"),
     (Example, "examples"),
     (Erratum, "errata"),
@@ -164,6 +166,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
     Conversion: ModelClass("conversion", _B, _S, (PYTHON, C)),
     Lookup: ModelClass("table to look up", _D, _D),
     Limit: ModelClass("limit", _B, _B),
+    Task: ModelClass("task", _D, _D),
     Note: ModelClass("note", _D, _D),
     Example: ModelClass("example", _D, _D, key=attrgetter("id")),
     Erratum: ModelClass("erratum", _D, _D, key=attrgetter("id")),
@@ -182,6 +185,9 @@ DEVICE_ATTRIBUTES: dict[type, Callable[[Any], tuple[object, ...]]] = {
 }
 """The own attributes of a noun as one tuple."""
 
+
+STEP = tuple(name for name in classes.attributes(Step) if name != "place")
+"""What is compared of a step."""
 
 Texts: TypeAlias = Mapping[str, Callable[[Any], Any]]
 
@@ -222,7 +228,21 @@ def _sentinels(fact: Any) -> dict[int, object]:
 
 
 _FACT: Texts = {
-    **_named("printed_name", "label", "doc", "sources", "notes", "inferred", "unverified", "since", "until", "only"),
+    **_named(
+        "printed_name",
+        "label",
+        "doc",
+        "sources",
+        "notes",
+        "inferred",
+        "standard",
+        "roles",
+        "unverified",
+        "since",
+        "until",
+        "only",
+    ),
+    "reported": lambda fact: tuple((one.by, one.how, dict(one.values)) for one in fact.reported),
     "restated": _restated,
 }
 _OF_VALUE: Texts = {**_FACT, "scale": _scale, "sentinels": _sentinels}
@@ -230,14 +250,14 @@ _PRINTED_ADDRESS = ("decimal", "words")
 
 TEXTS: dict[type, Texts] = {
     Device: _named("name", "vendor", "title", "doc", "manual"),
-    VersionLine: _named("title"),
+    VersionLine: _named("title", "like", "inferred"),
     Version: _named("title", "doc", "inferred", "sources"),
     Link: {
         **_FACT,
         **_named("title", "message_name", "request_name", "response_name"),
-        "stations": _beside("stations", "rule", "notes", "sources"),
+        "unit_addresses": _beside("unit_addresses", "rule", "notes", "sources"),
         "serial": _beside("serial", "sources"),
-        "error": _beside("error", "sources"),
+        "exception_response": _beside("exception_response", "sources"),
         "silence": attrgetter("silence_sources"),
     },
     Part: _OF_VALUE,
@@ -283,9 +303,17 @@ TEXTS: dict[type, Texts] = {
         "rows": lambda lookup: tuple((row.cells, row.notes, row.sources, row.only) for row in lookup.rows),
     },
     AddressSpace: {**_FACT, **_named("title")},
-    Limit: _FACT,
-    Note: _named("title", "text", "about", "sources"),
+    Limit: {**_FACT, **_named("sum_of", "within", "transmits")},
+    Task: {
+        **_FACT,
+        **_named("kind", "messages", "not_applicable", "open"),
+        "steps": lambda task: tuple(tuple(getattr(step, name) for name in STEP) for step in task.steps),
+    },
+    Note: {
+        **_named("title", "text", "about", "sources"),
+        "statements": lambda note: tuple((one.subject, one.says, one.text, one.sources) for one in note.statements),
+    },
     Example: _named("title", "sources", "notes"),
-    Erratum: _named("fact", "printed", "literal", "reason", "confidence", "effect", "proof", "sources"),
+    Erratum: _named("fact", "printed", "literal", "illegible", "reason", "confidence", "effect", "proof", "sources"),
 }
 """By class, the keys of the spec with the function that gives the text from the model."""

@@ -174,8 +174,8 @@ class Log:
         link = self.layout.links[request.link]
         if reading.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
             return None  # nothing shows that it is a request
-        station, stations = link.request.role("station"), link.link.stations
-        if station and stations and request.values.get(station.name) == stations.broadcast:
+        unit_address, addresses = link.request.role("unit_address"), link.link.unit_addresses
+        if unit_address and addresses and request.values.get(unit_address.name) == addresses.broadcast:
             return None
         return OpenRequest(request, False)
 

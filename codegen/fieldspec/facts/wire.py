@@ -12,6 +12,7 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum, Flags, Member
+from fieldspec.model.fact import STANDARD
 from fieldspec.model.link import Link
 from fieldspec.model.record import Message
 from fieldspec.model.value import Conversion
@@ -191,16 +192,20 @@ def _link(link: Link) -> Iterator[FactRow]:
         if mark:
             cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
-    if link.error is not None:
-        cells = {"name": "error", "code": link.error.flag, "type": link.error.record}
-        yield row("refusal", f"{path}/error", link.error.sources or link.sources, **cells)
+    if link.exception_response is not None:
+        cells = {"name": "error", "code": link.exception_response.flag, "type": link.exception_response.record}
+        yield row("refusal", f"{path}/error", link.exception_response.sources or link.sources, **cells)
     for name, silence, unit in (
         ("characters", link.silence_characters, "character"),
         ("milliseconds", link.silence_milliseconds, "ms"),
     ):
         if silence is not None:
             cells = {"name": "silence", "min": silence, "unit": unit}
-            yield row("timing", f"{path}/silence/{name}", link.silence_sources or link.sources, **cells)
+            standard = link.standard.get("silence")
+            if standard is not None and not link.silence_sources:
+                cells.update(provenance=STANDARD, evidence=standard.text())
+            sources = link.silence_sources or (() if standard is not None else link.sources)
+            yield row("timing", f"{path}/silence/{name}", sources, **cells)
     yield from _stations(link)
     yield from _serial(link)
     for direction in ("request", "response"):
@@ -209,7 +214,7 @@ def _link(link: Link) -> Iterator[FactRow]:
 
 
 def _stations(link: Link) -> Iterator[FactRow]:
-    stations = link.stations
+    stations = link.unit_addresses
     if stations is None:
         return
     path, sources = stations.place.path, stations.sources or link.sources

@@ -16,6 +16,7 @@ from fieldspec.model.enums import Enum, Flags, Member, State
 from fieldspec.model.fact import Claim, Fact
 from fieldspec.model.link import Link
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
+from fieldspec.model.task import Task
 from fieldspec.model.texts import Erratum, Example, Limit, Lookup, Note
 from fieldspec.model.value import UNSPECIFIED, Conversion, Handling, Signal
 
@@ -78,6 +79,7 @@ Item: TypeAlias = (
     | Link
     | Lookup
     | Limit
+    | Task
     | Note
     | Example
     | Erratum
@@ -109,6 +111,7 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
+    yield from device.tasks
     yield from device.notes
     yield from device.examples.values()
     yield from device.errata
@@ -233,7 +236,10 @@ def erratum_details(erratum: Erratum) -> Details:
 def example_details(example: Example) -> Details:
     """What an example says; `decode` explains its bytes."""
     yield "title", example.title
-    yield "message", f"{example.message or 'unknown'} {'refusal' if example.error else example.direction}"
+    yield (
+        "message",
+        f"{example.message or 'unknown'} {'refusal' if example.exception_response else example.direction}",
+    )
     yield "link", example.link
     yield "frame", example.frame.hex(" ").upper()
     yield "answers", example.reply_to
