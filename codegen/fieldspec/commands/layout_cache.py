@@ -41,8 +41,8 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
     origins = spec_files.origins(files)
 
     def source(path: str) -> SourceFile:
-        shown = origins.get(path) or (f"{folder}/{path}" if folder else path)
-        return SourceFile(shown, files[path].removeprefix(MARK).decode())
+        display_path = origins.get(path) or (f"{folder}/{path}" if folder else path)
+        return SourceFile(display_path, files[path].removeprefix(MARK).decode())
 
     key = "" if anew else _key(text, files)
     content = cache_folder.cached(KIND, key) if key else None

@@ -219,8 +219,8 @@ class _Reader:
 
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
-        shown = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
-        file, found = decoded(shown, self.files[path])
+        display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
+        file, found = decoded(display_path, self.files[path])
         if not found:
             node, found = parsed(file)
             if node is None and not found:
