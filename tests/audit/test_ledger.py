@@ -155,7 +155,7 @@ def test_hostile_cells_are_no_formulas_and_stay_in_their_rows(text: str) -> None
     ("arguments", "said"),
     [
         (("--format", "csv"), "csv holds a single table; name it with --table"),
-        (("--table", "ledger", "--format", "sarif"), "give --table with text, json, csv or xlsx"),
+        (("--table", "ledger", "--format", "sarif"), "use --table with text, json, csv or xlsx"),
         (("--out", "x.csv"), "such as --table ledger"),
         (("--table", "ledger", "--out", "x"), "--out needs a format for the table"),
         (("--table", "legder"), "there is no table legder; did you mean ledger?"),
