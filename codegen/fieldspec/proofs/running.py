@@ -99,7 +99,8 @@ def everything(
 
 def known() -> frozenset[str]:
     """The names of all checks that an erratum may name as its proof."""
-    return frozenset(name for name, _ in checks.CHECKS) | frozenset(EXAMPLE_PROOFS + READING_PROOFS)
+    names = [*(name for name, _ in checks.CHECKS), *checks.INSTALLED, *EXAMPLE_PROOFS, *READING_PROOFS]
+    return frozenset(names)
 
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:
