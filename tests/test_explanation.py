@@ -309,7 +309,7 @@ def test_registers_of_a_table_are_named_by_element_and_field() -> None:
 def test_a_register_of_which_a_frame_holds_a_part_is_named_without_a_value() -> None:
     request = encode(GIZMO, "packet", "read", {"station": 1, "address": 2})
     (one,) = explained(GIZMO, "packet", "request", request).registers
-    assert (one.path, one.number, one.notes) == ("place", None, ("The frame holds a part of its words.",))
+    assert (one.path, one.number, one.notes) == ("place", None, ("The frame contains only some of its words.",))
 
 
 def test_words_that_no_register_has_are_shown() -> None:

@@ -56,8 +56,8 @@ def _attribute_items(name: str) -> Items:
     get = attrgetter(name)
 
     def items(holder: Any) -> Iterable[Any]:
-        held = get(holder)
-        return held.values() if isinstance(held, Mapping) else held
+        value = get(holder)
+        return value.values() if isinstance(value, Mapping) else value
 
     return items
 
@@ -205,8 +205,8 @@ def _beside(name: str, *attributes: str) -> Callable[[Any], object]:
     get = attrgetter(name)
 
     def texts(fact: Any) -> object:
-        held = get(fact)
-        return tuple(getattr(held, one) for one in attributes) if held is not None else ()
+        part = get(fact)
+        return tuple(getattr(part, name) for name in attributes) if part is not None else ()
 
     return texts
 
@@ -218,7 +218,11 @@ def _scale(fact: Any) -> str:
 
 def _sentinels(fact: Any) -> dict[int, object]:
     """What is said of each sentinel."""
-    return {one.value: (one.doc, one.sources) for one in fact.value.sentinels} if fact.value is not None else {}
+    return (
+        {sentinel.value: (sentinel.doc, sentinel.sources) for sentinel in fact.value.sentinels}
+        if fact.value is not None
+        else {}
+    )
 
 
 _FACT: Texts = {
@@ -269,7 +273,7 @@ TEXTS: dict[type, Texts] = {
         **_FACT,
         **_named("title", *_PRINTED_ADDRESS),
         "elements": lambda table: tuple(
-            (one.index, one.first, one.last, one.words, one.sources) for one in table.elements
+            (element.index, element.first, element.last, element.words, element.sources) for element in table.elements
         ),
     },
     ParameterSet: {**_FACT, **_named("title", "printed_as")},

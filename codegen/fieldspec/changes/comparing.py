@@ -144,9 +144,9 @@ class _Side:
             found: dict[str, list[str]] = {}
             for message in self.device.messages.values():
                 for direction, record in (("request", message.request), ("response", message.response)):
-                    for number, one in enumerate(record.fields):
-                        if one.signal:
-                            found.setdefault(one.signal, []).append(f"{message.name}/{direction}/{number}")
+                    for number, field in enumerate(record.fields):
+                        if field.signal:
+                            found.setdefault(field.signal, []).append(f"{message.name}/{direction}/{number}")
             self._placed = {name: tuple(places) for name, places in found.items()}
         return self._placed
 
@@ -171,9 +171,9 @@ class Comparison:
         """The pairs of a class of the model whose own attributes differ."""
         return cast("list[Pair[T]]", self._pairs[noun])
 
-    def any_of(self, *nouns: type) -> Iterator[Pair[Any]]:
+    def any_of(self, *classes_of_model: type) -> Iterator[Pair[Any]]:
         """The same of several classes."""
-        for noun in nouns:
+        for noun in classes_of_model:
             yield from self._pairs[noun]
 
     def renamed_to(self, path: str, name: str) -> str:
@@ -191,12 +191,12 @@ class Comparison:
     @property
     def values(self) -> list[Values]:
         """The values with a meaning that differ."""
-        return [held for held in self.all_values if not held.reserved]
+        return [difference for difference in self.all_values if not difference.reserved]
 
     @cached_property
     def all_values(self) -> list[Values]:
         """The values that differ. A field that has its value from a signal does not repeat what the signal says."""
-        found = []
+        differences = []
         for noun, pairs in self._pairs.items():
             for pair in pairs:
                 old, new = getattr(pair.old, "value", None), getattr(pair.new, "value", None)
@@ -204,12 +204,12 @@ class Comparison:
                     isinstance(old, Value)
                     and isinstance(new, Value)
                     and old != new
-                    and not self._is_told_by_signal(noun, pair)
+                    and not self._belongs_to_signal(noun, pair)
                 ):
-                    found.append(Values(pair, old, new))
-        return found
+                    differences.append(Values(pair, old, new))
+        return differences
 
-    def _is_told_by_signal(self, noun: type, pair: Pair[Any]) -> bool:
+    def _belongs_to_signal(self, noun: type, pair: Pair[Any]) -> bool:
         """Whether a signal tells what has changed in the value of a field."""
         if noun is not Field or not pair.old.signal or not pair.new.signal:
             return False
@@ -232,32 +232,32 @@ class Comparison:
     ) -> None:
         """Pairs two lists: by key, then by evidence."""
         left, right = _by_key(noun, old), _by_key(noun, new)
-        pairs = [Pair(one, right[key], holder) for key, one in left.items() if key in right]
-        gone = [one for key, one in left.items() if key not in right]
-        come = [one for key, one in right.items() if key not in left]
-        laid = noun in (Field, Part)
-        sides = zip(self._sides, (old, new), strict=True)
-        offsets = [_offsets(side.sizes, items) if laid else {} for side, items in sides]
+        pairs = [Pair(item, right[key], holder) for key, item in left.items() if key in right]
+        gone = [item for key, item in left.items() if key not in right]
+        come = [item for key, item in right.items() if key not in left]
+        has_offsets = noun in (Field, Part)
+        lists = zip(self._sides, (old, new), strict=True)
+        offsets = [_offsets(side.sizes, items) if has_offsets else {} for side, items in lists]
         if gone and come:
             around = [Around(at, side.placed()) for at, side in zip(offsets, self._sides, strict=True)]
-            for pair, said in _proven(noun, gone, come, around[0], around[1], holder):
+            for pair, evidence in _proven(noun, gone, come, around[0], around[1], holder):
                 pairs.append(pair)
-                self._rename(noun, pair, said)
-            paired = {id(one) for pair in pairs for one in (pair.old, pair.new)}
-            gone = [one for one in gone if id(one) not in paired]
-            come = [one for one in come if id(one) not in paired]
-        fields = self._offset_evidence(pairs, offsets[0], offsets[1], holder, direction) if laid else None
-        self.removed += (Lone(one, holder, fields) for one in gone)
-        self.added += (Lone(one, holder, fields) for one in come)
+                self._rename(noun, pair, evidence)
+            paired = {id(item) for pair in pairs for item in (pair.old, pair.new)}
+            gone = [item for item in gone if id(item) not in paired]
+            come = [item for item in come if id(item) not in paired]
+        fields = self._offset_evidence(pairs, offsets[0], offsets[1], holder, direction) if has_offsets else None
+        self.removed += (Lone(item, holder, fields) for item in gone)
+        self.added += (Lone(item, holder, fields) for item in come)
         for pair in pairs:
             self._enter(noun, pair)
 
-    def _rename(self, noun: type, pair: Pair[Any], said: str) -> None:
+    def _rename(self, noun: type, pair: Pair[Any], evidence: str) -> None:
         path = place(pair.old, self.old).path.rpartition("/")[0]
         self._names[f"{path}/{MODEL_CLASSES[noun].key(pair.old)}"] = str(MODEL_CLASSES[noun].key(pair.new))
         meaningless = getattr(pair.old, "reserved", False) or getattr(pair.new, "reserved", False)
         if not meaningless:  # nobody knows it by its name
-            self.renamed.append(Renamed(pair, said))
+            self.renamed.append(Renamed(pair, evidence))
 
     def _offset_evidence(
         self,
@@ -300,27 +300,27 @@ def place(item: Any, device: Device) -> Place:
 def _by_key(noun: type, items: Iterable[Any]) -> dict[Hashable, Any]:
     """Things by key; further ones of the same key by key and number."""
     key = MODEL_CLASSES[noun].key
-    found: dict[Hashable, Any] = {}
+    items_by_key: dict[Hashable, Any] = {}
     for item in items:
         own = key(item)
-        if own in found:
-            own = (own, len(found))
-        found[own] = item
-    return found
+        if own in items_by_key:
+            own = (own, len(items_by_key))
+        items_by_key[own] = item
+    return items_by_key
 
 
 def _offsets(sizes: Sizes, items: Sequence[Any]) -> dict[int, tuple[int, int]]:
     """The run and the offset of each field by its identity in memory; a frame has a run before its body and one
     behind it. The size of all of them, and whether they go on, stand under 0."""
-    body = next((at for at, one in enumerate(items) if isinstance(one, Part) and one.role == "body"), len(items))
-    found: dict[int, tuple[int, int]] = {}
+    body = next((at for at, item in enumerate(items) if isinstance(item, Part) and item.role == "body"), len(items))
+    offsets: dict[int, tuple[int, int]] = {}
     size, goes_on = 0, False
     for run, some in enumerate((items[:body], items[body:])):
-        laid = sizes.offsets(some)
-        found |= {id(one): (run, at) for one, at in zip(some, laid.offsets, strict=True)}
-        size, goes_on = size + laid.size, goes_on or laid.open
-    found[0] = size, goes_on
-    return found
+        run_offsets = sizes.offsets(some)
+        offsets |= {id(item): (run, at) for item, at in zip(some, run_offsets.offsets, strict=True)}
+        size, goes_on = size + run_offsets.size, goes_on or run_offsets.open
+    offsets[0] = size, goes_on
+    return offsets
 
 
 def _proven(
@@ -330,11 +330,11 @@ def _proven(
     evidence = EVIDENCE.get(noun)
     if evidence is None:
         return
-    old = [(evidence.of(one, before), one) for one in gone]
-    new = [(evidence.of(one, after), one) for one in come]
+    old = [(evidence.of(item, before), item) for item in gone]
+    new = [(evidence.of(item, after), item) for item in come]
     once = {key for key, count in Counter(key for key, _ in new).items() if count == 1 and key is not None}
     single = {key for key, count in Counter(key for key, _ in old).items() if count == 1}
     arrived = dict(new)
-    for key, one in old:
+    for key, item in old:
         if key in once and key in single:
-            yield Pair(one, arrived[key], holder), evidence.describe(one, before)
+            yield Pair(item, arrived[key], holder), evidence.describe(item, before)

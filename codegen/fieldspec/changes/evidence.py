@@ -59,9 +59,9 @@ def decimal_text(number: Decimal) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def quoted(held: object) -> str:
+def quoted(value: object) -> str:
     """The same for a sentence: `nothing` for nothing."""
-    return value_text(held) or NOTHING
+    return value_text(value) or NOTHING
 
 
 def enumeration(words: Sequence[object], most: int = 6) -> str:
@@ -161,46 +161,60 @@ EVIDENCE: dict[type, Evidence] = {
     ),
     State: Evidence(lambda state, _: (state.set, state.clear), lambda *_: "the same bits"),
     AddressSpace: Evidence(
-        lambda one, _: (one.unit, one.bounds, one.first_number, one.title), lambda *_: "the same addresses and title"
+        lambda space, _: (space.unit, space.bounds, space.first_number, space.title),
+        lambda *_: "the same addresses and title",
     ),
     RegisterGroup: Evidence(
         lambda group, _: tuple(register.address for register in group.registers) or None,
         lambda *_: "the same registers",
     ),
     Register: Evidence(
-        lambda one, _: (one.space, one.address, _type(one.value), one.count, one.stride),
-        lambda one, _: f"the same address {hexadecimal(one.address)} and type {_type(one.value)}",
+        lambda register, _: (register.space, register.address, _type(register.value), register.count, register.stride),
+        lambda register, _: f"the same address {hexadecimal(register.address)} and type {_type(register.value)}",
     ),
     Table: Evidence(
         lambda table, _: (table.base, table.stride, table.count),
         lambda table, _: f"the same base {hexadecimal(table.base)}, stride and count",
     ),
     ParameterSet: Evidence(
-        lambda held, _: (held.base, *((one.number, one.name) for one in held.parameters)),
+        lambda parameter_set, _: (
+            parameter_set.base,
+            *((parameter.number, parameter.name) for parameter in parameter_set.parameters),
+        ),
         lambda *_: "the same parameters",
     ),
     Parameter: Evidence(
-        lambda one, _: (one.number, _type(one.value), one.count, one.elements),
-        lambda one, _: f"the same number {one.number} and type {_type(one.value)}",
+        lambda parameter, _: (parameter.number, _type(parameter.value), parameter.count, parameter.elements),
+        lambda parameter, _: f"the same number {parameter.number} and type {_type(parameter.value)}",
     ),
     Subindex: Evidence(
-        lambda one, _: (one.indices, _type(one.value)),
-        lambda one, _: f"the same indices {one.indices.text()} and type {_type(one.value)}",
+        lambda subindex, _: (subindex.indices, _type(subindex.value)),
+        lambda subindex, _: f"the same indices {subindex.indices.text()} and type {_type(subindex.value)}",
     ),
     Signal: Evidence(_signal, lambda *_: "the same type, placed by the same fields"),
     Conversion: Evidence(
-        lambda one, _: (one.type.name, one.full_scale, one.complement, one.signals),
+        lambda conversion, _: (conversion.type.name, conversion.full_scale, conversion.complement, conversion.signals),
         lambda *_: "the same formula for the same signals",
     ),
-    Lookup: Evidence(lambda one, _: tuple(row.cells for row in one.rows) or None, lambda *_: "the same rows"),
+    Lookup: Evidence(lambda lookup, _: tuple(row.cells for row in lookup.rows) or None, lambda *_: "the same rows"),
     Limit: Evidence(
-        lambda one, _: (one.kind, one.value, one.low, one.high, one.text, one.unit, one.label, one.printed_name),
+        lambda limit, _: (
+            limit.kind,
+            limit.value,
+            limit.low,
+            limit.high,
+            limit.text,
+            limit.unit,
+            limit.label,
+            limit.printed_name,
+        ),
         lambda *_: "the same numbers and labels",
     ),
     Note: Evidence(lambda note, _: note.text, lambda *_: "the same text"),
-    Example: Evidence(lambda one, _: (one.frame, one.link, one.direction), lambda *_: "the same frame"),
+    Example: Evidence(lambda example, _: (example.frame, example.link, example.direction), lambda *_: "the same frame"),
     Erratum: Evidence(
-        lambda one, _: (one.fact, one.literal, repr(one.printed)), lambda *_: "the same fact with the same print"
+        lambda erratum, _: (erratum.fact, erratum.literal, repr(erratum.printed)),
+        lambda *_: "the same fact with the same print",
     ),
 }
 """By the class of the model; a thing whose class is not here is never said to be renamed."""

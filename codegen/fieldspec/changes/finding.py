@@ -27,17 +27,17 @@ def change(
     outputs: tuple[str, ...] = (),
 ) -> Change:
     """A change of what a key of a fact says; `message` goes on from the name of the fact."""
-    held = pair.of if isinstance(pair, Values) else pair
+    own = pair.of if isinstance(pair, Values) else pair
     return Change(
         rule,
         effect,
-        kind(held.new),
-        path(held.new, held.holder[1]),
+        kind(own.new),
+        path(own.new, own.holder[1]),
         message,
         value_text(old),
         value_text(new),
-        span(held.old, key, held.holder[0]),
-        span(held.new, key, held.holder[1]),
+        span(own.old, key, own.holder[0]),
+        span(own.new, key, own.holder[1]),
         outputs,
     )
 
@@ -63,23 +63,23 @@ def path(item: Any, holder: Any) -> str:
         return f"versions/{item.name}"
     if isinstance(item, Version):
         return f"versions/{holder.name}/{item.id}"
-    held: Place = item.place
-    return held.path.lstrip("/")
+    place: Place = item.place
+    return place.path.lstrip("/")
 
 
 def span(item: Any, key: str, holder: Any) -> Span | None:
     """The place of the value of a key; None for what has no place of its own."""
-    held = getattr(item, "place", None)
-    return _key_span(held, key) if isinstance(held, Place) else None
+    place = getattr(item, "place", None)
+    return _key_span(place, key) if isinstance(place, Place) else None
 
 
 _SPELT = {"range": "unit_range", "default": "unit_default"}
 """Keys that may be written in two ways."""
 
 
-def _key_span(held: Place, key: str) -> Span:
+def _key_span(place: Place, key: str) -> Span:
     other = _SPELT.get(key, key)
-    return held[other] if other in held else held[key]
+    return place[other] if other in place else place[key]
 
 
 def around(holder: Any, key: str) -> Span | None:

@@ -29,18 +29,18 @@ class Bounded:
 
 def bounded(both: Comparison) -> Iterator[Bounded]:
     """Everything whose bounds differ. Where a type differs, its own bounds are no further change."""
-    for held in both.values:
-        name = named(held.of.new)
-        old, new = _of_values(held)
+    for values in both.values:
+        name = named(values.of.new)
+        old, new = _of_values(values)
         if old is not None and new is not None:
-            yield Bounded(held, name, "the range", "range", old, new)
-        old, new = held.old.written_ranges, held.new.written_ranges
-        if (held.old.write_ranges or held.new.write_ranges) and (old or new) and held.old.type == held.new.type:
-            whole = _whole(held.new.type)
-            yield Bounded(held, name, "the range of writing", "write_range", old or whole, new or whole)
-        old, new = _length(held.old), _length(held.new)
-        if old != new and held.old.size == held.new.size:
-            yield Bounded(held, name, "the number of characters", "characters", old, new)
+            yield Bounded(values, name, "the range", "range", old, new)
+        old, new = values.old.written_ranges, values.new.written_ranges
+        if (values.old.write_ranges or values.new.write_ranges) and (old or new) and values.old.type == values.new.type:
+            whole = _whole(values.new.type)
+            yield Bounded(values, name, "the range of writing", "write_range", old or whole, new or whole)
+        old, new = _length(values.old), _length(values.new)
+        if old != new and values.old.size == values.new.size:
+            yield Bounded(values, name, "the number of characters", "characters", old, new)
     for field in both.of(Field):
         before, after = field.old.repeat, field.new.repeat
         if before is not None and after is not None:
@@ -63,8 +63,8 @@ NONE = Ranges(())
 ANY = Ranges(((0, 0xFFFFFFFF),))
 
 
-def _of_values(held: Values) -> tuple[Ranges | None, Ranges | None]:
-    old, new = held.old, held.new
+def _of_values(values: Values) -> tuple[Ranges | None, Ranges | None]:
+    old, new = values.old, values.new
     if old.ranges is None and new.ranges is None:
         return None, None
     if old.type.kind not in _COUNT_TYPES or new.type.kind not in _COUNT_TYPES:

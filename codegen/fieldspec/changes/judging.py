@@ -35,24 +35,24 @@ class Judged:
 
 def judged(compared: Compared) -> list[Judged]:
     """The changes, each with the acceptance that counts and names it."""
-    given = {(one.rule, one.path): one for one in counting(compared.old, compared.new)}
-    return [Judged(change, given.get((change.rule, change.path))) for change in compared.changes]
+    accepted = {(acceptance.rule, acceptance.path): acceptance for acceptance in counting(compared.old, compared.new)}
+    return [Judged(change, accepted.get((change.rule, change.path))) for change in compared.changes]
 
 
 def counting(old: Device, new: Device) -> list[Acceptance]:
     """The acceptances that count between two devices."""
-    known = {_identity(one) for one in old.accepts}
-    fresh = [one for one in new.accepts if _identity(one) not in known]
-    return [one for one in fresh if not one.since or old.version != new.version]
+    known = {_identity(acceptance) for acceptance in old.accepts}
+    fresh = [acceptance for acceptance in new.accepts if _identity(acceptance) not in known]
+    return [acceptance for acceptance in fresh if not acceptance.since or old.version != new.version]
 
 
 def rules_known(acceptances: Iterable[Acceptance], rules: Collection[str]) -> Iterator[Diagnostic]:
     """A finding for every acceptance that names no rule."""
-    for one in acceptances:
-        if one.rule not in rules:
-            text = f"there is no rule `{one.rule}` that could find a change"
+    for acceptance in acceptances:
+        if acceptance.rule not in rules:
+            text = f"there is no rule `{acceptance.rule}` that could find a change"
             yield Diagnostic(
-                "accepts_used", text, one.place["rule"], help="`fieldspec rule` lists the rules of changes"
+                "accepts_used", text, acceptance.place["rule"], help="`fieldspec rule` lists the rules of changes"
             )
 
 
@@ -65,17 +65,19 @@ def accepts_used(comparisons: Sequence[Compared]) -> Iterator[Diagnostic]:
     asked: dict[tuple[object, ...], Acceptance] = {}
     met: set[tuple[object, ...]] = set()
     for compared in comparisons:
-        found = {(change.rule, change.path) for change in compared.changes}
-        for one in counting(compared.old, compared.new):
-            if not one.since or (compared.step and compared.new.version in one.since):
-                asked[_identity(one)] = one
-            if (one.rule, one.path) in found:
-                met.add(_identity(one))
-    for identity, one in asked.items():
+        changed = {(change.rule, change.path) for change in compared.changes}
+        for acceptance in counting(compared.old, compared.new):
+            if not acceptance.since or (compared.step and compared.new.version in acceptance.since):
+                asked[_identity(acceptance)] = acceptance
+            if (acceptance.rule, acceptance.path) in changed:
+                met.add(_identity(acceptance))
+    for identity, acceptance in asked.items():
         if identity not in met:
-            text = f"`{one.rule}` finds no change at `{one.path}`"
-            yield Diagnostic("accepts_used", text, one.place["path"], help="put the path right, or remove the entry")
+            text = f"`{acceptance.rule}` finds no change at `{acceptance.path}`"
+            yield Diagnostic(
+                "accepts_used", text, acceptance.place["path"], help="put the path right, or remove the entry"
+            )
 
 
-def _identity(one: Acceptance) -> tuple[object, ...]:
-    return one.rule, one.path, one.reason, one.date, one.since
+def _identity(acceptance: Acceptance) -> tuple[object, ...]:
+    return acceptance.rule, acceptance.path, acceptance.reason, acceptance.date, acceptance.since

@@ -35,15 +35,15 @@ def space_changed(both: Comparison) -> Iterator[Change]:
             yield from _moved(both, message, message.old.accesses.space, message.new.accesses.space, "accesses")
     for space in both.of(AddressSpace):
         for key, what, effect in _OF_SPACE:
-            old, new = _said(space.old, key), _said(space.new, key)
+            old, new = _space_value(space.old, key), _space_value(space.new, key)
             if old != new:
                 text = f"{named(space.new)}: {turned(what, old, new)}"
                 yield change("space_changed", effect, space, key, text, old, new)
 
 
-def _said(space: AddressSpace, key: str) -> object:
-    held = getattr(space, key)
-    return held.text() if key == "bounds" else held
+def _space_value(space: AddressSpace, key: str) -> object:
+    value = getattr(space, key)
+    return value.text() if key == "bounds" else value
 
 
 def _moved(both: Comparison, pair: Pair[Any], before: str, after: str, key: str) -> Iterator[Change]:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.commands.usage import UsageError
-from fieldspec.explain.registers import Holder, holder_at
+from fieldspec.explain.registers import Occupant, occupant_at
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import raw_value
 from fieldspec.model.record import RegisterAccess
@@ -31,20 +31,20 @@ def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str
     if re.fullmatch(r"0x[0-9A-Fa-f]{1,4}|[0-9]{1,5}", item):
         yield int(item, 0)
         return
-    held = holder_at(layout, access.space, address)
-    if held is None or held.value.size % 2:
+    occupant = occupant_at(layout, access.space, address)
+    if occupant is None or occupant.value.size % 2:
         raise UsageError(f"no register or field of words begins at 0x{address:04X}, so that `{item}` has no meaning")
-    data = _bytes(layout, held, item)
+    data = _bytes(layout, occupant, item)
     big = layout.device.byte_order == "big"
     for at in range(0, len(data), 2):
         yield int.from_bytes(data[at : at + 2], "big" if big else "little")
 
 
-def _bytes(layout: DeviceLayout, held: Holder, item: str) -> bytes:
+def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
     """The bytes of a value as they lie in the registers."""
     from fieldspec.reference.records import encoded_value, value_construct
 
-    raw = raw_value(layout.device, held.path, held.value, item)
-    known = encoded_value(held.path, held.value, raw, layout.device)
-    built: bytes = value_construct(held.value, held.order, held.swapped).build(known)
+    raw = raw_value(layout.device, occupant.path, occupant.value, item)
+    known = encoded_value(occupant.path, occupant.value, raw, layout.device)
+    built: bytes = value_construct(occupant.value, occupant.order, occupant.swapped).build(known)
     return built

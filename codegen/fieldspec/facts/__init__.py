@@ -20,11 +20,11 @@ def rows(layout: DeviceLayout) -> list[FactRow]:
 
 def of_versions(layouts: Sequence[DeviceLayout]) -> list[list[FactRow]]:
     """All facts of a device at each of some versions. Rows that these share are the same objects, and nobody's own."""
-    kept = SharedRows()
+    shared = SharedRows()
     return [
         with_errata(
             layout.device,
-            [*wire(layout), *memory(layout, kept), *codes(layout.device, kept), *texts(layout, kept)],
+            [*wire(layout), *memory(layout, shared), *codes(layout.device, shared), *texts(layout, shared)],
         )
         for layout in layouts
     ]

@@ -34,23 +34,23 @@ def matrix(facts: Mapping[str, Sequence[FactRow]], everything: bool) -> Matrix:
     """The matrix of the facts of each version, in their order; of those that differ, or of all."""
     columns = {version: _by_path(rows) for version, rows in facts.items()}
     paths: dict[str, None] = {}
-    for held in columns.values():
-        paths |= dict.fromkeys(held)
-    made = []
+    for rows_by_path in columns.values():
+        paths |= dict.fromkeys(rows_by_path)
+    rows_of_matrix = []
     for path in paths:
-        rows = [held.get(path) for held in columns.values()]
+        rows = [rows_by_path.get(path) for rows_by_path in columns.values()]
         if everything or len({_row_values(row) for row in rows}) > 1:
             kind = next(str(row["kind"]) for row in rows if row is not None)
-            made.append(MatrixRow(path, kind, tuple(_cells(rows))))
-    return Matrix(tuple(facts), tuple(made))
+            rows_of_matrix.append(MatrixRow(path, kind, tuple(_cells(rows))))
+    return Matrix(tuple(facts), tuple(rows_of_matrix))
 
 
 def _by_path(rows: Sequence[FactRow]) -> dict[str, FactRow]:
     """The first row of each path; the others are the same fact, printed again."""
-    found: dict[str, FactRow] = {}
+    first_rows: dict[str, FactRow] = {}
     for row in rows:
-        found.setdefault(str(row["path"]), row)
-    return found
+        first_rows.setdefault(str(row["path"]), row)
+    return first_rows
 
 
 def _row_values(row: FactRow | None) -> tuple[tuple[str, str], ...] | None:
@@ -64,11 +64,11 @@ def _cells(rows: Sequence[FactRow | None]) -> list[str]:
     cells: list[str] = []
     before: dict[str, str] | None = None
     for row in rows:
-        said = _row_values(row)
-        if said is None:
+        values = _row_values(row)
+        if values is None:
             cells.append("")
             continue
-        now = dict(said)
+        now = dict(values)
         if before is None:
             cells.append(_described(now))
         elif now == before:
@@ -80,10 +80,10 @@ def _cells(rows: Sequence[FactRow | None]) -> list[str]:
     return cells
 
 
-def _described(said: Mapping[str, str]) -> str:
+def _described(values: Mapping[str, str]) -> str:
     """A fact in a few words, where it is there for the first time."""
-    shown = [said[key] for key in ("type", "access", "ranges", "unit", "code") if key in said]
-    return " ".join(shown) or "there"
+    texts = [values[key] for key in ("type", "access", "ranges", "unit", "code") if key in values]
+    return " ".join(texts) or "there"
 
 
 def _text(cell: Cell) -> str:

@@ -91,16 +91,16 @@ class SharedRows:
 
 def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> FactRow:
     """A row with the first place of the manual; cells that are empty texts stay empty."""
-    made = _BLANK.copy()
-    made["kind"], made["path"], made["errata"] = kind, path, []
+    result_row = _BLANK.copy()
+    result_row["kind"], result_row["path"], result_row["errata"] = kind, path, []
     cited = tuple(sources)
     if cited:
         text = "; ".join(citation.text() for citation in cited)
-        made.update(section=cited[0].section or None, line=cited[0].line(), sources=text)
+        result_row.update(section=cited[0].section or None, line=cited[0].line(), sources=text)
     for key, cell in cells.items():
         if cell is not None and cell != "":
-            made[key] = cell
-    return made
+            result_row[key] = cell
+    return result_row
 
 
 def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[FactRow]:
@@ -131,9 +131,9 @@ def of_value(value: Value | None) -> FactRow:
     }
 
 
-def of_flag(given: bool | None) -> str:
+def of_flag(flag: bool | None) -> str:
     """A truth value as a cell: empty where nothing is said."""
-    return "" if given is None else "yes" if given else "no"
+    return "" if flag is None else "yes" if flag else "no"
 
 
 def of_ranges(ranges: Ranges | None) -> FactRow:

@@ -17,12 +17,12 @@ from fieldspec.model.record import Message
 from fieldspec.model.value import Conversion
 
 
-def codes(device: Device, kept: SharedRows) -> Iterator[FactRow]:
+def codes(device: Device, shared: SharedRows) -> Iterator[FactRow]:
     """The rows of enums and of words of flags."""
     for enum in device.enums.values():
-        yield from kept.rows(enum, partial(_enum, enum))
+        yield from shared.rows(enum, partial(_enum, enum))
     for word in device.flags.values():
-        yield from kept.rows(word, partial(_flags, word))
+        yield from shared.rows(word, partial(_flags, word))
 
 
 def _enum(enum: Enum) -> Iterator[FactRow]:
@@ -79,8 +79,8 @@ def wire(layout: DeviceLayout) -> Iterator[FactRow]:
         yield from of_fact("signal", signal, signal.value, direction=signal.direction)
     for conversion in layout.device.conversions.values():
         yield from _conversion(conversion)
-    for laid in layout.messages.values():
-        yield from _message(layout, laid)
+    for message_layout in layout.messages.values():
+        yield from _message(layout, message_layout)
     in_tables = {table.record.name for table in layout.tables.values()}
     for record in layout.records.values():
         if record.name not in in_tables:
@@ -113,9 +113,9 @@ def fields(
             yield from _case(case, code, direction)
 
 
-def _case(laid: CaseLayout, code: int | None, direction: str) -> Iterator[FactRow]:
+def _case(case_layout: CaseLayout, code: int | None, direction: str) -> Iterator[FactRow]:
     """What may lie in a field, and for which values of the deciding one."""
-    case = laid.case
+    case = case_layout.case
     yield from of_fact("case", case, case.value, code=code, direction=direction)
     for name in case.when:
         yield row("case_value", f"{case.place.path}/when/{name}", case.sources, name=name)
@@ -142,16 +142,16 @@ def _conversion(conversion: Conversion) -> Iterator[FactRow]:
             yield row(kind, f"{path}/{key}/{number}", conversion.sources, name=name)
 
 
-def _message(layout: DeviceLayout, laid: MessageLayout) -> Iterator[FactRow]:
+def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[FactRow]:
     """A message, its printed sizes, the messages beside which it is sent, and its fields."""
-    message, kind = laid.message, _kind(layout, laid.message)
+    message, kind = message_layout.message, _kind(layout, message_layout.message)
     code = message.number if message.code is None else message.code
     yield from of_fact(kind, message, code=code, number=message.number)
     yield from _lengths(message, code)
     for number, name in enumerate(message.supplements):
         yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)
     for direction in ("request", "response"):
-        yield from fields(f"{kind}_field", laid.data(direction), code, direction=direction)
+        yield from fields(f"{kind}_field", message_layout.data(direction), code, direction=direction)
 
 
 def _placed(field: FieldLayout, base: int | None) -> FactRow:
@@ -229,8 +229,8 @@ def _serial(link: Link) -> Iterator[FactRow]:
         ("parity", serial.parity, None),
         ("stop_bits", serial.stop_bits, None),
     )
-    for name, held, default in settings:
-        if held:
-            text = ", ".join(map(str, held))
+    for name, values, default in settings:
+        if values:
+            text = ", ".join(map(str, values))
             path = f"{link.place.path}/serial/{name}"
             yield row("serial", path, serial.sources or link.sources, name=name, ranges=text, default=default)

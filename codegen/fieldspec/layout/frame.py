@@ -126,7 +126,7 @@ class LinkLayout:
 
     def message_with_code(self, code: int) -> MessageLayout | None:
         """The message with a function or command code."""
-        return next((laid for laid in self.messages.values() if laid.message.code == code), None)
+        return next((message for message in self.messages.values() if message.message.code == code), None)
 
     def frame(self, direction: str) -> FrameLayout:
         """The frame in one direction."""
@@ -135,7 +135,11 @@ class LinkLayout:
 
 def link_layout(link: Link, messages: Mapping[str, MessageLayout]) -> LinkLayout:
     """The layout of a link, given all messages of the device."""
-    sent = {name: laid for name, laid in messages.items() if not laid.message.links or link.name in laid.message.links}
+    sent = {
+        name: message
+        for name, message in messages.items()
+        if not message.message.links or link.name in message.message.links
+    }
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), sent)
 
 

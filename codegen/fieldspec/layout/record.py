@@ -91,9 +91,13 @@ class RecordLayout:
         if self.selector is None:
             return self
         at = self.selector.offset
-        held = data[at : at + self.selector.size]
+        selector_bytes = data[at : at + self.selector.size]
         order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
-        return self.chosen.get(int.from_bytes(held, order)) if len(held) == self.selector.size else None
+        return (
+            self.chosen.get(int.from_bytes(selector_bytes, order))
+            if len(selector_bytes) == self.selector.size
+            else None
+        )
 
     def of_number(self, number: object) -> RecordLayout | None:
         """The same for a value of the selector."""
@@ -143,20 +147,20 @@ def _choosing(
         numbers = frozenset(member.value for name in case.when if (member := enum.named(name)) is not None)
         cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
         decided = replace(last, value=case.value, choice=None)
-        laid = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
-        chosen |= dict.fromkeys(sorted(numbers), laid)
+        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders)
+        chosen |= dict.fromkeys(sorted(numbers), record_layout)
     shapes = list(chosen.values())
     first = shapes[0]
-    sizes = {laid.size for laid in shapes}
-    smallest = min((laid.fields[-1] for laid in shapes), key=lambda field: field.size)
+    sizes = {shape.size for shape in shapes}
+    smallest = min((shape.fields[-1] for shape in shapes), key=lambda field: field.size)
     field = replace(smallest, field=last, value=None, cases=tuple(cases))
-    bounds = [laid.most for laid in shapes]
+    bounds = [shape.most for shape in shapes]
     return RecordLayout(
         record,
         record.name,
         (*first.fields[:-1], field),
         sizes.pop() if len(sizes) == 1 else None,
-        min(laid.least for laid in shapes),
+        min(shape.least for shape in shapes),
         None if None in bounds else max(most for most in bounds if most is not None),
         first.named(choice.by),
         chosen,
@@ -173,10 +177,10 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders) 
         size = field.value.size if field.value else (inner.size or 0) if inner else 0
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
-        laid = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped)
-        fields.append(laid)
+        field_layout = FieldLayout(field, field.name, at, size, count, field.value, inner, order, swapped)
+        fields.append(field_layout)
         if count is None:
-            repeated = laid
+            repeated = field_layout
         else:
             at += size * count
     if repeated is None:

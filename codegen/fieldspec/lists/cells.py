@@ -75,13 +75,13 @@ def address_text(text: str) -> AddressText | None:
 
 def address_range(text: str, row: int) -> AddressRange | None:
     """The address or addresses in a cell, or None where there are none. A number with separators is refused."""
-    shown = unicodedata.normalize("NFKC", text).strip()
-    if _GROUPED.fullmatch(shown):
+    normalized = unicodedata.normalize("NFKC", text).strip()
+    if _GROUPED.fullmatch(normalized):
         raise ListError(f"has the address `{text}` in row {row}, with separators between thousands; take them out")
-    whole = address_text(shown)
+    whole = address_text(normalized)
     if whole is not None:
         return AddressRange(whole)
-    parts = _SPAN.split(shown)
+    parts = _SPAN.split(normalized)
     ends = [address_text(part) for part in parts]
     if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
         first, last = ends[0], ends[1]
@@ -95,10 +95,10 @@ def address_range(text: str, row: int) -> AddressRange | None:
 
 def base_of_heading(heading: str) -> str:
     """The base that a heading names, or nothing."""
-    shown = unicodedata.normalize("NFKC", heading).casefold()
-    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", shown):
+    normalized = unicodedata.normalize("NFKC", heading).casefold()
+    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", normalized):
         return HEXADECIMAL
-    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]", shown) else ""
+    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]", normalized) else ""
 
 
 _TYPES: dict[str, str] = {
@@ -140,12 +140,12 @@ class Typed:
 
     def fits(self, name: str) -> bool:
         """Whether a type is as it says."""
-        held = PRIMITIVES.get(name)
-        if held is None or name == self.name:
+        primitive = PRIMITIVES.get(name)
+        if primitive is None or name == self.name:
             return name == self.name
         if self.name:
             return False
-        return held.kind is self.kind and self.signed in (None, held.signed)
+        return primitive.kind is self.kind and self.signed in (None, primitive.signed)
 
     def of_words(self, words: int | None) -> str:
         """The name of the type, of as many words where it does not say it."""
@@ -179,18 +179,18 @@ def access(text: str) -> str:
 
 def number(text: str) -> Decimal | None:
     """An exact number, decimal or hexadecimal with a mark."""
-    found = _NUMBER.fullmatch(unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip())
-    if found is None:
+    match = _NUMBER.fullmatch(unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip())
+    if match is None:
         return None
-    sign, marked, ended, plain = found.groups()
-    held = Decimal(plain) if plain else Decimal(int(marked or ended, 16))
-    return -held if sign == "-" else held
+    sign, marked, ended, decimal = match.groups()
+    magnitude = Decimal(decimal) if decimal else Decimal(int(marked or ended, 16))
+    return -magnitude if sign == "-" else magnitude
 
 
 def whole(text: str) -> int | None:
     """A whole number, or None."""
-    held = number(text)
-    return int(held) if held is not None and held == held.to_integral_value() else None
+    value = number(text)
+    return int(value) if value is not None and value == value.to_integral_value() else None
 
 
 def bounds(text: str) -> tuple[Decimal, Decimal] | None:

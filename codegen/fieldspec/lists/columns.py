@@ -91,7 +91,7 @@ def folded(text: str) -> str:
     return "".join(sign for sign in wide if sign.isalnum())
 
 
-def columns(sheet: Sheet, given: Mapping[str, str]) -> Columns:
+def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     """The columns of a sheet; `given` has a heading, a letter or a number for some roles."""
     if not sheet.rows:
         raise ListError("is empty")
@@ -99,12 +99,12 @@ def columns(sheet: Sheet, given: Mapping[str, str]) -> Columns:
     for at, row in enumerate(sheet.rows[:_HEADED_BY]):
         if not _is_heading(row):
             continue
-        found = Columns(_guessed(row.cells, given), row.cells, sheet.rows[at + 1 :])
-        if "address" in found.places and (best is None or len(found.places) > len(best.places)):
-            best = found
+        candidate = Columns(_guessed(row.cells, names), row.cells, sheet.rows[at + 1 :])
+        if "address" in candidate.places and (best is None or len(candidate.places) > len(best.places)):
+            best = candidate
     if best is None:
-        best = _without_heading(sheet, given)
-    _refuse_unreadable(sheet, best, given)
+        best = _without_heading(sheet, names)
+    _refuse_unreadable(sheet, best, names)
     return best
 
 
@@ -115,14 +115,14 @@ def _is_heading(row: SheetRow) -> bool:
     return bool(filled) and not numbers
 
 
-def _guessed(cells: Sequence[str], given: Mapping[str, str]) -> dict[str, int]:
+def _guessed(cells: Sequence[str], names: Mapping[str, str]) -> dict[str, int]:
     heads = [folded(cell) for cell in cells]
     places: dict[str, int] = {}
-    for role, text in given.items():
+    for role, text in names.items():
         place = _placed(cells, text)
         if place is not None:
             places[role] = place
-    if len(places) < len(given):
+    if len(places) < len(names):
         return {}
     for role, words in HEADINGS.items():
         taken = set(places.values())
@@ -159,33 +159,34 @@ def _numbered(text: str, width: int) -> int | None:
     return None
 
 
-def _without_heading(sheet: Sheet, given: Mapping[str, str]) -> Columns:
+def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     """The columns of a list whose first row is data already, or has a heading that says nothing."""
     first = sheet.rows[0]
     width = max(len(row.cells) for row in sheet.rows)
     heads = first.cells if _is_heading(first) else ()
-    shown = headings_shown(heads)
+    headings = headings_text(heads)
     places = {}
-    for role, text in given.items():
+    for role, text in names.items():
         place = _placed(heads, text) if heads else None
         place = _numbered(text, width) if place is None else place
         if place is None:
-            raise ListError(f"has no column {text}; there are {shown}, or give a letter or a number")
+            raise ListError(f"has no column {text}; there are {headings}, or give a letter or a number")
         places[role] = place
     if "address" not in places:
         raise ListError(
-            f"has no column that looks like addresses ({shown}); name it with --address, by heading, letter or number"
+            f"has no column that looks like addresses ({headings}); name it with --address, by its heading, letter or "
+            "number"
         )
     rows = sheet.rows[1:] if heads else sheet.rows
     return Columns(places, heads, rows)
 
 
-def _refuse_unreadable(sheet: Sheet, found: Columns, given: Mapping[str, str]) -> None:
+def _refuse_unreadable(sheet: Sheet, columns: Columns, names: Mapping[str, str]) -> None:
     """Refuses what the used columns cannot hold: formulas, and cells that are merged."""
-    if not found.rows:
+    if not columns.rows:
         raise ListError("has a heading and no rows")
-    used = {place + 1: role for role, place in found.places.items()}
-    first = found.rows[0].number
+    used = {place + 1: role for role, place in columns.places.items()}
+    first = columns.rows[0].number
     wrong = sorted((row, column) for row, column in sheet.formulas if column in used and row >= first)
     if wrong:
         row, column = wrong[0]
@@ -197,7 +198,7 @@ def _refuse_unreadable(sheet: Sheet, found: Columns, given: Mapping[str, str]) -
             raise ListError(f"has merged cells {area.text()}; undo the merge and fill each cell")
 
 
-def headings_shown(headings: Iterable[str]) -> str:
+def headings_text(headings: Iterable[str]) -> str:
     """The headings of a file for a message, which stays one that a person can read."""
     shown = ", ".join(text for text in headings if text)
     if not shown:

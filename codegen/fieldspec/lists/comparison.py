@@ -125,8 +125,8 @@ def compared(
     known = _Known(items)
     aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
     ways = [
-        (base, one, list(moved(listing.rows(base), one)))
-        for one in ((offset,) if offset is not None else _OFFSETS)
+        (base, shift, list(moved(listing.rows(base), shift)))
+        for shift in ((offset,) if offset is not None else _OFFSETS)
         for base in sorted(listing.bases, key=lambda base: listing.bases.index(base))
     ]
     base, best, rows = _likeliest(known, ways, aspects)
@@ -169,13 +169,13 @@ def _paired(
     covered: dict[int, set[int]] = defaultdict(set)
     seen: dict[tuple[int, int], int] = {}
     for row in rows:
-        found = known.at(row)
-        if not found:
+        candidates = known.at(row)
+        if not candidates:
             holder = known.inside.get((known.space(row), row.address))
             extras.append(Extra(row, f"inside {holder.name}" if holder else ""))
             continue
-        fresh = [item for item in found if (id(item), row.address) not in seen]
-        item = max(fresh or found, key=lambda item: _fit(item, row, aspects))
+        fresh = [item for item in candidates if (id(item), row.address) not in seen]
+        item = max(fresh or candidates, key=lambda item: _fit(item, row, aspects))
         if not fresh:
             extras.append(Extra(row, f"listed before in row {seen[id(item), row.address]}"))
             continue
@@ -185,9 +185,15 @@ def _paired(
         others = _others(known, item, row)
         for other in others:
             covered[id(other)].add(0)
-        told = _differences(item, row, aspects)
+        differences = _differences(item, row, aspects)
         whole = len(others) == row.count - 1 > 0
-        pairs.append(Pair(item, row, tuple(one for one in told if not (whole and one.aspect == "count"))))
+        pairs.append(
+            Pair(
+                item,
+                row,
+                tuple(difference for difference in differences if not (whole and difference.aspect == "count")),
+            )
+        )
     return pairs, extras, covered
 
 
@@ -197,8 +203,8 @@ def _others(known: _Known, item: Item, row: ListRow) -> list[Item]:
     if item.count > 1:
         return []
     places = ((item.space, row.address + number * step) for number in range(1, min(row.count, len(known.starts) + 1)))
-    found = [other for place in places for other in known.starts.get(place, ())[:1]]
-    return [other for other in found if (other.type, other.words) == (item.type, item.words)]
+    items = [other for place in places for other in known.starts.get(place, ())[:1]]
+    return [other for other in items if (other.type, other.words) == (item.type, item.words)]
 
 
 def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:
@@ -240,12 +246,12 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
         yield Difference("scale", f"{value.scale:f}", texts["scale"])
     default = value.default if value.const is None else value.const
     ranges = value.written_ranges
-    held = (
+    bounds = (
         ("min", ranges.low if ranges else None, row.low),
         ("max", ranges.high if ranges else None, row.high),
         ("default", default if isinstance(default, int) else None, row.default),
     )
-    for aspect, ours, theirs in held:
+    for aspect, ours, theirs in bounds:
         if aspect in aspects and ours is not None and theirs is not None and not _same(item, ours, theirs):
             yield Difference(aspect, str(ours), f"{theirs:f}")
 
@@ -261,7 +267,7 @@ def _same_unit(ours: str, theirs: str) -> bool:
 
 def _scale(text: str) -> Decimal | None:
     try:
-        held = Decimal(text)
+        number = Decimal(text)
     except ArithmeticError:
         return None
-    return held if held.is_finite() else None
+    return number if number.is_finite() else None

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.lists.cells import HEXADECIMAL, address_text, base_of_heading
-from fieldspec.lists.columns import headings_shown
+from fieldspec.lists.columns import headings_text
 from fieldspec.lists.json_text import json_data
 from fieldspec.lists.listing import Listing, listing
 from fieldspec.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
@@ -79,17 +79,19 @@ def _cell(value: object) -> str:
     return clean(text)
 
 
-def dump(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Dump:
+def dump(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Dump:
     """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written. Raises ListError.
 
     A sheet of two columns without headings has the addresses in the first one.
     """
-    if not {"address", "value"} & given.keys() and _bare(sheet):
-        given = {**given, "address": "1", "value": "2"}
-    held = listing(sheet, given, base)
+    if not {"address", "value"} & names.keys() and _bare(sheet):
+        names = {**names, "address": "1", "value": "2"}
+    held = listing(sheet, names, base)
     if "value" not in held.columns.places:
-        shown = headings_shown(held.columns.headings)
-        raise ListError(f"has no column that looks like values ({shown}); name it with --value, by heading or number")
+        headings = headings_text(held.columns.headings)
+        raise ListError(
+            f"has no column that looks like values ({headings}); name it with --value, by heading or number"
+        )
     texts = {row.number: held.columns.cell(row, "value") for row, _ in held.addresses}
     lettered = any(_lettered(piece) for text in texts.values() for piece in _pieces(text))
     hexadecimal = lettered or base_of_heading(held.columns.heading("value")) == HEXADECIMAL
@@ -110,14 +112,14 @@ def _bare(sheet: Sheet) -> bool:
 
 def _pieces(text: str) -> Sequence[str]:
     """The numbers in a cell: one, or several words."""
-    shown = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("[]()").strip()
-    return [piece for piece in _BETWEEN.split(shown) if piece]
+    normalized = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("[]()").strip()
+    return [piece for piece in _BETWEEN.split(normalized) if piece]
 
 
 def _lettered(piece: str) -> bool:
     """Whether there are letters among digits without a mark, so that they are hexadecimal."""
-    found = _NUMBER.fullmatch(piece)
-    return found is not None and bool(found[4]) and not found[4].isdecimal()
+    match = _NUMBER.fullmatch(piece)
+    return match is not None and bool(match[4]) and not match[4].isdecimal()
 
 
 def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
@@ -128,11 +130,11 @@ def _values(text: str, row: int, hexadecimal: bool) -> tuple[int, ...]:
 
 def _number(piece: str, text: str, row: int, hexadecimal: bool) -> int:
     pointless = _POINTLESS.fullmatch(piece)
-    found = _NUMBER.fullmatch(pointless[1] if pointless else piece)
-    if found is None:
+    match = _NUMBER.fullmatch(pointless[1] if pointless else piece)
+    if match is None:
         raise ListError(f"has the value `{text[:40]}` in row {row}, which is no whole number of counts")
-    sign, marked, ended, plain = found.groups()
-    number = int(marked or ended, 16) if marked or ended else int(plain, 16 if hexadecimal else 10)
+    sign, marked, ended, decimal = match.groups()
+    number = int(marked or ended, 16) if marked or ended else int(decimal, 16 if hexadecimal else 10)
     if number >= _LIMIT:
         raise ListError(f"has the value `{text[:40]}` in row {row}, which is too great")
     return -number if sign == "-" else number

@@ -75,11 +75,11 @@ def row(item: Item) -> dict[str, Cell]:
 
 def as_csv(items: Sequence[Item]) -> str:
     """UTF-8 text with a heading, commas and line feeds; no cell is a formula to a spreadsheet."""
-    made = io.StringIO()
-    writer = csv.writer(made, lineterminator="\n")
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
     writer.writerows([_text(cell) for cell in row(item).values()] for item in items)
-    return made.getvalue()
+    return text.getvalue()
 
 
 def as_json(items: Sequence[Item]) -> str:

@@ -53,12 +53,14 @@ class Item:
 def items(layout: DeviceLayout) -> list[Item]:
     """All items of a device: registers, tables and parameters, each by address."""
     enums = layout.device.enums
-    found = [item for register in layout.device.registers() for item in _register(layout.device, register, enums)]
-    found += [item for table in layout.tables.values() for item in _table(layout.device, table, enums)]
-    found.sort(key=lambda item: item.address)
-    for held in layout.device.parameters.values():
-        found += [item for parameter in held.parameters for item in _parameter(held, parameter, enums)]
-    return found
+    items = [item for register in layout.device.registers() for item in _register(layout.device, register, enums)]
+    items += [item for table in layout.tables.values() for item in _table(layout.device, table, enums)]
+    items.sort(key=lambda item: item.address)
+    for parameter_set in layout.device.parameters.values():
+        items += [
+            item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter, enums)
+        ]
+    return items
 
 
 def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
@@ -83,9 +85,9 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
         )
 
 
-def _table(device: Device, laid: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
-    table = laid.table
-    for name, field, byte, access in _flat(laid.record, table.access):
+def _table(device: Device, table_layout: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
+    table = table_layout.table
+    for name, field, byte, access in _flat(table_layout.record, table.access):
         yield Item(
             space=_space(device, table.space),
             address=table.base + byte // 2,
@@ -129,11 +131,11 @@ def _flat(
                 yield from _flat(field.record, allowed, f"{name}.", byte)
 
 
-def _parameter(held: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _parameter(parameter_set: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
     for number in range(parameter.number, parameter.number + parameter.count):
         yield Item(
-            space=held.space,
-            address=held.base + number,
+            space=parameter_set.space,
+            address=parameter_set.base + number,
             name=f"{parameter.name}_{number}" if parameter.count > 1 else parameter.name,
             words=None,
             type=parameter.value.type.name,
@@ -156,7 +158,7 @@ def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str,
     """The values that have names: members of the enum, and sentinels."""
     enum = enums.get(value.enum) if value is not None and value.enum else None
     named = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
-    return (*named, *((one.text, one.name) for one in (value.sentinels if value is not None else ())))
+    return (*named, *((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ())))
 
 
 def exact_number(number: Decimal) -> int | Decimal:

@@ -28,8 +28,8 @@ def _count(text: str) -> None:
     """Refuses a text with too many values or levels."""
     depth = values = escaped = 0
     within = False
-    for found in _SIGN.finditer(text):
-        sign, at = found[0], found.start()
+    for match in _SIGN.finditer(text):
+        sign, at = match[0], match.start()
         if at < escaped:
             continue
         if sign == "\\":

@@ -58,54 +58,54 @@ class Listing:
 
     def rows(self, base: str) -> list[ListRow]:
         """What the rows say, with addresses read in a way of `bases`."""
-        return [_list_row(self.columns, row, held, base) for row, held in self.addresses]
+        return [_list_row(self.columns, row, addresses, base) for row, addresses in self.addresses]
 
     def heading(self, role: str) -> str:
         """The heading of a role's column."""
         return self.columns.heading(role)
 
 
-def listing(sheet: Sheet, given: Mapping[str, str], base: str = "") -> Listing:
+def listing(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Listing:
     """Reads a sheet; `given` names the columns of some roles, `base` says how addresses are written."""
-    found = columns(sheet, given)
+    found = columns(sheet, names)
     rows: list[tuple[SheetRow, AddressRange]] = []
     skipped: list[int] = []
     wrong: list[SheetRow] = []
     for row in found.rows:
         text = found.cell(row, "address")
-        held = address_range(text, row.number) if text else None
-        if held is not None:
-            rows.append((row, held))
+        addresses = address_range(text, row.number) if text else None
+        if addresses is not None:
+            rows.append((row, addresses))
         elif text and sum(map(bool, row.cells)) > 1 and row.cells != found.headings:
             wrong.append(row)
         else:
             skipped.append(row.number)
     heading = found.heading("address")
     if wrong:
-        shown = "; ".join(f"`{found.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS])
+        places = "; ".join(f"`{found.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS])
         more = f"; and {len(wrong) - _MOST_WORDS} more" if len(wrong) > _MOST_WORDS else ""
-        raise ListError(f"has no address under {heading}: {shown}{more}; name the column with --address")
+        raise ListError(f"has no address under {heading}: {places}{more}; name the column with --address")
     if not rows:
         alone = len(found.headings) == 1 and len(heading.split()) > 1
         parted = "; if blanks part its columns, put tabs, commas or bars between them" if alone else ""
         raise ListError(f"has no address under {heading}{parted}")
-    made = Listing(found, tuple(rows), tuple(skipped), _bases([held for _, held in rows], base, heading))
-    for one in made.bases:
-        _within(made.rows(one), heading)
-    return made
+    result = Listing(found, tuple(rows), tuple(skipped), _bases([addresses for _, addresses in rows], base, heading))
+    for way in result.bases:
+        _within(result.rows(way), heading)
+    return result
 
 
-def _bases(held: Sequence[AddressRange], base: str, heading: str) -> tuple[str, ...]:
+def _bases(ranges: Sequence[AddressRange], base: str, heading: str) -> tuple[str, ...]:
     """How digits without a mark may be read. Where the user or the heading says it, there is one way."""
-    ends = [end for one in held for end in (one.first, one.last) if end is not None]
-    said = base or base_of_heading(heading)
-    if not said and any(end.lettered for end in ends):
-        said = HEXADECIMAL
-    if said:
-        wrong = [end.digits for end in ends if end.number(said) is None]
+    ends = [end for address_range in ranges for end in (address_range.first, address_range.last) if end is not None]
+    stated = base or base_of_heading(heading)
+    if not stated and any(end.lettered for end in ends):
+        stated = HEXADECIMAL
+    if stated:
+        wrong = [end.digits for end in ends if end.number(stated) is None]
         if wrong:
-            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {said}")
-        return (said,)
+            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {stated}")
+        return (stated,)
     bare = [end for end in ends if not end.mark]
     if not bare:
         return (HEXADECIMAL,)
@@ -125,8 +125,8 @@ def _within(rows: Sequence[ListRow], heading: str) -> None:
             raise ListError(f"has the address {row.address} under {heading} in row {row.row}, which is too great")
 
 
-def _list_row(held: Columns, row: SheetRow, address: AddressRange, base: str) -> ListRow:
-    texts = {role: text for role in held.places if (text := held.cell(row, role))}
+def _list_row(columns: Columns, row: SheetRow, address: AddressRange, base: str) -> ListRow:
+    texts = {role: text for role in columns.places if (text := columns.cell(row, role))}
     first = address.first.number(base) or 0
     last = address.last.number(base) if address.last is not None else None
     words = cells.whole(texts.get("words", ""))

@@ -34,10 +34,10 @@ def packed(held: Workbook) -> bytes:
     def fill(book: Any) -> None:
         quoted = book.add_format({"quote_prefix": True})
         for sheet in held.sheets:
-            made = book.add_worksheet(sheet.title[:LONGEST_TITLE])
+            worksheet = book.add_worksheet(sheet.title[:LONGEST_TITLE])
             for number, row in enumerate(sheet.rows):
                 for column, value in enumerate(row):
-                    _put(made, number, column, "" if value is None else value, quoted)
+                    _put(worksheet, number, column, "" if value is None else value, quoted)
         for name, text in held.properties.items():
             book.set_custom_property(name, text, "text")
 
@@ -58,8 +58,8 @@ def workbook(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]
         for last, row in enumerate(rows, 1):
             for column, value in enumerate(row):
                 if value is not None and value != "":
-                    shown = _put(sheet, last, column, value, quoted)
-                    widths[column] = min(max(widths[column], len(shown) + 1), _WIDEST)
+                    text = _put(sheet, last, column, value, quoted)
+                    widths[column] = min(max(widths[column], len(text) + 1), _WIDEST)
         for column, width in enumerate(widths):
             sheet.set_column(column, column, width + 2)
         sheet.freeze_panes(1, 0)
@@ -73,9 +73,9 @@ def _put(sheet: Any, row: int, column: int, value: object, quoted: object) -> st
     if not isinstance(value, str):
         sheet.write_number(row, column, value)
         return str(value)
-    shown = _NOT_XML.sub("", clean(value))[:LONGEST]
-    sheet.write_string(row, column, shown, quoted if shown.startswith(_FORMULAS) else None)
-    return shown
+    text = _NOT_XML.sub("", clean(value))[:LONGEST]
+    sheet.write_string(row, column, text, quoted if text.startswith(_FORMULAS) else None)
+    return text
 
 
 def _file_bytes(fill: Callable[[Any], None]) -> bytes:

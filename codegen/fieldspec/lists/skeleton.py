@@ -33,12 +33,12 @@ def named(texts: Iterable[str], address: int) -> str:
 
 def snake(text: str) -> str:
     """`Target Position (0.01 mm)` as `target_position`; nothing where the words are not English."""
-    plain = unicodedata.normalize("NFKD", _ASIDE.sub(" ", text))
-    plain = "".join(sign for sign in plain if not unicodedata.combining(sign))
-    if any(sign.isalpha() and not sign.isascii() for sign in plain):
+    ascii_text = unicodedata.normalize("NFKD", _ASIDE.sub(" ", text))
+    ascii_text = "".join(sign for sign in ascii_text if not unicodedata.combining(sign))
+    if any(sign.isalpha() and not sign.isascii() for sign in ascii_text):
         return ""
     name = ""
-    for word in _WORD.findall(plain):
+    for word in _WORD.findall(ascii_text):
         longer = f"{name}_{word}".strip("_").lower()
         if len(longer) > _LONGEST:
             break
@@ -119,20 +119,20 @@ def _shape(row: ListRow) -> _Shape:
 
 
 def _refuse_overlaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> None:
-    held: dict[int, int] = {}
+    rows_by_address: dict[int, int] = {}
     twice: list[tuple[int, int, int]] = []
     for row, shape in zip(rows, shapes, strict=True):
         stride = row.stride or shape.words
-        if len(held) + row.count * shape.words > _MOST_WORDS:
+        if len(rows_by_address) + row.count * shape.words > _MOST_WORDS:
             raise ListError(f"has more words than a device, up to row {row.row}")
         for address in (row.address + n * stride + word for n in range(row.count) for word in range(shape.words)):
-            first = held.setdefault(address, row.row)
+            first = rows_by_address.setdefault(address, row.row)
             if first != row.row and (not twice or twice[-1][1] != row.row):
                 twice.append((first, row.row, address))
     if twice:
-        shown = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
+        rows_text = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
         more = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
-        raise ListError(f"has two rows about the same word: {shown}{more}; put their addresses or words right")
+        raise ListError(f"has two rows about the same word: {rows_text}{more}; put their addresses or words right")
 
 
 def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
@@ -192,8 +192,8 @@ def _numbers(row: ListRow, is_integer: bool, lowest: int, highest: int, doubts: 
     if ranged:
         parts.append(f"range: {low:f}..{high:f}")
     else:
-        told = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
-        doubts += [f"{what} in the list: {text}." for what, text in told.items() if text]
+        unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
+        doubts += [f"{what} in the list: {text}." for what, text in unread.items() if text]
     if "default" in texts:
         inside = (low, high) if ranged else (Decimal(lowest), Decimal(highest))
         if (
@@ -236,12 +236,12 @@ def _words(row: ListRow, name: str, labels: set[str]) -> Iterator[str]:
 
 def _fresh(name: str, address: int, names: set[str]) -> str:
     """A name that no other register has."""
-    made, number = name, 1
-    while made in names:
-        made = f"{name}_{address:04x}" if number == 1 else f"{name}_{address:04x}_{number}"
+    fresh_name, number = name, 1
+    while fresh_name in names:
+        fresh_name = f"{name}_{address:04x}" if number == 1 else f"{name}_{address:04x}_{number}"
         number += 1
-    names.add(made)
-    return made
+    names.add(fresh_name)
+    return fresh_name
 
 
 def _decimal(text: str) -> Decimal | None:
@@ -265,4 +265,4 @@ def _quoted(text: str) -> str:
     ):
         return text
     escaped = (sign if sign.isprintable() or sign == " " else f"\\U{ord(sign):08X}" for sign in text)
-    return '"' + "".join(json.dumps(one)[1:-1] if one in '"\\' else one for one in escaped) + '"'
+    return '"' + "".join(json.dumps(sign)[1:-1] if sign in '"\\' else sign for sign in escaped) + '"'

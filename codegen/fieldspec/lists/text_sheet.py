@@ -83,23 +83,23 @@ def decoded(content: bytes, encoding: str = "") -> str:
         if content.startswith(mark):
             raise ListError(f"is {kind}")
     marked = next((name for mark, name in _MARKS if content.startswith(mark)), "")
-    given = encoding or marked
+    named = encoding or marked
     try:
-        if given:
-            found = codecs.lookup(given)
-            if not getattr(found, "_is_text_encoding", True):
+        if named:
+            codec = codecs.lookup(named)
+            if not getattr(codec, "_is_text_encoding", True):
                 raise LookupError
-        text = content.decode(given or "utf-8")
+        text = content.decode(named or "utf-8")
     except LookupError:
-        raise ListError(f"cannot be read: there is no encoding {given}; some are gbk, big5, utf-16, cp1252") from None
+        raise ListError(f"cannot be read: there is no encoding {named}; some are gbk, big5, utf-16, cp1252") from None
     except UnicodeError:
-        if given:
-            raise ListError(f"is not in the encoding {given}; give another one with --encoding") from None
+        if named:
+            raise ListError(f"is not in the encoding {named}; give another one with --encoding") from None
         if b"\0" in content:
             raise ListError("is binary: give a CSV or XLSX file, or say --encoding utf-16-le") from None
         raise ListError("is not UTF-8; say which encoding it has, as in --encoding gbk or --encoding big5") from None
     if "\0" in text:
-        hint = "give a CSV or XLSX file" if given else "give a CSV or XLSX file, or say --encoding utf-16-le"
+        hint = "give a CSV or XLSX file" if named else "give a CSV or XLSX file, or say --encoding utf-16-le"
         raise ListError(f"is binary: {hint}")
     return text.removeprefix("\ufeff")
 
@@ -115,7 +115,7 @@ def _separator(lines: list[str]) -> str:
             widths = Counter(len(row) for row in csv.reader(looked_at, delimiter=separator) if len(row) > 1)
         except csv.Error:
             continue
-        width, count = max(widths.items(), key=lambda held: (held[1], held[0]), default=(0, 0))
+        width, count = max(widths.items(), key=lambda pair: (pair[1], pair[0]), default=(0, 0))
         if (count, width) > most:
             best, most = separator, (count, width)
     return best

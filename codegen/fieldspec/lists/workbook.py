@@ -26,14 +26,14 @@ def workbook_sheet(content: bytes, named: str = "") -> Sheet:
         raise ListError("is no workbook that can be read; save it anew as .xlsx, or as CSV") from None
     sheets = list(book.worksheets)
     if named:
-        found = [sheet for sheet in sheets if sheet.title == named]
-        if not found:
+        matches = [sheet for sheet in sheets if sheet.title == named]
+        if not matches:
             raise ListError(f"has no sheet {named}; there are {', '.join(sheet.title for sheet in sheets)}")
-        return _sheet(found[0])
+        return _sheet(matches[0])
     for sheet in sheets:
-        made = _sheet(sheet)
-        if made.rows:
-            return made
+        result = _sheet(sheet)
+        if result.rows:
+            return result
     raise ListError("is empty")
 
 
@@ -44,12 +44,12 @@ def _sheet(sheet: Worksheet) -> Sheet:
         raise ListError(f"has more than {MOST_COLUMNS} columns")
     rows = []
     formulas = set()
-    for number, held in enumerate(sheet.iter_rows(), 1):
+    for number, row in enumerate(sheet.iter_rows(), 1):
         cells = []
-        for column, one in enumerate(held, 1):
-            if one.data_type == "f":
+        for column, cell in enumerate(row, 1):
+            if cell.data_type == "f":
                 formulas.add((number, column))
-            cells.append(_text(one.value))
+            cells.append(_text(cell.value))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
     merged = tuple(

@@ -23,13 +23,13 @@ def enum_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
-        yield from _compared(both, held, held.old.enum, held.new.enum)
+    for values in both.values:
+        yield from _compared(both, values, values.old.enum, values.new.enum)
     for pair in both.of(Bit):
         yield from _compared(both, pair, pair.old.enum, pair.new.enum)
 
 
-def _compared(both: Comparison, held: Values | Pair[Bit], old: str, new: str) -> Iterator[Change]:
+def _compared(both: Comparison, differing: Values | Pair[Bit], old: str, new: str) -> Iterator[Change]:
     before, after = _names(both.old, old), _names(both.new, new)
     old = both.renamed_to("enums", old)
     if old == new:
@@ -37,9 +37,9 @@ def _compared(both: Comparison, held: Values | Pair[Bit], old: str, new: str) ->
     differ = any(after[value] != name for value, name in before.items() if value in after)
     lost = bool(after) and any(value not in after for value in before)
     effect = Effect.WIRE if differ or lost else Effect.SOURCE
-    fact = held.of.new if isinstance(held, Values) else held.new
+    fact = differing.of.new if isinstance(differing, Values) else differing.new
     text = f"{named(fact)}: {turned('the enum', old, new)}"
-    yield change("enum_changed", effect, held, "enum", text, old, new, ALL)
+    yield change("enum_changed", effect, differing, "enum", text, old, new, ALL)
 
 
 def _names(device: Device, name: str) -> dict[int, str]:

@@ -105,13 +105,11 @@ def renamed(both: Comparison) -> Iterator[Change]:
     freely.
     """
 
-    for found in both.renamed:
-        old, new = named(found.pair.old), named(found.pair.new)
-        noun = MODEL_CLASSES[type(found.pair.new)]
-        text = (
-            f"the {kind(found.pair.new)} {old}{within(found.pair.holder[1])} is called {new}; it has {found.evidence}"
-        )
-        yield change("renamed", noun.renaming, found.pair, "name", text, old, new, noun.outputs)
+    for renaming in both.renamed:
+        old, new = named(renaming.pair.old), named(renaming.pair.new)
+        noun = MODEL_CLASSES[type(renaming.pair.new)]
+        text = f"the {kind(renaming.pair.new)} {old}{within(renaming.pair.holder[1])} is called {new}; it has {renaming.evidence}"
+        yield change("renamed", noun.renaming, renaming.pair, "name", text, old, new, noun.outputs)
 
 
 def availability_changed(both: Comparison) -> Iterator[Change]:
@@ -166,9 +164,13 @@ def documentation_changed(both: Comparison) -> Iterator[Change]:
 
     for noun, texts in TEXTS.items():
         for pair in both.any_of(noun):
-            held = [(key, *_followed(both, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()]
+            texts_by_key = [
+                (key, *_followed(both, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()
+            ]
             differ = [
-                (key, old, new) for key, old, new in held if old != new and not _is_told_by_signal(both, pair, key)
+                (key, old, new)
+                for key, old, new in texts_by_key
+                if old != new and not _belongs_to_signal(both, pair, key)
             ]
             if differ:
                 keys = [key for key, _, _ in differ]
@@ -192,7 +194,9 @@ def _followed(both: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -
         return (both.renamed_path(old) if isinstance(old, str) else tuple(map(both.renamed_path, old))), new
     if key == "sentinels":
         shared = old.keys() & new.keys()
-        return {one: old[one] for one in old if one in shared}, {one: new[one] for one in new if one in shared}
+        return {value: old[value] for value in old if value in shared}, {
+            value: new[value] for value in new if value in shared
+        }
     if key == "scale" and not _same_scale(pair):
         return "", ""
     return old, new
@@ -203,7 +207,7 @@ def _same_scale(pair: Pair[Any]) -> bool:
     return old is not None and new is not None and old.scale == new.scale
 
 
-def _is_told_by_signal(both: Comparison, pair: Pair[Any], key: str) -> bool:
+def _belongs_to_signal(both: Comparison, pair: Pair[Any], key: str) -> bool:
     """Whether a signal tells what has changed at a field that takes its texts from there."""
     if not isinstance(pair.new, Field) or key not in _OF_SIGNAL:
         return False
@@ -217,8 +221,8 @@ def _old_and_new(differ: list[tuple[str, Any, Any]]) -> tuple[list[tuple[str, An
     return [(key, old) for key, old, _ in differ], [(key, new) for key, _, new in differ]
 
 
-def _key_text(key: str, held: Any) -> str:
-    return f"{key}: {value_text(held)}"
+def _key_text(key: str, value: Any) -> str:
+    return f"{key}: {value_text(value)}"
 
 
 _KEYS = (

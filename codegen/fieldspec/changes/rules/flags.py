@@ -44,15 +44,15 @@ def flags_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
-        old, new = both.renamed_to("flags", held.old.flags), held.new.flags
+    for values in both.values:
+        old, new = both.renamed_to("flags", values.old.flags), values.new.flags
         if old == new:
             continue
-        before, after = _names(both.old, held.old.flags), _names(both.new, new)
+        before, after = _names(both.old, values.old.flags), _names(both.new, new)
         lost = bool(before) and bool(after) and not before <= after
         effect = Effect.WIRE if lost else Effect.SOURCE
-        text = f"{named(held.of.new)}: {turned('the word of flags', old, new)}"
-        yield change("flags_changed", effect, held, "flags", text, old, new, ALL)
+        text = f"{named(values.of.new)}: {turned('the word of flags', old, new)}"
+        yield change("flags_changed", effect, values, "flags", text, old, new, ALL)
 
 
 def _names(device: Device, name: str) -> set[tuple[int, int, str]]:

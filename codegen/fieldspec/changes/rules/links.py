@@ -52,7 +52,7 @@ def check_changed(both: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(pair.new)}: {turned('the algorithm', old, new)}"
             yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
-        old, new = _counted(pair.old), _counted(pair.new)
+        old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new:
             check = "check" in (pair.old.role, pair.new.role)
             what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
@@ -61,15 +61,15 @@ def check_changed(both: Comparison) -> Iterator[Change]:
             )
 
 
-def _counted(part: Part) -> str:
+def _span_text(part: Part) -> str:
     """`words from command to body plus 2`, or `from command to body`"""
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
     if part.role == "check":
         return " ".join(words) or "all before it"
-    counted = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
-    return f"{counted} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else counted
+    text = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
+    return f"{text} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else text
 
 
 def code_changed(both: Comparison) -> Iterator[Change]:
@@ -136,11 +136,11 @@ def role_changed(both: Comparison) -> Iterator[Change]:
             yield _role_text(part, "role", "the role", part.old.role, part.new.role)
     for field in both.of(Field):
         yield from _of_field(both, field)
-    for held in both.values:
-        old, new = _parameter(held.old.parameter, both), _parameter(held.new.parameter, None)
+    for values in both.values:
+        old, new = _parameter(values.old.parameter, both), _parameter(values.new.parameter, None)
         if old != new:
-            text = f"{named(held.of.new)}: {turned('the part of a parameter that it is', old, new)}"
-            yield change("role_changed", Effect.WIRE, held, "parameter", text, old, new)
+            text = f"{named(values.of.new)}: {turned('the part of a parameter that it is', old, new)}"
+            yield change("role_changed", Effect.WIRE, values, "parameter", text, old, new)
     for message in both.of(Message):
         before, after = _access(both, message.old), _access(None, message.new)
         if before != after:
@@ -174,8 +174,8 @@ def _measure(measure: Measure | None) -> str:
 def _parameter(part: ParameterPart | None, both: Comparison | None) -> str:
     if part is None:
         return ""
-    held = both.renamed_to("parameters", part.set) if both else part.set
-    return f"the {part.part} of {held}" + (f" by {part.number}" if part.number else "")
+    name = both.renamed_to("parameters", part.set) if both else part.set
+    return f"the {part.part} of {name}" + (f" by {part.number}" if part.number else "")
 
 
 def _access(both: Comparison | None, message: Message) -> str:
@@ -185,10 +185,10 @@ def _access(both: Comparison | None, message: Message) -> str:
     words = [access.start, access.count, access.values]
     if both is not None:
         words = [_renamed(both, message, word) for word in words]
-    said = ", ".join(
+    text = ", ".join(
         f"{word} as {part}" for word, part in zip(words, ("start", "count", "values"), strict=True) if word
     )
-    return f"{access.operation} with {said}"
+    return f"{access.operation} with {text}"
 
 
 def _renamed(both: Comparison, message: Message, name: str) -> str:
@@ -211,11 +211,11 @@ def sending_changed(both: Comparison) -> Iterator[Change]:
     for pair in both.of(Message):
         links = tuple(both.renamed_to("links", name) for name in _links(both.old, pair.old))
         beside = tuple(both.renamed_to("messages", name) for name in pair.old.supplements)
-        for key, what, old, new, kept in (
+        for key, what, old, new, fallback in (
             ("links", "where it is sent", links, _links(both.new, pair.new), pair.new.links),
             ("supplements", "what it is sent beside", beside, pair.new.supplements, pair.new.supplements),
         ):
-            stated = getattr(pair.old, key) or kept
+            stated = getattr(pair.old, key) or fallback
             if stated and sorted(old) != sorted(new):
                 lost = key == "links" and bool(set(old) - set(new))
                 text = f"{named(pair.new)}: {turned(what, old, new)}"

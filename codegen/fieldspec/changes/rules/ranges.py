@@ -26,11 +26,13 @@ def range_narrowed(both: Comparison) -> Iterator[Change]:
     Cure: Tell users of the lost values.
     """
 
-    for held in bounded(both):
-        lost = without(held.old, held.new)
+    for bounds in bounded(both):
+        lost = without(bounds.old, bounds.new)
         if lost.intervals:
-            said = f"{held.name}: {held.what} is {text(held.new)}; {text(lost)} is not allowed any more"
-            yield change("range_narrowed", Effect.BEHAVIOUR, held.pair, held.key, said, text(held.old), text(held.new))
+            message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(lost)} is not allowed any more"
+            yield change(
+                "range_narrowed", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
+            )
 
 
 def range_widened(both: Comparison) -> Iterator[Change]:
@@ -43,11 +45,13 @@ def range_widened(both: Comparison) -> Iterator[Change]:
     Cure: None is needed.
     """
 
-    for held in bounded(both):
-        gained = without(held.new, held.old)
+    for bounds in bounded(both):
+        gained = without(bounds.new, bounds.old)
         if gained.intervals:
-            said = f"{held.name}: {held.what} is {text(held.new)}; {text(gained)} is allowed now"
-            yield change("range_widened", Effect.BEHAVIOUR, held.pair, held.key, said, text(held.old), text(held.new))
+            message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(gained)} is allowed now"
+            yield change(
+                "range_widened", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
+            )
 
 
 def default_changed(both: Comparison) -> Iterator[Change]:
@@ -62,13 +66,13 @@ def default_changed(both: Comparison) -> Iterator[Change]:
     reason; else give the new version a number of its own.
     """
 
-    for held in both.all_values:
-        old, new = held.old.default, held.new.default
+    for values in both.all_values:
+        old, new = values.old.default, values.new.default
         if old != new:
-            filling = held.reserved and held.new.const is None and (old or 0) != (new or 0)
+            filling = values.reserved and values.new.const is None and (old or 0) != (new or 0)
             effect = Effect.WIRE if filling else Effect.BEHAVIOUR
-            text = f"{named(held.of.new)}: {turned('the default', old, new)}"
-            yield change("default_changed", effect, held, "default", text, old, new)
+            text = f"{named(values.of.new)}: {turned('the default', old, new)}"
+            yield change("default_changed", effect, values, "default", text, old, new)
 
 
 _KEYS = {

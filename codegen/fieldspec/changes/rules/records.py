@@ -113,7 +113,7 @@ def case_changed(both: Comparison) -> Iterator[Change]:
 def _enum(both: Comparison, field: Field) -> str:
     """The name of the old enum whose members are named."""
     by = field.choice.by if field.choice else ""
-    values = (one.value for one in beside(field, both.old) if one.name == by)
+    values = (field.value for field in beside(field, both.old) if field.name == by)
     return next((value.enum for value in values if value is not None), "")
 
 

@@ -27,9 +27,9 @@ def type_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.all_values:
-        if held.old.size != held.new.size or (held.old.type != held.new.type and not held.reserved):
-            yield _change(held, "type", _of(held.old), _of(held.new), named(held.of.new))
+    for values in both.all_values:
+        if values.old.size != values.new.size or (values.old.type != values.new.type and not values.reserved):
+            yield _change(values, "type", _of(values.old), _of(values.new), named(values.of.new))
     for word in both.of(Flags):
         if word.old.type != word.new.type:
             yield _change(word, "type", word.old.type.name, word.new.type.name, named(word.new))
@@ -61,9 +61,9 @@ def _content(field: Field, record: str) -> tuple[str, str]:
 
 
 def _change(
-    held: Values | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part], key: str, old: str, new: str, name: str
+    pair: Values | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part], key: str, old: str, new: str, name: str
 ) -> Change:
-    return change("type_changed", Effect.WIRE, held, key, f"{name}: {turned('the type', old, new)}", old, new, ALL)
+    return change("type_changed", Effect.WIRE, pair, key, f"{name}: {turned('the type', old, new)}", old, new, ALL)
 
 
 def scale_changed(both: Comparison) -> Iterator[Change]:
@@ -77,14 +77,14 @@ def scale_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
+    for values in both.values:
         for key, old, new in (
-            ("scale", held.old.scale, held.new.scale),
-            ("offset", held.old.offset, held.new.offset),
+            ("scale", values.old.scale, values.new.scale),
+            ("offset", values.old.offset, values.new.offset),
         ):
             if old != new:
-                text = f"{named(held.of.new)}: {turned('the ' + key, old, new)}"
-                yield change("scale_changed", Effect.WIRE, held, key, text, old, new)
+                text = f"{named(values.of.new)}: {turned('the ' + key, old, new)}"
+                yield change("scale_changed", Effect.WIRE, values, key, text, old, new)
 
 
 def unit_changed(both: Comparison) -> Iterator[Change]:
@@ -98,11 +98,11 @@ def unit_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
-        old, new = held.old.unit, held.new.unit
+    for values in both.values:
+        old, new = values.old.unit, values.new.unit
         if old != new:
-            text = f"{named(held.of.new)}: {turned('the unit', old, new)}"
-            yield change("unit_changed", Effect.WIRE, held, "unit", text, old, new, (PYTHON,))
+            text = f"{named(values.of.new)}: {turned('the unit', old, new)}"
+            yield change("unit_changed", Effect.WIRE, values, "unit", text, old, new, (PYTHON,))
 
 
 def sentinel_changed(both: Comparison) -> Iterator[Change]:
@@ -116,25 +116,28 @@ def sentinel_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.values:
-        if held.old.sentinels != held.new.sentinels:
-            yield from _compared(held)
+    for values in both.values:
+        if values.old.sentinels != values.new.sentinels:
+            yield from _compared(values)
 
 
-def _compared(held: Values) -> Iterator[Change]:
-    name = named(held.of.new)
-    old, new = ({(one.value, one.text): one.name for one in value.sentinels} for value in (held.old, held.new))
+def _compared(values: Values) -> Iterator[Change]:
+    name = named(values.of.new)
+    old, new = (
+        {(sentinel.value, sentinel.text): sentinel.name for sentinel in value.sentinels}
+        for value in (values.old, values.new)
+    )
     for key in sorted(old.keys() | new.keys()):
         count, value = key
         if key not in new:
             text = f"{name}: {value} no longer stands for {old[key]}"
-            yield _sentinel_change(held, Effect.WIRE, text, f"{value} {old[key]}", "")
+            yield _sentinel_change(values, Effect.WIRE, text, f"{value} {old[key]}", "")
         elif key not in old:
-            effect = Effect.WIRE if _possible(held.old, count) else Effect.BEHAVIOUR
-            yield _sentinel_change(held, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}")
+            effect = Effect.WIRE if _possible(values.old, count) else Effect.BEHAVIOUR
+            yield _sentinel_change(values, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}")
         elif old[key] != new[key]:
             text = f"{name}: {value} is called {new[key]}, and was called {old[key]}"
-            yield _sentinel_change(held, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,))
+            yield _sentinel_change(values, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,))
 
 
 def _possible(value: Value, count: int) -> bool:
@@ -143,9 +146,9 @@ def _possible(value: Value, count: int) -> bool:
 
 
 def _sentinel_change(
-    held: Values, effect: Effect, text: str, old: str, new: str, outputs: tuple[str, ...] = ()
+    values: Values, effect: Effect, text: str, old: str, new: str, outputs: tuple[str, ...] = ()
 ) -> Change:
-    return change("sentinel_changed", effect, held, "sentinels", text, old, new, outputs)
+    return change("sentinel_changed", effect, values, "sentinels", text, old, new, outputs)
 
 
 def const_changed(both: Comparison) -> Iterator[Change]:
@@ -159,11 +162,11 @@ def const_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for held in both.all_values:
-        old, new = held.old.const, held.new.const
+    for values in both.all_values:
+        old, new = values.old.const, values.new.const
         if old != new:
-            text = f"{named(held.of.new)}: {turned('the constant', old, new)}"
-            yield change("const_changed", Effect.WIRE, held, "const", text, old, new)
+            text = f"{named(values.of.new)}: {turned('the constant', old, new)}"
+            yield change("const_changed", Effect.WIRE, values, "const", text, old, new)
 
 
 def byte_order_changed(both: Comparison) -> Iterator[Change]:
@@ -189,12 +192,12 @@ def byte_order_changed(both: Comparison) -> Iterator[Change]:
             if old != new:
                 text = f"{named(part.new)}: {turned('the byte order of the check', old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
-    for held in both.values:
-        if held.old.byte_order != held.new.byte_order and _ordered(held.old) and _ordered(held.new):
-            old, new = _order(held.old, both.old), _order(held.new, both.new)
+    for values in both.values:
+        if values.old.byte_order != values.new.byte_order and _ordered(values.old) and _ordered(values.new):
+            old, new = _order(values.old, both.old), _order(values.new, both.new)
             if old != new:
-                text = f"{named(held.of.new)}: {turned('the byte order', old, new)}"
-                yield change("byte_order_changed", Effect.WIRE, held, "byte_order", text, old, new)
+                text = f"{named(values.of.new)}: {turned('the byte order', old, new)}"
+                yield change("byte_order_changed", Effect.WIRE, values, "byte_order", text, old, new)
 
 
 def _ordered(value: Value) -> bool:
