@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 from fieldspec.changes.attributes import ALL, PYTHON
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Pair, Values
-from fieldspec.changes.finding import around, change, kind, named, path, span, turned
+from fieldspec.changes.comparison import Comparison, Pair, ValuePair
+from fieldspec.changes.descriptions import around, change, difference_text, kind, named, path, span
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Member
 
 
-def enum_changed(both: Comparison) -> Iterator[Change]:
-    """Values are named by another enum, or have names where they had none, or none where they had some.
+def enum_changed(comparison: Comparison) -> Iterator[Change]:
+    """ValuePair are named by another enum, or have names where they had none, or none where they had some.
 
     Why: where the two enums name a value differently, it means something else. Else the types of generated code change.
 
@@ -23,22 +23,22 @@ def enum_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for values in both.values:
-        yield from _compared(both, values, values.old.enum, values.new.enum)
-    for pair in both.of(Bit):
-        yield from _compared(both, pair, pair.old.enum, pair.new.enum)
+    for value_pair in comparison.values:
+        yield from _compared(comparison, value_pair, value_pair.old.enum, value_pair.new.enum)
+    for pair in comparison.of(Bit):
+        yield from _compared(comparison, pair, pair.old.enum, pair.new.enum)
 
 
-def _compared(both: Comparison, differing: Values | Pair[Bit], old: str, new: str) -> Iterator[Change]:
-    before, after = _names(both.old, old), _names(both.new, new)
-    old = both.renamed_to("enums", old)
+def _compared(comparison: Comparison, differing: ValuePair | Pair[Bit], old: str, new: str) -> Iterator[Change]:
+    before, after = _names(comparison.old, old), _names(comparison.new, new)
+    old = comparison.renamed_to("enums", old)
     if old == new:
         return
     differ = any(after[value] != name for value, name in before.items() if value in after)
     lost = bool(after) and any(value not in after for value in before)
     effect = Effect.WIRE if differ or lost else Effect.SOURCE
-    fact = differing.of.new if isinstance(differing, Values) else differing.new
-    text = f"{named(fact)}: {turned('the enum', old, new)}"
+    fact = differing.of.new if isinstance(differing, ValuePair) else differing.new
+    text = f"{named(fact)}: {difference_text('the enum', old, new)}"
     yield change("enum_changed", effect, differing, "enum", text, old, new, ALL)
 
 
@@ -47,7 +47,7 @@ def _names(device: Device, name: str) -> dict[int, str]:
     return {member.value: member.name for member in enum.members} if enum else {}
 
 
-def member_added(both: Comparison) -> Iterator[Change]:
+def member_added(comparison: Comparison) -> Iterator[Change]:
     """An enum has a further member.
 
     Why: programs that know all members meet one that they do not know; generated code of the old version refuses it, or
@@ -58,10 +58,10 @@ def member_added(both: Comparison) -> Iterator[Change]:
     Cure: Nothing to do. Where more are to be expected, say `open: true`.
     """
 
-    for lone in both.added:
-        if isinstance(lone.item, Member):
-            old, new = lone.holder
-            member = lone.item
+    for unpaired in comparison.added:
+        if isinstance(unpaired.item, Member):
+            old, new = unpaired.containers
+            member = unpaired.item
             text = f"{named(new)}: {member.name} ({member.value}) is new"
             yield Change(
                 "member_added",
@@ -76,7 +76,7 @@ def member_added(both: Comparison) -> Iterator[Change]:
             )
 
 
-def member_removed(both: Comparison) -> Iterator[Change]:
+def member_removed(comparison: Comparison) -> Iterator[Change]:
     """An enum has lost a member.
 
     Why: the value means nothing any more, or something else, and generated code has no name for it.
@@ -87,10 +87,10 @@ def member_removed(both: Comparison) -> Iterator[Change]:
     wrong, accept the change with that reason; else give the new version a number of its own.
     """
 
-    for lone in both.removed:
-        if isinstance(lone.item, Member):
-            old, new = lone.holder
-            member = lone.item
+    for unpaired in comparison.removed:
+        if isinstance(unpaired.item, Member):
+            old, new = unpaired.containers
+            member = unpaired.item
             text = f"{named(new)}: {member.name} ({member.value}) is gone"
             yield Change(
                 "member_removed",
@@ -106,7 +106,7 @@ def member_removed(both: Comparison) -> Iterator[Change]:
             )
 
 
-def member_renumbered(both: Comparison) -> Iterator[Change]:
+def member_renumbered(comparison: Comparison) -> Iterator[Change]:
     """A member of an enum has another value.
 
     Why: old programs write and understand another member than they mean.
@@ -117,14 +117,14 @@ def member_renumbered(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Member):
+    for pair in comparison.of(Member):
         old, new = pair.old.value, pair.new.value
         if old != new:
-            text = f"{named(pair.holder[1])}: {named(pair.new)} is {new}, and was {old}"
+            text = f"{named(pair.containers[1])}: {named(pair.new)} is {new}, and was {old}"
             yield change("member_renumbered", Effect.WIRE, pair, "value", text, old, new)
 
 
-def openness_changed(both: Comparison) -> Iterator[Change]:
+def openness_changed(comparison: Comparison) -> Iterator[Change]:
     """An enum takes values that it does not list, or no longer takes them.
 
     Why: where it opens, generated types admit plain numbers that programs must expect. Where it closes, values that it
@@ -135,7 +135,7 @@ def openness_changed(both: Comparison) -> Iterator[Change]:
     Cure: Nothing to do where new codes are to be expected.
     """
 
-    for pair in both.of(Enum):
+    for pair in comparison.of(Enum):
         old, new = pair.old.open, pair.new.open
         if old != new:
             text = f"{named(pair.new)} {'passes on' if new else 'refuses'} values that it does not list"

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from fieldspec.changes.attributes import ALL, MODEL_CLASSES, PYTHON, TEXTS, C
+from fieldspec.changes.attributes import ALL, CONSEQUENCES, PYTHON, TEXTS, C
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Lone, Pair
+from fieldspec.changes.comparison import Comparison, Pair, Unpaired
+from fieldspec.changes.descriptions import around, change, difference_text, kind, named, path, span, within
 from fieldspec.changes.evidence import enumeration, value_text
-from fieldspec.changes.finding import around, change, kind, named, path, span, turned, within
 from fieldspec.model.device import Device, Version
 from fieldspec.model.enums import Member
 from fieldspec.model.record import Field
@@ -31,7 +31,7 @@ def device_removed(device: Device) -> Change:
     )
 
 
-def fact_added(both: Comparison) -> Iterator[Change]:
+def fact_added(comparison: Comparison) -> Iterator[Change]:
     """The new version has something that the old one has not.
 
     Why: nobody who does without it is hurt, as long as it takes no place from anything. A field that makes a record
@@ -42,26 +42,28 @@ def fact_added(both: Comparison) -> Iterator[Change]:
     Cure: Put new fields where reserved ones were. Give the fact a `since`, so that users of the old version know.
     """
 
-    for lone in both.added:
-        item, holder = lone.item, lone.holder[1]
+    for unpaired in comparison.added:
+        item, container = unpaired.item, unpaired.containers[1]
         if isinstance(item, Member):
             continue
-        text = f"the {kind(item)} {named(item)}{within(holder)} is new"
-        before, after = around(lone.holder[0], "name"), span(item, "name", holder)
-        yield Change("fact_added", _effect(lone), kind(item), path(item, holder), text, "", named(item), before, after)
+        text = f"the {kind(item)} {named(item)}{within(container)} is new"
+        before, after = around(unpaired.containers[0], "name"), span(item, "name", container)
+        yield Change(
+            "fact_added", _effect(unpaired), kind(item), path(item, container), text, "", named(item), before, after
+        )
 
 
-def _effect(lone: Lone) -> Effect:
-    if lone.fields is not None and not lone.fields.offsets_equal:
+def _effect(unpaired: Unpaired) -> Effect:
+    if unpaired.fields is not None and not unpaired.fields.offsets_equal:
         return Effect.WIRE
-    if getattr(lone.item, "reserved", False):
+    if getattr(unpaired.item, "reserved", False):
         return Effect.DOCS
-    if isinstance(lone.item, Version):
-        return Effect.BEHAVIOUR if lone.holder[1].builds else Effect.DOCS
-    return Effect.BEHAVIOUR if lone.fields is not None else MODEL_CLASSES[type(lone.item)].adding
+    if isinstance(unpaired.item, Version):
+        return Effect.BEHAVIOUR if unpaired.containers[1].builds else Effect.DOCS
+    return Effect.BEHAVIOUR if unpaired.fields is not None else CONSEQUENCES[type(unpaired.item)].adding
 
 
-def fact_removed(both: Comparison) -> Iterator[Change]:
+def fact_removed(comparison: Comparison) -> Iterator[Change]:
     """The old version has something that the new one has not, and nothing shows that it only has another name.
 
     Why: programs that use it read or write nothing, or something else, and generated code has no name for it any more.
@@ -72,28 +74,28 @@ def fact_removed(both: Comparison) -> Iterator[Change]:
     instead.
     """
 
-    for lone in both.removed:
-        item, holder = lone.item, lone.holder[0]
+    for unpaired in comparison.removed:
+        item, container = unpaired.item, unpaired.containers[0]
         if isinstance(item, Member):
             continue
-        effect, outputs = _removal_effect(lone)
-        text = f"the {kind(item)} {named(item)}{within(holder)} is gone"
-        before, after = span(item, "name", holder), around(lone.holder[1], "name")
+        effect, outputs = _removal_effect(unpaired)
+        text = f"the {kind(item)} {named(item)}{within(container)} is gone"
+        before, after = span(item, "name", container), around(unpaired.containers[1], "name")
         yield Change(
-            "fact_removed", effect, kind(item), path(item, holder), text, named(item), "", before, after, outputs
+            "fact_removed", effect, kind(item), path(item, container), text, named(item), "", before, after, outputs
         )
 
 
-def _removal_effect(lone: Lone) -> tuple[Effect, tuple[str, ...]]:
-    noun = MODEL_CLASSES[type(lone.item)]
-    if isinstance(lone.item, Version):
-        return (Effect.SOURCE, (PYTHON, C)) if lone.holder[0].builds else (Effect.DOCS, ())
-    if getattr(lone.item, "reserved", False) and (lone.fields is None or lone.fields.offsets_equal):
+def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
+    consequences = CONSEQUENCES[type(unpaired.item)]
+    if isinstance(unpaired.item, Version):
+        return (Effect.SOURCE, (PYTHON, C)) if unpaired.containers[0].builds else (Effect.DOCS, ())
+    if getattr(unpaired.item, "reserved", False) and (unpaired.fields is None or unpaired.fields.offsets_equal):
         return Effect.DOCS, ()
-    return noun.removing, noun.outputs
+    return consequences.removing, consequences.outputs
 
 
-def renamed(both: Comparison) -> Iterator[Change]:
+def renamed(comparison: Comparison) -> Iterator[Change]:
     """Something has another name. It is the same thing by the evidence that the message names: nothing else that has
     come or gone shares it.
 
@@ -105,14 +107,14 @@ def renamed(both: Comparison) -> Iterator[Change]:
     freely.
     """
 
-    for renaming in both.renamed:
+    for renaming in comparison.renamed:
         old, new = named(renaming.pair.old), named(renaming.pair.new)
-        noun = MODEL_CLASSES[type(renaming.pair.new)]
-        text = f"the {kind(renaming.pair.new)} {old}{within(renaming.pair.holder[1])} is called {new}; it has {renaming.evidence}"
-        yield change("renamed", noun.renaming, renaming.pair, "name", text, old, new, noun.outputs)
+        consequences = CONSEQUENCES[type(renaming.pair.new)]
+        text = f"the {kind(renaming.pair.new)} {old}{within(renaming.pair.containers[1])} is called {new}; it has {renaming.evidence}"
+        yield change("renamed", consequences.renaming, renaming.pair, "name", text, old, new, consequences.outputs)
 
 
-def availability_changed(both: Comparison) -> Iterator[Change]:
+def availability_changed(comparison: Comparison) -> Iterator[Change]:
     """A member of an enum has become not available, or available.
 
     Why: generated code has no name for a value that is not available, so programs that use the name no longer compile
@@ -123,7 +125,7 @@ def availability_changed(both: Comparison) -> Iterator[Change]:
     Cure: Tell users what to use instead. A member that becomes available hurts nobody.
     """
 
-    for pair in both.of(Member):
+    for pair in comparison.of(Member):
         old, new = pair.old.unavailable, pair.new.unavailable
         if old != new:
             effect, outputs = (Effect.SOURCE, ALL) if new else (Effect.BEHAVIOUR, ())
@@ -131,7 +133,7 @@ def availability_changed(both: Comparison) -> Iterator[Change]:
             yield change("availability_changed", effect, pair, "unavailable", text, not old, not new, outputs)
 
 
-def applicability_changed(both: Comparison) -> Iterator[Change]:
+def applicability_changed(comparison: Comparison) -> Iterator[Change]:
     """A parameter exists for other kinds of motor, axis or model, or has an effect with other messages.
 
     Why: a program that sets it may have to ask first what it is connected to.
@@ -141,17 +143,17 @@ def applicability_changed(both: Comparison) -> Iterator[Change]:
     Cure: Nothing to do where the list grows; else tell users which devices no longer have the parameter.
     """
 
-    for pair in both.of(Parameter):
+    for pair in comparison.of(Parameter):
         for key, what in (("applies_to", "what it exists for"), ("messages", "what it has an effect with")):
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if key == "messages":
-                old = tuple(both.renamed_to(key, name) for name in old)
+                old = tuple(comparison.renamed_to(key, name) for name in old)
             if old != new:
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("applicability_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
 
 
-def documentation_changed(both: Comparison) -> Iterator[Change]:
+def documentation_changed(comparison: Comparison) -> Iterator[Change]:
     """What is read by people has changed: names as printed, labels, texts, notes, sources, and what the manual prints
     twice.
 
@@ -162,15 +164,15 @@ def documentation_changed(both: Comparison) -> Iterator[Change]:
     Cure: None is needed.
     """
 
-    for noun, texts in TEXTS.items():
-        for pair in both.any_of(noun):
+    for model_class, texts in TEXTS.items():
+        for pair in comparison.any_of(model_class):
             texts_by_key = [
-                (key, *_followed(both, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()
+                (key, *_followed(comparison, pair, key, get(pair.old), get(pair.new))) for key, get in texts.items()
             ]
             differ = [
                 (key, old, new)
                 for key, old, new in texts_by_key
-                if old != new and not _belongs_to_signal(both, pair, key)
+                if old != new and not _belongs_to_signal(comparison, pair, key)
             ]
             if differ:
                 keys = [key for key, _, _ in differ]
@@ -186,12 +188,12 @@ _PATHS = ("about", "fact")
 _OF_SIGNAL = ("printed_name", "label", "doc", "scale", "sentinels")
 
 
-def _followed(both: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
+def _followed(comparison: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
     """Two texts: the old one by new names, and both without what other rules tell."""
     if key in _NAMES:
-        return both.renamed_to(_NAMES[key], old), new
+        return comparison.renamed_to(_NAMES[key], old), new
     if key in _PATHS:
-        return (both.renamed_path(old) if isinstance(old, str) else tuple(map(both.renamed_path, old))), new
+        return (comparison.renamed_path(old) if isinstance(old, str) else tuple(map(comparison.renamed_path, old))), new
     if key == "sentinels":
         shared = old.keys() & new.keys()
         return {value: old[value] for value in old if value in shared}, {
@@ -207,12 +209,12 @@ def _same_scale(pair: Pair[Any]) -> bool:
     return old is not None and new is not None and old.scale == new.scale
 
 
-def _belongs_to_signal(both: Comparison, pair: Pair[Any], key: str) -> bool:
+def _belongs_to_signal(comparison: Comparison, pair: Pair[Any], key: str) -> bool:
     """Whether a signal tells what has changed at a field that takes its texts from there."""
     if not isinstance(pair.new, Field) or key not in _OF_SIGNAL:
         return False
     get = TEXTS[Field][key]
-    old, new = both.old.signals.get(pair.old.signal), both.new.signals.get(pair.new.signal)
+    old, new = comparison.old.signals.get(pair.old.signal), comparison.new.signals.get(pair.new.signal)
     return old is not None and new is not None and (get(old), get(new)) == (get(pair.old), get(pair.new))
 
 
@@ -241,7 +243,7 @@ _KEYS = (
 _EXAMPLE_KEYS = {"link": "links", "message": "messages", "reply_to": "examples"}
 
 
-def example_changed(both: Comparison) -> Iterator[Change]:
+def example_changed(comparison: Comparison) -> Iterator[Change]:
     """An example has other bytes, or other values, or stands for something else.
 
     Why: nobody is hurt by an example. But where its frame has changed and no fact has, one of the two is wrong.
@@ -251,11 +253,11 @@ def example_changed(both: Comparison) -> Iterator[Change]:
     Cure: Look whether the manual or the transcription has changed.
     """
 
-    for pair in both.of(Example):
+    for pair in comparison.of(Example):
         for key in _KEYS:
             old, new = getattr(pair.old, key), getattr(pair.new, key)
-            old = both.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
+            old = comparison.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
             if old != new:
                 what = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
-                text = f"{named(pair.new)}: {turned(what, old, new)}"
+                text = f"{named(pair.new)}: {difference_text(what, old, new)}"
                 yield change("example_changed", Effect.DOCS, pair, key, text, old, new)

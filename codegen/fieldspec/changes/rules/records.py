@@ -6,16 +6,16 @@ from collections.abc import Iterator
 
 from fieldspec.changes.attributes import PYTHON
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.comparing import Comparison, Pair, beside
+from fieldspec.changes.comparison import Comparison, Pair, fields_beside
+from fieldspec.changes.descriptions import change, difference_text, kind, named, path, span
 from fieldspec.changes.evidence import enumeration
-from fieldspec.changes.finding import change, kind, named, path, span, turned
 from fieldspec.model.link import Link
 from fieldspec.model.record import Case, Field
 from fieldspec.model.registers import Parameter, Register, Table
 
 
-def field_moved(both: Comparison) -> Iterator[Change]:
-    """Fields of a record or a message, or parts of a frame, lie elsewhere among the others.
+def field_moved(comparison: Comparison) -> Iterator[Change]:
+    """FieldLists of a record or a message, or parts of a frame, lie elsewhere among the others.
 
     Why: bytes that were one field are another one.
 
@@ -25,29 +25,29 @@ def field_moved(both: Comparison) -> Iterator[Change]:
     with that reason; else give the new version a number of its own.
     """
 
-    for fields in both.fields:
+    for fields in comparison.field_lists:
         if fields.moved:
             first, now, before, after = fields.moved[0]
             names = enumeration([named(new) for _, new, _, _ in fields.moved])
-            holder = fields.holder[1]
+            container = fields.containers[1]
             text = f"{named(now)} lies at offset {after}, and lay at {before}"
             if len(fields.moved) > 1:
                 text = f"{names} lie elsewhere; {text}"
-            text = f"{named(holder)}: {text}"
+            text = f"{named(container)}: {text}"
             yield Change(
                 "field_moved",
                 Effect.WIRE,
                 kind(now),
-                path(now, holder),
+                path(now, container),
                 text,
                 f"offset {before}",
                 f"offset {after}",
-                span(first, "name", fields.holder[0]),
-                span(now, "name", holder),
+                span(first, "name", fields.containers[0]),
+                span(now, "name", container),
             )
 
 
-def length_changed(both: Comparison) -> Iterator[Change]:
+def length_changed(comparison: Comparison) -> Iterator[Change]:
     """A record, the data of a message, or what stands around the data in a frame, has another length.
 
     Why: who waits for the old number of bytes cuts a frame off, or waits for ever; generated code refuses frames of
@@ -59,12 +59,12 @@ def length_changed(both: Comparison) -> Iterator[Change]:
     else give the new version a number of its own.
     """
 
-    for fields in both.fields:
+    for fields in comparison.field_lists:
         before, after = fields.sizes
         if before != after:
-            old, new = fields.holder
+            old, new = fields.containers
             what = " ".join(word for word in ("the length of the", fields.direction or kind(new), _of(new)) if word)
-            text = f"{named(new)}: {turned(what, _length_text(before), _length_text(after))}"
+            text = f"{named(new)}: {difference_text(what, _length_text(before), _length_text(after))}"
             key = fields.direction or "fields"
             where = f"{path(new, None)}/{fields.direction}".rstrip("/")
             places = span(old, key, None), span(new, key, None)
@@ -80,8 +80,8 @@ def length_changed(both: Comparison) -> Iterator[Change]:
             )
 
 
-def _of(holder: object) -> str:
-    return "without its data" if isinstance(holder, Link) else ""
+def _of(container: object) -> str:
+    return "without its data" if isinstance(container, Link) else ""
 
 
 def _length_text(size: tuple[int, bool]) -> str:
@@ -90,7 +90,7 @@ def _length_text(size: tuple[int, bool]) -> str:
     return f"{number} byte{'' if number == 1 else 's'}" + (" or more" if goes_on else "")
 
 
-def case_changed(both: Comparison) -> Iterator[Change]:
+def case_changed(comparison: Comparison) -> Iterator[Change]:
     """A case of a field holds for other values of the field that decides.
 
     Why: data of one type are read as data of another.
@@ -101,23 +101,23 @@ def case_changed(both: Comparison) -> Iterator[Change]:
     own.
     """
 
-    for pair in both.of(Case):
-        enum = _enum(both, pair.holder[0])
-        old, new = tuple(both.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
+    for pair in comparison.of(Case):
+        enum = _enum(comparison, pair.containers[0])
+        old, new = tuple(comparison.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
         if old != new:
             effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
-            text = f"{named(pair.new)}: {turned('what it holds for', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('what it holds for', old, new)}"
             yield change("case_changed", effect, pair, "when", text, old, new)
 
 
-def _enum(both: Comparison, field: Field) -> str:
+def _enum(comparison: Comparison, field: Field) -> str:
     """The name of the old enum whose members are named."""
     by = field.choice.by if field.choice else ""
-    values = (field.value for field in beside(field, both.old) if field.name == by)
+    values = (field.value for field in fields_beside(field, comparison.old) if field.name == by)
     return next((value.enum for value in values if value is not None), "")
 
 
-def count_changed(both: Comparison) -> Iterator[Change]:
+def count_changed(comparison: Comparison) -> Iterator[Change]:
     """There are more, or fewer, elements of a register, a table, a field or a parameter.
 
     Why: fewer elements leave programs with addresses that mean nothing; a field with more or fewer moves all that
@@ -129,18 +129,18 @@ def count_changed(both: Comparison) -> Iterator[Change]:
     with that reason; else give the new version a number of its own.
     """
 
-    for pair in both.any_of(Register, Table, Parameter):
+    for pair in comparison.any_of(Register, Table, Parameter):
         yield from _grown(pair, "count", pair.old.count, pair.new.count)
-    for parameter in both.of(Parameter):
+    for parameter in comparison.of(Parameter):
         yield from _grown(parameter, "elements", parameter.old.elements or 1, parameter.new.elements or 1)
-    for field in both.of(Field):
+    for field in comparison.of(Field):
         yield from _in_frame(field)
 
 
 def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: int, new: int) -> Iterator[Change]:
     if old != new:
         effect = Effect.BEHAVIOUR if new > old else Effect.WIRE
-        text = f"{named(pair.new)}: {turned('the number of elements', old, new)}"
+        text = f"{named(pair.new)}: {difference_text('the number of elements', old, new)}"
         yield change("count_changed", effect, pair, key, text, old, new)
 
 
@@ -160,5 +160,5 @@ def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
     elif pair.old.count != pair.new.count:
         same = (pair.old.count or 1) == (pair.new.count or 1)
         effect, outputs = (Effect.SOURCE, (PYTHON,)) if same else (Effect.WIRE, ())
-        text = f"{named(pair.new)}: {turned('the number of elements', pair.old.count, pair.new.count)}"
+        text = f"{named(pair.new)}: {difference_text('the number of elements', pair.old.count, pair.new.count)}"
         yield change("count_changed", effect, pair, "count", text, pair.old.count, pair.new.count, outputs)
