@@ -1,6 +1,7 @@
 # make         set up what is needed and build every output
 # make test    set up and test everything
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
+# make plants  run the examples of docs/plc.md for a million random scans each, against simulated devices
 # make accept  rewrite the tests' expectations; read the difference before you commit it
 # make soak    kill builds at random moments, and strike faults at every operation on files, for some minutes
 # make dist    build the wheel and the sdist into dist/
@@ -24,7 +25,7 @@ UV := uv==0.13.8
 
 SBOM := build/sbom
 
-.PHONY: build test fuzz accept soak dist sbom bench pins clean
+.PHONY: build test fuzz plants accept soak dist sbom bench pins clean
 
 build: $(INSTALLED)
 	$(BIN)/fieldspec build
@@ -55,6 +56,9 @@ sbom: dist
 	$(SBOM)/tool/$(notdir $(BIN))/python -m pip --disable-pip-version-check --python $(SBOM)/environment install --quiet dist/*.whl
 	$(SBOM)/tool/$(notdir $(BIN))/cyclonedx-py environment --output-reproducible --pyproject pyproject.toml \
 	  --output-file dist/sbom.json $(SBOM)/environment
+
+plants: $(INSTALLED)
+	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_examples_start.py -k whatever_happens
 
 accept: $(INSTALLED)
 	$(BIN)/pytest --accept

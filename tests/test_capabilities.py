@@ -38,7 +38,7 @@ def test_every_construct_has_a_level_and_what_is_not_exact_has_a_reason(name: st
     assert all(bool(one.reason) == (one.level != EXACT) for one in held.values())
 
 
-@pytest.mark.parametrize("name", ["st", "twincat", "plcopen", "scl"])
+@pytest.mark.parametrize("name", ["st", "twincat", "plcopen", "iec", "scl"])
 @pytest.mark.parametrize(("construct", "code"), REFUSALS.items())
 def test_an_output_refuses_by_a_rule_what_the_matrix_says_and_nothing_else(
     name: str, construct: str, code: str

@@ -34,7 +34,7 @@ def fact(path: str) -> FactRow:
 
 
 def test_documentation_describes_every_column_in_order() -> None:
-    table = PAGE.partition("## Columns")[2].partition("## Kinds")[0]
+    table = PAGE.partition("## Columns")[2].partition("## Provenance")[0]
     described = [name for line in table.splitlines() for name in re.findall(r"`(\w+)`", line.partition("| ")[2][:25])]
     assert [name for name in described if name in COLUMNS] == list(COLUMNS)
 
@@ -47,8 +47,17 @@ def test_a_path_is_that_of_one_fact(device: str) -> None:
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_every_printed_fact_has_its_line(device: str) -> None:
-    free = ("example", "note", "version", "register_group")
-    assert [row["path"] for row in facts(SPECS, device) if row["line"] is None and row["kind"] not in free] == []
+    free = ("example", "note", "version", "register_group", "task")
+    elsewhere = ("standard", "computed", "reported")
+    given = [row for row in facts(SPECS, device) if row["provenance"] not in elsewhere and row["kind"] not in free]
+    assert [row["path"] for row in given if row["line"] is None] == []
+
+
+@pytest.mark.parametrize("device", DEVICES)
+def test_nothing_that_is_computed_or_given_elsewhere_cites_the_manual(device: str) -> None:
+    elsewhere = ("standard", "computed", "reported")
+    cited = [row["path"] for row in facts(SPECS, device) if row["provenance"] in elsewhere and row["sources"]]
+    assert cited == []
 
 
 @pytest.mark.parametrize(

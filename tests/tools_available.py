@@ -18,9 +18,9 @@ def require_tool(name: str) -> str:
     return path if path is not None else without(name)
 
 
-def without(name: str) -> NoReturn:
-    """Skips a test that lacks something, or lets it fail in CI."""
-    missing = f"{name} is not installed; .ci/run shows which packages the tests need"
+def without(name: str, missing: str = "") -> NoReturn:
+    """Skips a test that lacks something, or lets it fail in CI. `missing` says more than that it is not installed."""
+    missing = missing or f"{name} is not installed; .ci/run shows which packages the tests need"
     if os.environ.get("CI"):
         pytest.fail(missing)
     pytest.skip(missing)

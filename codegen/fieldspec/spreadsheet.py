@@ -17,7 +17,7 @@ FORMULA_SIGNS = tuple("=+-@\t\r\n")
 """What a text begins with that a spreadsheet takes for a formula."""
 
 BYTE_ORDER_MARK = "\ufeff"
-"""What tells spreadsheets that a text is UTF-8."""
+"""What tells spreadsheets and engineering tools that a text is UTF-8."""
 
 _NUMBER = re.compile(r"[-+]?[0-9]+(\.[0-9]+)?")
 

@@ -2816,6 +2816,7 @@ static inline ck10_codec_status ck10_reg_axis_move_speed_encode(uint32_t value, 
  * Where to, or how far, 07D8h moves.
  * Printed as SetDistPos 運動位置或距離.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the positions of points are in pulses (2.7 L575).
  * Source: 2.4 L310
  */
 #define CK10_REG_TARGET_POSITION_OR_DISTANCE_ADDRESS 0x07D6u
@@ -2991,6 +2992,7 @@ static inline ck10_codec_status ck10_reg_start_jog_encode(uint8_t *out)
  * The speed at which the move before the push starts.
  * Printed as PushPosStSpd 位置運動起始速度.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the speeds of points are in pps (2.7 L576).
  * Source: 2.4 L321
  */
 #define CK10_REG_PUSH_START_SPEED_ADDRESS 0x07E0u
@@ -3014,6 +3016,7 @@ static inline ck10_codec_status ck10_reg_push_start_speed_encode(uint32_t value,
  * The speed of the move before the push.
  * Printed as PushPosSpd 位置運動速度.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the speeds of points are in pps (2.7 L577).
  * Source: 2.4 L322
  */
 #define CK10_REG_PUSH_MOVE_SPEED_ADDRESS 0x07E2u
@@ -3036,6 +3039,7 @@ static inline ck10_codec_status ck10_reg_push_move_speed_encode(uint32_t value, 
 /**
  * Printed as PushPosAcc 位置運動加速時間.
  * Read and write.
+ * Note: Neither unit nor range is printed; the times of points are in ms (2.7 L578).
  * Source: 2.4 L323
  */
 #define CK10_REG_PUSH_ACCELERATION_TIME_ADDRESS 0x07E4u
@@ -3058,6 +3062,7 @@ static inline ck10_codec_status ck10_reg_push_acceleration_time_encode(uint16_t 
 /**
  * Printed as PushPosDec 位置運動減速時間.
  * Read and write.
+ * Note: Neither unit nor range is printed; the times of points are in ms (2.7 L579).
  * Source: 2.4 L324
  */
 #define CK10_REG_PUSH_DECELERATION_TIME_ADDRESS 0x07E5u
@@ -3157,6 +3162,7 @@ static inline ck10_codec_status ck10_reg_push_speed_encode(uint32_t value, uint8
  * Where the push begins, after the move to it.
  * Printed as PushStartPos 推力運動起始座標.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the positions of points are in pulses (2.7 L575).
  * Source: 2.4 L328
  */
 #define CK10_REG_PUSH_START_POSITION_ADDRESS 0x07EAu
@@ -3180,6 +3186,7 @@ static inline ck10_codec_status ck10_reg_push_start_position_encode(int32_t valu
  * Where the push ends at the latest.
  * Printed as PushEndPos 推力運動結束座標.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the push position of a point is in pulses (3.5 L867).
  * Source: 2.4 L329
  */
 #define CK10_REG_PUSH_END_POSITION_ADDRESS 0x07ECu
@@ -3452,6 +3459,7 @@ static inline ck10_codec_status ck10_reg_save_all_parameters_encode(uint8_t *out
  * The absolute position of the first pulse.
  * Printed as CmpStPos 輸出脈衝之起始位置.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the trigger position of a point is in pulses (3.5 L863).
  * Source: 2.5 L345
  */
 #define CK10_REG_COMPARE_START_POSITION_ADDRESS 0x07F8u
@@ -3475,6 +3483,7 @@ static inline ck10_codec_status ck10_reg_compare_start_position_encode(int32_t v
  * The distance from pulse to pulse.
  * Printed as CmpPeriod 輸出脈衝之區間.
  * Read and write. 2 words must be accessed in one request.
+ * Note: Neither unit nor range is printed; the trigger position of a point is in pulses (3.5 L863).
  * Source: 2.5 L346
  */
 #define CK10_REG_COMPARE_PERIOD_ADDRESS 0x07FAu
@@ -4958,11 +4967,12 @@ static inline ck10_codec_status ck10_reg_baud_rate_encode(uint32_t value, uint8_
 }
 
 /**
- * Whether the position and the number of the point are kept when the power goes.
+ * Whether the position and the point table are kept when the power goes.
  * Printed as 儲存位置 / 位置表.
  * Read and write. 2 words must be accessed in one request.
  * Range: 0..1. See enabled.
  * Note: The position that is kept may not be the actual one.
+ * Note: The title in 3.4 has the number of the point table, the sentence below it the point table itself.
  * Source: 2.6 L407; 3.4 L811
  */
 #define CK10_REG_SAVE_POSITION_ADDRESS 0x13D4u
@@ -7433,7 +7443,7 @@ static inline ck10_codec_status ck10_reg_flash_baud_rate_encode(uint32_t value, 
 }
 
 /**
- * Whether the position and the number of the point are kept when the power goes.
+ * Whether the position and the point table are kept when the power goes.
  * Printed as 儲存位置 / 位置表.
  * Read only. 2 words must be accessed in one request. A copy of save_position.
  * Range: 0..1. See enabled.
@@ -8765,6 +8775,7 @@ static inline ck10_codec_status ck10_reg_actual_position_encode(int32_t value, u
 /**
  * Printed as CmdPos 命令位置.
  * Read only. 2 words must be accessed in one request.
+ * Note: No unit is printed; the positions of points are in pulses (2.7 L575).
  * Source: 2.1 L256
  */
 #define CK10_REG_COMMAND_POSITION_ADDRESS 0x03ECu
@@ -8811,6 +8822,7 @@ static inline ck10_codec_status ck10_reg_speed_encode(int32_t value, uint8_t *ou
  * How far the actual position is from the commanded one.
  * Printed as PosError 位置錯誤.
  * Read only. 2 words must be accessed in one request.
+ * Note: No unit is printed; the positions of points are in pulses (2.7 L575).
  * Source: 2.1 L258
  */
 #define CK10_REG_POSITION_ERROR_ADDRESS 0x03F0u
@@ -9605,6 +9617,8 @@ static inline ck10_codec_status ck10_table_flash_points_at(uint32_t number, uint
  * A frame is bytes.
  * Note: Chapter 2 (L243) says that values of 32 and 64 bits are accessed from the low position on. Read as the
  * lowest address first, it fits both orders of words; read as the low word first, it contradicts 1.2.
+ * Note: 1.2 prints that a frame begins with a silence of 3.5 characters; that it also ends with one is not
+ * printed (L107-110).
  * Note: A request with a wrong check, or one that does not arrive, gets no answer; the master waits for its
  * timeout (1.4 L201-202).
  * Note: 1.4 (L202) names parity errors too, though 1.1 knows no parity.

@@ -3211,7 +3211,8 @@ static inline bool hiwin_e_message_word_pulses_enabled(uint16_t word)
  * Printed as M_LIMIT_POS 轉矩上限值.
  * One count is 100/2^14 %. Range: 0..32767.
  * Note: It has an effect from firmware 2.12.5 or 3.12.5 on (6.11.2 L1856).
- * Note: With both limits 0 there is no limit, and while STW2.8 is 1 they do not count (6.11.2 L1858-1860).
+ * Note: With both limits 0 this function is off, and so it is while STW2.8 is 1 (6.11.2 L1858-1860); the
+ * limits of 6.3 go on to count.
  * Source: 3.1 L499
  */
 #define HIWIN_E_SIGNAL_POSITIVE_TORQUE_LIMIT_MIN 0
@@ -3225,7 +3226,8 @@ static inline bool hiwin_e_message_word_pulses_enabled(uint16_t word)
  * Printed as M_LIMIT_NEG 轉矩下限值.
  * One count is 100/2^14 %. Range: -32768..0.
  * Note: It has an effect from firmware 2.12.5 or 3.12.5 on (6.11.2 L1856).
- * Note: With both limits 0 there is no limit, and while STW2.8 is 1 they do not count (6.11.2 L1858-1860).
+ * Note: With both limits 0 this function is off, and so it is while STW2.8 is 1 (6.11.2 L1858-1860); the
+ * limits of 6.3 go on to count.
  * Note: Pt403 and Pt484 hold the limit of that direction as a positive number.
  * Source: 3.1 L500
  */

@@ -1056,7 +1056,7 @@ static inline bool tc100_input_word_z_phase(uint16_t word)
 #define TC100_EXCEPTION_SIZE 1u
 /**
  * The body of a reply that refuses a request.
- * Source: 8.3 L1748-1752
+ * Source: 8.3 L1750-1752
  */
 typedef struct tc100_exception {
     /**

@@ -45,10 +45,9 @@ def test_a_row_that_an_edition_adds_is_not_accounted_for() -> None:
 def test_a_row_that_an_edition_drops_lets_its_citations_fail() -> None:
     found = gauge.said(gauge.covered(manual=edition(remove={8})))
     assert found == [
-        "citations_hold: registers/total cites line 8, on which nothing is printed",
         "citations_hold: registers/total cites 1 L8, where the manual does not print `at` 0x0102",
-        "citations_hold: registers/total cites line 8, on which nothing is printed",
         "citations_hold: registers/total cites 1 L8, where the manual does not print `printed_name` Total",
+        "citations_hold: registers/total cites line 8, on which nothing is printed",
     ]
 
 

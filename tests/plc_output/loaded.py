@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from functools import cache
 from pathlib import Path
 
+import pytest
+
 sys.path.insert(0, str(Path(__file__).parent))
 
+from compiled import Compiled
 from proving import REASONS, Proof
 from st_machine import Machine
 from st_syntax import parsed
 
+from fieldspec.backends.iec.backend import source
+from fieldspec.backends.iec.backend import text as standard_text
 from fieldspec.backends.st.backend import text
 from fieldspec.plc.structured.program import Program, program
 from fieldspec.reference import CodecError
@@ -21,8 +27,13 @@ REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
 MADE = ["gadget", "gizmo", "glider-x", "widget"]
 DEVICES = [*((SPECS, device) for device in REAL), *((MADE_UP, device) for device in MADE)]
 NAMES = [device for _, device in DEVICES]
+WAYS = [(root, device, way) for root, device in DEVICES for way in ("interpreted", "compiled")]
+"""Every device by both ways: Structured Text by our interpreter, and the standard's dialect by matiec and gcc."""
+WAY_NAMES = [f"{device}-{way}" for _, device, way in WAYS]
 ROUNDINGS = ("even", "away", "cut")
 """How controllers make a whole number of a fraction; the functions must not depend on it."""
+COMPUTING = (*ROUNDINGS, "compiled")
+"""The interpreter with each of them, and the compiled code with its own."""
 
 
 @cache
@@ -30,6 +41,32 @@ def proof(root: Path, device: str, rounding: str = "even") -> Proof:
     """The newest version of a device, ready to run."""
     made = made_of(root, device)
     return Proof(made.declared.world, Machine(parsed(text(made)), rounding))
+
+
+@cache
+def compiled_proof(root: Path, device: str, folder: Path) -> Proof:
+    """The newest version of a device in the standard's dialect, compiled; programs are kept in a folder."""
+    made = source(newest(root, device))
+    return Proof(made.declared.world, Compiled(standard_text(made), folder))
+
+
+def proof_by(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Proof:
+    """The device of a test, by the way that its parameter names."""
+    root, device, way = request.param
+    return proof(root, device) if way == "interpreted" else compiled_proof(root, device, programs(tmp_path_factory))
+
+
+def computing(root: Path, device: str, way: str, tmp_path_factory: pytest.TempPathFactory) -> Proof:
+    """A device by one of the ways of computing."""
+    if way == "compiled":
+        return compiled_proof(root, device, programs(tmp_path_factory))
+    return proof(root, device, way)
+
+
+def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of compiled programs, which all processes of a run have in common."""
+    base = tmp_path_factory.getbasetemp()
+    return (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "compiled"
 
 
 @cache

@@ -55,6 +55,7 @@ class Unit:
     functions: dict[str, Function] = field(default_factory=dict)
     pragmas: dict[str, list[str]] = field(default_factory=dict)
     order: list[str] = field(default_factory=list)
+    blocks: list[str] = field(default_factory=list)
 
 
 def tokens(text: str) -> list[Token]:
@@ -114,7 +115,14 @@ class Parser:
             if self.token.kind == "pragma":
                 pragmas.append(self.take().text)
                 continue
-            word = self.take("TYPE", "VAR_GLOBAL", "FUNCTION").text.upper()
+            word = self.take("TYPE", "VAR_GLOBAL", "FUNCTION", "FUNCTION_BLOCK").text.upper()
+            if word == "FUNCTION_BLOCK":
+                # Blocks have timers, which the machine has not: they are compiled and run by others.
+                unit.blocks.append(self.name())
+                while not self.taken("END_FUNCTION_BLOCK"):
+                    self.take()
+                pragmas = []
+                continue
             declare: dict[str, Callable[[Unit], str]] = {
                 "TYPE": self._type,
                 "VAR_GLOBAL": self._globals,

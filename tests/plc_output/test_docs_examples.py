@@ -79,7 +79,7 @@ def test_every_file_and_every_generated_name_of_the_page_is_built(built: Path) -
     names = set(re.findall(r"\b(?:F|E|ST|GVL)_(?:Tc100|Esc11|HiwinE)_\w+", PAGE))
     assert len(names) > 15
     assert {name for name in names if not re.search(rf"\b{name}\b", everything)} == set()
-    for path in re.findall(r"`(?:generated/)?((?:plcopen|st|twincat|scl|kv|hmi)/[\w./]+)`", PAGE):
+    for path in re.findall(r"`(?:generated/)?((?:plcopen|st|twincat|iec|scl|kv|hmi)/[\w./]+)`", PAGE):
         assert "DEVICE" in path or (built / "generated" / path).exists(), path
     for name in re.findall(r'"(hiwin_e_\w+\.(?:udt|db|scl))"', PAGE):
         assert (built / "generated" / "scl" / name).exists(), name
@@ -125,7 +125,9 @@ def moved(controller: Controller, **given: Any) -> Scans:
     """The example of the TC100, run until it is done or has failed."""
     scans = Scans(generated("tc100"), example("iecst", "PRG_Tc100Move"), {"IoDrvModbus.ModbusChannel": CHANNEL})
     held = scans.variables
-    held.update(xstart=True, **given)
+    held.update(given)
+    scans.scan()
+    held["xstart"] = True
     before = False
     for _ in range(300):
         scans.scan()
@@ -197,6 +199,7 @@ def gripped(answer: Callable[[bytes], bytes]) -> tuple[Scans, list[bytes]]:
     """The example of the ESC11, run until it is done or has failed, and the packets that it has sent."""
     scans = Scans(generated("esc11"), example("iecst", "PRG_Esc11Grip"), SERIAL)
     held = scans.variables
+    scans.scan()
     held["xstart"] = True
     sent, line, coming = [], bytearray(), bytearray()
     for _ in range(400):

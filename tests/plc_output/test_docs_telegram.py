@@ -122,8 +122,10 @@ def driven(drive: Drive, cycles: int = 40, **given: Any) -> Scans:
     scans = Scans(source, program, given=["DPRD_DAT", "DPWR_DAT"])
     structs, block = scans.machine.unit.structs, scans.variables["hiwinetelegram111"]
     kinds = {name.lower(): kind.lower() for name, kind in sides}
-    scans.variables.update({"enable": True, "execute": True, **given})
-    for _ in range(cycles):
+    scans.variables.update({"enable": True, **given})
+    for cycle in range(cycles):
+        # The edge comes when the drive has been switched on.
+        scans.variables["execute"] = cycle > 5
         scans.scan()
         sent = packed(structs, kinds["todevice"], block["todevice"])
         assert len(sent) == 24

@@ -16,7 +16,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from drawing import drawn_bytes, drawn_values
-from loaded import DEVICES, NAMES, held_in, judged, proof, reason
+from loaded import WAY_NAMES, WAYS, held_in, judged, proof_by, reason
 from proving import Proof, without
 
 from fieldspec.layout.frame import LinkLayout, MessageLayout
@@ -29,10 +29,10 @@ from fieldspec.reference.records import decoded, encoded
 TRIES = 25
 
 
-@pytest.fixture(params=DEVICES, ids=NAMES, scope="module")
-def prover(request: pytest.FixtureRequest) -> Proof:
+@pytest.fixture(params=WAYS, ids=WAY_NAMES, scope="module")
+def prover(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Proof:
     """What is generated for each device."""
-    return proof(*request.param)
+    return proof_by(request, tmp_path_factory)
 
 
 def test_every_request_of_an_example_is_built_byte_for_byte(prover: Proof) -> None:

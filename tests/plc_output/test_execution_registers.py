@@ -16,7 +16,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from drawing import drawn_bytes, drawn_value, drawn_values
-from loaded import DEVICES, NAMES, ROUNDINGS, held_in, judged, proof
+from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, held_in, judged, proof_by
 from proving import Proof, without
 
 from fieldspec.layout.record import RegisterLayout
@@ -32,10 +32,10 @@ TRIES = 25
 READ, WRITTEN = ("ro", "rw"), ("wo", "rw")
 
 
-@pytest.fixture(params=DEVICES, ids=NAMES, scope="module")
-def prover(request: pytest.FixtureRequest) -> Proof:
+@pytest.fixture(params=WAYS, ids=WAY_NAMES, scope="module")
+def prover(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Proof:
     """What is generated for each device."""
-    return proof(*request.param)
+    return proof_by(request, tmp_path_factory)
 
 
 def test_records_of_tables_agree_with_the_reference_on_random_words_and_values(prover: Proof) -> None:
@@ -224,7 +224,9 @@ def test_a_number_on_the_wire_is_a_member_of_its_enum_or_is_refused(prover: Proo
             if valid:
                 kind_name = prover.world.names.enums[enum.name].name
                 spelled = prover.world.names.enum_members[enum.name][known[raw].name]
-                assert value == raw == prover.machine.number(kind_name, spelled)
+                assert value == raw
+                if prover.machine.unit.enums:
+                    assert prover.machine.number(kind_name, spelled) == raw
                 if names[1].lower() in prover.machine.unit.functions:
                     assert prover.machine.call(names[1], eValue=value) == (True, raw)
 
@@ -234,10 +236,12 @@ def prefix(prover: Proof, name: str) -> str:
     return next(one for role, one, _, _ in prover.machine.unit.functions[name.lower()].variables if role == "VAR_INPUT")
 
 
-@pytest.mark.parametrize("rounding", ROUNDINGS)
+@pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
-def test_counts_become_quantities_and_quantities_the_nearest_counts(root: Path, device: str, rounding: str) -> None:
-    prover = proof(root, device, rounding)
+def test_counts_become_quantities_and_quantities_the_nearest_counts(
+    root: Path, device: str, way: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    prover = computing(root, device, way, tmp_path_factory)
     dice = random.Random(3)
     for name, same in quantities(prover.world.layout).items():
         value = same[0].value
@@ -267,16 +271,18 @@ def counts(prover: Proof, name: str, quantity: float) -> tuple[str, int]:
     return status, found
 
 
-@pytest.mark.parametrize("rounding", ROUNDINGS)
-def test_of_two_equally_near_counts_the_even_one_is_taken(rounding: str) -> None:
-    prover = proof(MADE_UP, "widget", rounding)
+@pytest.mark.parametrize("way", COMPUTING)
+def test_of_two_equally_near_counts_the_even_one_is_taken(way: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    prover = computing(MADE_UP, "widget", way, tmp_path_factory)
     found = [counts(prover, "temperature", -40 + half / 4) for half in (1, 3, 5, -1, -3, -5)]
     assert found == [("ok", number) for number in (0, 2, 2, 0, -2, -2)]
 
 
-@pytest.mark.parametrize("rounding", ROUNDINGS)
-def test_conversions_by_a_reference_agree_with_their_formula(rounding: str) -> None:
-    prover = proof(SPECS, "hiwin-e", rounding)
+@pytest.mark.parametrize("way", COMPUTING)
+def test_conversions_by_a_reference_agree_with_their_formula(
+    way: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    prover = computing(SPECS, "hiwin-e", way, tmp_path_factory)
     for share in prover.world.layout.device.conversions.values():
         for raw in (0, 1, 77, share.full_scale // 3, share.full_scale // 2):
             exact = share.quantity(raw, Fraction(3000))
@@ -287,8 +293,9 @@ def test_conversions_by_a_reference_agree_with_their_formula(rounding: str) -> N
         assert prover.positional(prover.world.routine(share.name, "to_counts"), 1.0, 0.0)[0] == "out_of_range"
 
 
-def test_floats_are_made_of_their_bits_and_back_exactly() -> None:
-    prover, dice = proof(MADE_UP, "widget"), random.Random(4)
+@pytest.mark.parametrize("way", COMPUTING)
+def test_floats_are_made_of_their_bits_and_back_exactly(way: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    prover, dice = computing(MADE_UP, "widget", way, tmp_path_factory), random.Random(4)
     numbers = [0, 1, 0x7FFFFF, 0x800000, 0x3F800000, 0x7F7FFFFF, 0x80000001, 0xFF7FFFFF, 0xC0490FDB]
     for bits in [*numbers, *(dice.randrange(1 << 32) for _ in range(300)), 0x7F800000, 0xFF800000, 0x7FC00000]:
         (exact,) = struct.unpack(">f", bits.to_bytes(4, "big"))

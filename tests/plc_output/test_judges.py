@@ -34,6 +34,9 @@ from fieldspec.reading.project import read
 from laid_out import MADE_UP, SPECS, newest
 
 HERE = Path(__file__).parent
+TC6_NAMESPACE = "http://www.plcopen.org/xml/tc6_0200"
+INTERFACE = ("returnType", "inputVars", "outputVars", "inOutVars", "localVars", "documentation")
+"""The parts of a function in the order in which CODESYS exports them."""
 PARTS = 4
 ALL = [*DEVICES, (MADE_UP, "hostile")]
 NASTY = "a *) b (* c ]]> d $' e $N f {attribute 'x'} g // h\\ni \\u4f3a \\\" j &amp; <k> ${l} {{m}}"
@@ -83,10 +86,17 @@ def test_blark_parses_every_form_of_declaration() -> None:
     seen = Shapes()
     for device in REAL:
         for item in made_of(SPECS, device).items:
+            if item.kind == "block":
+                continue
             head = item.kind == "function"
             lines = seen.head(item.declaration) if head else seen.listed(item.declaration)
             if lines:
                 blark_takes([*lines, "RETURN;", "END_FUNCTION"] if head else lines)
+
+
+def test_blark_parses_whole_blocks() -> None:
+    for item in [one for device in REAL for one in made_of(SPECS, device).items if one.kind == "block"][:6]:
+        blark_takes(item.lines)
 
 
 def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
@@ -106,7 +116,7 @@ def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -
     for item in made_of(root, device).items:
         # Its grammar has neither pragmas, nor enums with a base type behind them, nor global constants by themselves.
         lines = [line for line in item.lines if not line.startswith("{")]
-        if item.kind == "function" or "STRUCT" in lines:
+        if item.kind in ("function", "block") or "STRUCT" in lines:
             tree = parser.parse("\n".join(lines).encode())
             assert not tree.root_node.has_error, item.name
 
@@ -154,17 +164,22 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
     schema = etree.XMLSchema(etree.parse(str(HERE / "tc6_xml_v201.xsd")))
     (text,) = (text for path, text in plcopen_files([laid]).items() if path.endswith(".xml"))
     document = etree.fromstring(text.encode())
-    assert schema.validate(document), schema.error_log.last_error
-    spaces = {"p": "http://www.plcopen.org/xml/tc6_0201", "x": "http://www.w3.org/1999/xhtml"}
+    # The public schema is that of 2.01, which calls its names otherwise; CODESYS exports 2.00.
+    renamed = etree.fromstring(text.replace(TC6_NAMESPACE, f"{TC6_NAMESPACE[:-4]}0201").encode())
+    assert schema.validate(renamed), schema.error_log.last_error
+    spaces = {"p": TC6_NAMESPACE, "x": "http://www.w3.org/1999/xhtml"}
     (plain,) = (text for path, text in st_files([laid]).items() if path.endswith(".st"))
     unit = parsed(plain)
     names = [one.lower() for one in document.xpath("//p:pou/@name", namespaces=spaces)]
-    assert names == list(unit.functions)
+    assert sorted(names) == sorted([*unit.functions, *unit.blocks])
     types = [one.lower() for one in document.xpath("//p:dataType/@name", namespaces=spaces)]
     assert sorted(types) == sorted([*unit.enums, *unit.structs])
     for pou in document.xpath("//p:pou", namespaces=spaces):
         (body,) = pou.xpath("p:body/p:ST/x:xhtml", namespaces=spaces)
         assert body.text in plain
+        assert not len(body)
+        order = [etree.QName(section).localname for section in pou.find("p:interface", spaces)]
+        assert order == [section for section in INTERFACE if section in order], pou.get("name")
     modes = document.xpath("//p:Attribute[@Name='pack_mode']/@Value", namespaces=spaces)
     assert set(modes) == {"1"}
     assert {"creationDateTime": "2000-01-01T00:00:00"}.items() <= dict(document[0].attrib).items()
@@ -178,6 +193,7 @@ def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
     for place, text in twincat_files([laid]).items():
         if not place.endswith((".TcDUT", ".TcGVL", ".TcPOU")):
             continue
+        assert text.startswith("\ufeff<?xml"), place
         root = ElementTree.fromstring(text.encode())
         (held,) = root
         assert place.endswith(f"/{held.attrib['Name']}.Tc{held.tag}")
@@ -185,7 +201,8 @@ def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
         seen[held.attrib["Id"]] = place
         declaration = (held.findtext("Declaration") or "").split("\n", 4)[4]
         implementation = held.findtext("Implementation/ST")
-        whole = declaration if implementation is None else f"{declaration}\n{implementation}\nEND_FUNCTION"
+        end = "END_FUNCTION_BLOCK" if "\nFUNCTION_BLOCK " in f"\n{declaration}" else "END_FUNCTION"
+        whole = declaration if implementation is None else f"{declaration}\n{implementation}\n{end}"
         assert f"\n{whole}\n" in plain, place
     assert len(seen) > 10
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
+import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -13,12 +15,16 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from loaded import DEVICES, NAMES, REAL, held_in, made_of, proof
 from st_declared import NATURAL, size_of
+from standard_text import named, without_comments
 
 from fieldspec.backends.st.backend import files, text
 from fieldspec.layout.record import RecordLayout
 from fieldspec.plc.routines.messages import telegrams
+from fieldspec.plc.structured.layout_table import rows
 from fieldspec.plc.structured.program import Program
 from laid_out import SPECS, newest
+from matiec import matiec
+from tools_available import require_tool
 
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
@@ -99,3 +105,42 @@ def test_the_table_of_places_is_whole_and_has_no_gaps(root: Path, device: str) -
         assert int(row["at"]) == at.get(row["struct"], 0), row
         at[row["struct"]] = int(row["at"]) + int(row["bytes"])
     assert at == {row["struct"]: int(row["size"]) for row in rows}
+
+
+def plain_types(text: str) -> str:
+    """The structs of a text for matiec: without pragmas, with numbers for enums, with names for types of arrays."""
+    enums = dict(re.findall(r"TYPE (\w+) :\n\(.*?\n\) (\w+);", text, re.DOTALL))
+    structs = re.findall(r"^TYPE \w+ :\nSTRUCT\n.*?^END_TYPE$", without_comments(text), re.DOTALL | re.MULTILINE)
+    kept = [one for one in structs if "STRING(" not in one]
+    return named(re.sub(r"\bE_\w+", lambda match: enums[match.group()], "\n".join(kept)))
+
+
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_a_compiler_that_packs_structs_places_members_where_the_table_says(
+    root: Path, device: str, tmp_path: Path
+) -> None:
+    made = made_of(root, device)
+    # matiec wants something to run beside types.
+    function = "FUNCTION F_Nothing : INT VAR_INPUT iOf : INT; END_VAR F_Nothing := iOf; END_FUNCTION"
+    (tmp_path / "text.st").write_text(f"{plain_types(text(made))}\n{function}\n", "utf-8")
+    tool = matiec()
+    folders = ["-I", str(tool / "lib"), "-T", str(tmp_path)]
+    ran = subprocess.run([str(tool / "iec2c"), *folders, str(tmp_path / "text.st")], capture_output=True, check=False)
+    assert (ran.returncode, ran.stderr) == (0, b"")
+    checks = []
+    for struct, size, member, _, at, total, *_ in rows(made):
+        kind, name = struct.upper(), member.upper()
+        checks.append(f'_Static_assert(sizeof({kind}) == {size}, "{kind}");')
+        checks.append(f'_Static_assert(offsetof({kind}, {name}) == {at}, "{kind}.{name}");')
+        checks.append(f'_Static_assert(sizeof((({kind} *)0)->{name}) == {total}, "{kind}.{name}");')
+    head = [
+        "#include <stddef.h>",
+        '#include "iec_std_lib.h"',
+        "#pragma pack(push, 1)",
+        '#include "POUS.h"',
+        "#pragma pack(pop)",
+    ]
+    (tmp_path / "sizes.c").write_text("\n".join([*head, *checks]) + "\n", "utf-8")
+    compiler = [require_tool("gcc"), "-Wall", "-Werror", "-fsyntax-only", "-isystem", str(tool / "lib" / "C")]
+    judged = subprocess.run([*compiler, str(tmp_path / "sizes.c")], capture_output=True, text=True, check=False)
+    assert (judged.returncode, judged.stderr) == (0, "")

@@ -13,10 +13,11 @@ from fieldspec.audit.line_facts import lines_of
 from fieldspec.audit.manual_lines import Aligned, index_line
 from fieldspec.audit.plan import Plan, Unprinted
 from fieldspec.checks.facts import facts
+from fieldspec.checks.sources_present import cited_places
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Flags, Member
-from fieldspec.model.fact import Citation, Fact
+from fieldspec.model.fact import Citation, Fact, Place
 from fieldspec.model.registers import Parameter, Register
 from fieldspec.source import Span
 
@@ -107,6 +108,7 @@ def judged(devices: Sequence[Device], manual: Aligned, plan: Plan) -> Judged:
                 missing.append(one)
             else:
                 used.add(id(out))
+    missing += misplaced(devices, manual, plan)
     numbered: dict[str, tuple[Span, Citation]] = {}
     for claim in claims.values():
         if claim.key in NUMBERS:
@@ -114,6 +116,30 @@ def judged(devices: Sequence[Device], manual: Aligned, plan: Plan) -> Judged:
     unused = tuple(one for one in plan.unprinted if id(one) not in used)
     excepted = sum(_excepted(plan, claim.path) is not None for claim in claims.values())
     return Judged(looked_up, numbered, tuple(missing), excepted, unused)
+
+
+def misplaced(devices: Sequence[Device], manual: Aligned, plan: Plan) -> Iterator[Missing]:
+    """Citations whose lines are blank at one of their ends, or lie in another section than the one that they name."""
+    seen: set[tuple[str, Citation]] = set()
+    for device in devices:
+        for _, place, sources, _ in cited_places(device):
+            key = "element_sources" if "element_sources" in place and "source" not in place else "source"
+            if key not in place:
+                continue  # the sources are those of what holds it
+            for source in sources:
+                if (place.path, source) not in seen:
+                    seen.add((place.path, source))
+                    yield from _misplaced(place, place[key], source, manual, plan)
+
+
+def _misplaced(place: Place, span: Span, source: Citation, manual: Aligned, plan: Plan) -> Iterator[Missing]:
+    for line in dict.fromkeys(line for interval in source.lines for line in interval):
+        section = plan.section(line)
+        if not manual.line(line):
+            yield Missing(place.path, f"line {line}, on which nothing is printed", span, source)
+        elif source.section and not _in_section(source.section, section):
+            text = f"line {line}, which is in section {section or 'none'}, as one of section {source.section}"
+            yield Missing(place.path, text, span, source)
 
 
 def _put(printed: object) -> str:
@@ -185,14 +211,6 @@ def _text(span: Span) -> str:
 
 def _failing(claim: _Claimed, manual: Aligned, plan: Plan, printed: list[str]) -> Iterator[Missing]:
     """What is wrong with a citation: the section, or that none of its lines hold what the fact says."""
-    for source in claim.sources:
-        for first, _ in source.lines:
-            section = plan.section(first)
-            if not manual.line(first):
-                yield Missing(claim.path, f"line {first}, on which nothing is printed", claim.span, source)
-            if source.section and not _in_section(source.section, section):
-                text = f"line {first}, which is in section {section or 'none'}, as one of section {source.section}"
-                yield Missing(claim.path, text, claim.span, source)
     texts = [manual.line(line) for source in claim.sources for a, b in source.lines for line in range(a, b + 1)]
     if not _printed(claim, texts) and not any(_printed_as(text, claim, texts) for text in printed if text):
         yield Missing(

@@ -28,7 +28,7 @@ CLASSES = {
     "bits": ("bit", "bits"),
     "framing": ("byte_order", "word_order", "initial"),
     "type": ("type",),
-    "range or default": ("range", "unit_range", "default", "unit_default", "min", "max", "numbers", "gaps"),
+    "range or default": ("range", "unit_range", "default", "unit_default", "min", "max", "numbers", "gaps", "within"),
     "unit or scale": ("unit", "scale", "offset"),
     "code or cell": ("value", "enum", "flags", "cells", "members", "enum_values"),
     "condition": (
@@ -44,6 +44,7 @@ CLASSES = {
         "available_since",
     ),
     "left out": ("present",),
+    "statement": ("says",),
     "name": ("name", "printed_name", "label"),
     "description": ("doc", "title", "one", "zero", "problem", "cause", "remedy"),
 }
@@ -55,7 +56,17 @@ TEXTS = frozenset(("printed_name", "label", *CLASSES["description"]))
 OTHER, WORDING = "other", "wording"
 """The classes of what is misprinted in another key, and of what no key holds: a sentence that is wrong or missing."""
 
-OF_WRITING = ("allowances_used", "facts_verified", "inferred_keys_given", "sources_present")
+OF_WRITING = (
+    "allowances_used",
+    "facts_verified",
+    "illegible_inferred",
+    "inferred_keys_given",
+    "provenance_stated",
+    "roles_unique",
+    "sources_present",
+    "steps_possible",
+    "tasks_complete",
+)
 """What finds slips of who writes the spec. Who does not know of an erratum would have written it otherwise."""
 
 

@@ -16,12 +16,13 @@ from fieldspec.reading.building.context import citations
 from fieldspec.reading.nodes import Node, Scalar, children
 from fieldspec.reading.project import DeviceSpec
 
-_OUR_WORDS = ("cause", "remedy")
+_OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")
 _NO_CITATIONS = frozenset(
     ("audit", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
 )
 """Keys of a spec under which an L with a number is no line of the manual."""
-_cells = itemgetter(*(column for column in COLUMNS if column not in ("errata", "printed")))
+_BESIDE = ("errata", "printed", "provenance", "inferred", "standard", "evidence", "roles")
+_cells = itemgetter(*(column for column in COLUMNS if column not in _BESIDE))
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
 
 

@@ -12,6 +12,7 @@ from fieldspec.audit.ledger import ledger
 from fieldspec.audit.review import sign_off
 from fieldspec.audit.section import Report, Section, Subject
 from fieldspec.audit.sources import sources
+from fieldspec.audit.tasks import tasks
 from fieldspec.diagnostics import Diagnostic
 from fieldspec.layout.device import DeviceLayout
 
@@ -22,6 +23,7 @@ PARTS: tuple[Callable[[Subject], Section], ...] = (
     addresses,
     polls,
     access,
+    tasks,
     sources,
     sign_off,
 )

@@ -6,10 +6,13 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from fieldspec.audit.section import Cell, Figure, Section, SectionTable, Subject
+from fieldspec.audit.unsaid import empty_cells, labels_elsewhere, without_unit
 from fieldspec.checks.facts import facts
+from fieldspec.checks.facts import facts as facts_of
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.fact import Citation, Place
+from fieldspec.model.fact import COMPUTED, Citation, Place
+from fieldspec.model.task import Task
 
 NO_SECTION = "no section"
 
@@ -74,6 +77,8 @@ def sourced(device: Device) -> list[Sourced]:
     held: dict[str, tuple[Citation, ...]] = {}
     found = []
     for fact in facts(device):
+        if isinstance(fact, Task) and not fact.steps:
+            continue  # a question, or a reason, is printed nowhere
         path = fact.place.path
         own = fact.sources
         sources = own or held.get(path.rpartition("/")[0], ())
@@ -101,7 +106,7 @@ def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
 _SAYS = (
     "How many places of the manual print each fact. What two places print and agree in is surer than what only one "
     "prints; where they differ, an erratum says which one is right. What the manual only implies is inferred, with the "
-    "reason."
+    "reason. What a standard gives, what others report and what we have computed is not printed at all."
 )
 
 
@@ -118,6 +123,7 @@ def sources(subject: Subject) -> Section:
         Figure("facts that follow from several places together", count[TOGETHER], len(facts)),
         Figure("facts that only one place prints", count[ONE_PLACE], len(facts)),
         Figure("values that are inferred, with a reason", len(keys)),
+        *_elsewhere_figures(subject.device),
     ]
     if unverified:
         figures.append(Figure("facts that nobody has verified", len(unverified), len(facts), False))
@@ -129,6 +135,12 @@ def sources(subject: Subject) -> Section:
         _source_table("unverified", "Facts that nobody has verified", unverified, "bad"),
         _differing([fact for fact in facts if fact.standing == DIFFERING]),
         _reasons(keys),
+        _standards(subject.device),
+        _reported(subject.device),
+        _computed(subject.device),
+        _without_unit(subject.device),
+        _empty_cells(subject),
+        _labels_elsewhere(subject),
         _source_table(
             "one_place", "Facts that only one place prints", [f for f in facts if f.standing == ONE_PLACE], ""
         ),
@@ -188,6 +200,86 @@ def _reasons(keys: Sequence[Inferred]) -> SectionTable:
         rows.append((key, f"{first.path}{more}", len(held), reason, place))
     columns = ("key", "facts", "number", "reason", "spec")
     return SectionTable("inferred", "What is inferred", columns, tuple(rows), detail=len(rows) > 20)
+
+
+def _elsewhere_figures(device: Device) -> list[Figure]:
+    """How much comes from elsewhere than the manual; what there is none of is left out."""
+    figures = (
+        Figure("values that a standard gives", sum(len(fact.standard) for fact in facts_of(device))),
+        Figure("reports of others, which no codec uses", sum(len(fact.reported) for fact in facts_of(device))),
+        Figure("examples that were computed", sum(one.origin == COMPUTED for one in device.examples.values())),
+    )
+    return [figure for figure in figures if figure.number]
+
+
+def _standards(device: Device) -> SectionTable:
+    rows = tuple(
+        (key, fact.place.path, standard.name, standard.clause, fact.place["standard"])
+        for fact in facts_of(device)
+        for key, standard in fact.standard.items()
+    )
+    columns = ("key", "fact", "standard", "clause", "spec")
+    return SectionTable("standards", "What a standard gives", columns, rows)
+
+
+def _reported(device: Device) -> SectionTable:
+    rows = tuple(
+        (
+            fact.place.path,
+            ", ".join(f"{key} {said}" for key, said in one.values.items()),
+            one.by,
+            one.how,
+            one.place["by"],
+        )
+        for fact in facts_of(device)
+        for one in fact.reported
+    )
+    columns = ("fact", "says", "by", "how", "spec")
+    return SectionTable("reported", "What others report", columns, rows, ("warning",) * len(rows))
+
+
+def _computed(device: Device) -> SectionTable:
+    rows = tuple(
+        (one.id, one.title, " ".join(one.notes), one.place["id"])
+        for one in device.examples.values()
+        if one.origin == COMPUTED
+    )
+    return SectionTable(
+        "computed", "What was computed", ("example", "title", "how", "spec"), rows, detail=len(rows) > 20
+    )
+
+
+def _without_unit(device: Device) -> SectionTable:
+    """Numbers that the print leaves without a unit, and the spec without a word about it."""
+    rows = tuple(
+        (fact.place.path, fact.sources[0] if fact.sources else None, fact.place["name"])
+        for fact in without_unit(device)
+    )
+    title = "Numbers of which nothing says what they count"
+    return SectionTable(
+        "without_unit", title, ("fact", "source", "spec"), rows, ("warning",) * len(rows), detail=len(rows) > 20
+    )
+
+
+def _labels_elsewhere(subject: Subject) -> SectionTable:
+    """Labels that are not on the lines that their facts cite; none where the text itself is not at hand."""
+    manual = subject.manual
+    same = manual is not None and manual.offset == 0 and manual.sha256 == subject.device.manual.sha256
+    elsewhere = labels_elsewhere(subject.device, manual.file.text) if manual is not None and same else ()
+    rows = tuple((fact.place.path, fact.label, fact.sources[0], fact.place["label"]) for fact in elsewhere)
+    title = "Labels that do not stand where their facts are cited"
+    columns = ("fact", "label", "source", "spec")
+    return SectionTable("labels_elsewhere", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
+
+
+def _empty_cells(subject: Subject) -> SectionTable:
+    """Facts whose row has an empty cell, which somebody has filled without saying so."""
+    index = subject.manual or subject.recorded
+    cells = empty_cells(subject.device, index) if index is not None else ()
+    rows = tuple((cell.fact.place.path, cell.print, cell.fact.sources[0], cell.fact.place["name"]) for cell in cells)
+    title = "Facts with an empty cell in their row, and nothing inferred"
+    columns = ("fact", "row", "source", "spec")
+    return SectionTable("empty_cells", title, columns, rows, ("warning",) * len(rows), detail=len(rows) > 20)
 
 
 def _spec(fact: Sourced) -> Cell:

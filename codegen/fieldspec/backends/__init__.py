@@ -61,5 +61,6 @@ OUTPUTS = {
         Output("st", "Structured Text for CODESYS and TwinCAT 3", "structured"),
         Output("twincat", "Structured Text as source files of TwinCAT 3", "structured"),
         Output("plcopen", "Structured Text as PLCopen TC6 XML", "structured"),
+        Output("iec", "Structured Text of IEC 61131-3 for Beremiz and OpenPLC", "structured"),
     )
 }

@@ -1,8 +1,8 @@
 """Sets the changes aside that a spec accepts, and reports acceptances without a change.
 
-An acceptance is effective in a comparison of a device that has it with one that does not have it yet. With `since`, it is
-about versions, and is effective between different ones. Without, it is about the spec, and is effective between two
-states of the same version.
+An acceptance is effective in a comparison of a device that has it with one that does not have it yet. With `since`, it
+is about versions, and is effective between different ones. Without, it is about the spec, and is effective between any
+two states of it.
 """
 
 from __future__ import annotations
@@ -78,9 +78,8 @@ def accepts_used(comparisons: Sequence[ComparedVersions]) -> Iterator[Diagnostic
     for identity, acceptance in expected.items():
         if identity not in used:
             text = f"`{acceptance.rule}` finds no change at `{acceptance.path}`"
-            yield Diagnostic(
-                "accepts_used", text, acceptance.place["path"], help="correct the path, or remove the entry"
-            )
+            help = "correct the path, or remove the entry"
+            yield Diagnostic("accepts_used", text, acceptance.place["path"], help=help)
 
 
 def _identity(acceptance: Acceptance) -> tuple[object, ...]:

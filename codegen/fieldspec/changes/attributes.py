@@ -1,4 +1,4 @@
-"""How the classes of the model are compared: their contents, own attributes and texts, and whom a new object affects."""
+"""How the classes of the model are compared: contents, own attributes and texts, and whom a new object affects."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from operator import attrgetter
 from typing import Any, TypeAlias
 
 from fieldspec.changes.change import Effect
-from fieldspec.classes import dataclass
+from fieldspec.classes import attributes, dataclass
 from fieldspec.model.address_space import AddressSpace
 from fieldspec.model.attributes import MODEL_CLASSES, own_attributes
 from fieldspec.model.device import Device, Version, VersionLine
 from fieldspec.model.enums import Bit, Enum, Flags, Member, State
-from fieldspec.model.fact import Claim
+from fieldspec.model.fact import Place
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
+from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
 from fieldspec.model.value import Conversion, Signal
 
@@ -65,6 +66,7 @@ CONSEQUENCES: dict[type, Consequences] = {
     Conversion: Consequences(_B, _S, (PYTHON, C)),
     Lookup: Consequences(_D, _D),
     Limit: Consequences(_B, _B),
+    Task: Consequences(_D, _D),
     Note: Consequences(_D, _D),
     Example: Consequences(_D, _D),
     Erratum: Consequences(_D, _D),
@@ -95,6 +97,11 @@ OWN_VALUES: dict[type, Callable[[Any], tuple[object, ...]]] = {
 Text: TypeAlias = Callable[[Any], Any]
 
 
+def _text_of(name: str) -> Text:
+    get = attrgetter(name)
+    return lambda fact: _without_places(get(fact))
+
+
 def _of(name: str, *attributes: str) -> Text:
     """The documentation of an optional part of a fact."""
     get = attrgetter(name)
@@ -106,10 +113,13 @@ def _of(name: str, *attributes: str) -> Text:
     return texts
 
 
-def _restated(fact: Any) -> object:
-    """The claims of a fact without their places in the spec."""
-    claims: tuple[Claim, ...] = fact.restated
-    return tuple((claim.sources, dict(claim.values)) for claim in claims)
+def _without_places(value: Any) -> Any:
+    """A value of the model without the places of its objects in the spec, which are no difference."""
+    if isinstance(value, tuple):
+        return tuple(map(_without_places, value))
+    if isinstance(getattr(value, "place", None), Place):
+        return tuple(_without_places(getattr(value, name)) for name in attributes(value.__class__) if name != "place")
+    return value
 
 
 def _scale(fact: Any) -> str:
@@ -125,15 +135,6 @@ _HAVE_VALUES = (Part, Field, Case, Register, Parameter, Subindex, Signal)
 _KEYS = {"sources": "source", "silence_sources": "silence"}
 """Attributes whose keys in the spec have other names."""
 
-_WITHOUT_PLACES: dict[tuple[type, str], Text] = {
-    (RegisterGroup, "gaps"): lambda group: tuple((gap.addresses, gap.reason, gap.sources) for gap in group.gaps),
-    (Table, "elements"): lambda table: tuple(
-        (element.index, element.first, element.last, element.words, element.sources) for element in table.elements
-    ),
-    (Lookup, "rows"): lambda lookup: tuple((row.cells, row.notes, row.sources, row.only) for row in lookup.rows),
-}
-"""Attributes whose objects know their places in the spec, which are no difference."""
-
 _TEXTS_OF_LINKS: dict[str, Text] = {
     "stations": _of("stations", "rule", "notes", "sources"),
     "serial": _of("serial", "sources"),
@@ -143,8 +144,7 @@ _TEXTS_OF_LINKS: dict[str, Text] = {
 
 def _texts(model_class: type) -> Iterator[tuple[str, Text]]:
     for name in MODEL_CLASSES[model_class].documentation:
-        text = _restated if name == "restated" else _WITHOUT_PLACES.get((model_class, name)) or attrgetter(name)
-        yield _KEYS.get(name, name), text
+        yield _KEYS.get(name, name), _text_of(name)
         if name == "restated" and model_class in _HAVE_VALUES:
             yield from (("scale", _scale), ("sentinels", _sentinels))
     if model_class is Link:

@@ -39,8 +39,8 @@ class Change:
     """A difference that `rule` finds, with its gravest effect.
 
     `what` is the kind of the fact, `path` its path in the new device, or in the old one if the new one lacks it. `old`
-    and `new` are the two values as text, empty for none; `before` and `after` are their places, None where the fact does
-    not exist. `outputs` are those in which names or types change.
+    and `new` are the two values as text, empty for none; `before` and `after` are their places, None where there is no
+    such fact. `outputs` are those in which names or types change.
     """
 
     rule: str

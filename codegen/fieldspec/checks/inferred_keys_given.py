@@ -24,9 +24,14 @@ from fieldspec.model.value import UNSPECIFIED, Handling, Value
 def inferred_keys_given(device: Device) -> Iterator[Diagnostic]:
     for fact in facts(device):
         for key in fact.inferred:
-            if key not in fact.place and key not in _from_defaults(fact):
+            if not has_key(fact, key):
                 text = f"{fact.name} has no `{key}` that could be inferred"
                 yield finding("inferred_keys_given", fact.place, "inferred", text, "give it, or take the reason out")
+
+
+def has_key(fact: Fact, key: str) -> bool:
+    """Whether a fact has a key, of its own or from its group's defaults."""
+    return key in fact.place or key in _from_defaults(fact)
 
 
 def _from_defaults(fact: Fact) -> frozenset[str]:

@@ -72,6 +72,10 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
         yield from _all(note.place, "about", "fact", map(_holder, note.about), paths)
+    limits = {limit.place.path for limit in device.limits}
+    for limit in device.limits:
+        yield from _all(limit.place, "sum_of", "limit", limit.sum_of, limits)
+        yield from _named(limit.place, "within", "limit", limit.within, limits)
     for lookup in device.lookups:
         yield from _of_lookup(device, lookup)
     for example in device.examples.values():

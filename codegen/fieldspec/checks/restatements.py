@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.checks.addresses import merged
 from fieldspec.checks.finding import enumeration, hexadecimal, interval
 from fieldspec.checks.sizes import Sizes, sent_on
 from fieldspec.model.device import Device
@@ -14,7 +13,7 @@ from fieldspec.model.link import CHECK_STARTS, Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
 from fieldspec.model.texts import Limit
-from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals
+from fieldspec.model.value import Conversion, Ranges, Signal, Value, exact_scale, intervals, merged
 
 _RANGES = ("range", "repeat", "enum_values")
 _ADDRESSES = ("at", "code", "refusal_code", "initial", "wire_number")

@@ -23,13 +23,14 @@ from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Part
 from fieldspec.model.record import Case, Field
 from fieldspec.model.registers import Parameter, Register, RegisterGroup, Subindex
+from fieldspec.model.task import Task
 
 _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, Subindex)
 """These take the source of what holds them, where a finding says it once; a group need not have one."""
 
 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
-    for what, place, sources, needed in _cited(device):
+    for what, place, sources, needed in cited_places(device):
         if not sources and needed:
             text = f"nothing says where the manual prints {what}"
             yield finding("sources_present", place, "source", text, "give `source: <section> L<line>`")
@@ -37,11 +38,15 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
             yield from _wrong(device, what, place, citation)
 
 
-def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
+def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
     """Everything that has sources: what it is, where it stands, the sources, whether there must be some."""
     copied = _copied_as_blocks(device)
     for fact in facts(device):
         needed = not isinstance(fact, _INHERITING) and fact.place.path not in copied
+        if isinstance(fact, Task):
+            needed = bool(fact.steps)  # what is not printed has no place
+            for step in fact.steps:
+                yield f"a step of {fact.name}", step.place, step.sources, False
         yield fact.name, fact.place, fact.sources, needed
         for claim in fact.restated:
             yield fact.name, claim.place, claim.sources, True
@@ -68,6 +73,8 @@ def _cited(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], b
         yield erratum.id, erratum.place, erratum.sources, True
     for note in device.notes:
         yield note.name, note.place, note.sources, False
+        for one in note.statements:
+            yield f"a statement of {note.name}", one.place, one.sources, True
 
 
 def _copied_as_blocks(device: Device) -> set[str]:

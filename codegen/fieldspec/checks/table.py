@@ -38,12 +38,14 @@ from fieldspec.checks.flags_forms_agree import flags_forms_agree
 from fieldspec.checks.frame_length_matches import frame_length_matches
 from fieldspec.checks.gaps_declared import gaps_declared
 from fieldspec.checks.identifiers_spelled_alike import identifiers_spelled_alike
+from fieldspec.checks.illegible_inferred import illegible_inferred
 from fieldspec.checks.inferred_keys_given import inferred_keys_given
 from fieldspec.checks.keys_fit_type import keys_fit_type
 from fieldspec.checks.labels_consistent import labels_consistent
 from fieldspec.checks.labels_unique import labels_unique
 from fieldspec.checks.lengths_hold import lengths_hold
 from fieldspec.checks.limits_ordered import limits_ordered
+from fieldspec.checks.limits_within import limits_within
 from fieldspec.checks.links_complete import links_complete
 from fieldspec.checks.lookups_agree import lookups_agree
 from fieldspec.checks.lookups_regular import lookups_regular
@@ -59,6 +61,8 @@ from fieldspec.checks.parameter_numbers_ascending import parameter_numbers_ascen
 from fieldspec.checks.parameter_numbers_within_range import parameter_numbers_within_range
 from fieldspec.checks.printed_names_match import printed_names_match
 from fieldspec.checks.printed_names_whole import printed_names_whole
+from fieldspec.checks.priorities_decide import priorities_decide
+from fieldspec.checks.provenance_stated import provenance_stated
 from fieldspec.checks.range_ends_match import range_ends_match
 from fieldspec.checks.range_within_enum import range_within_enum
 from fieldspec.checks.range_within_type import range_within_type
@@ -68,6 +72,7 @@ from fieldspec.checks.references_resolve import references_resolve
 from fieldspec.checks.repeat_last import repeat_last
 from fieldspec.checks.replies_agree import replies_agree
 from fieldspec.checks.restatements_agree import restatements_agree
+from fieldspec.checks.roles_unique import roles_unique
 from fieldspec.checks.senses_differ import senses_differ
 from fieldspec.checks.series_regular import series_regular
 from fieldspec.checks.siblings_agree import siblings_agree
@@ -76,9 +81,12 @@ from fieldspec.checks.sources_ascending import sources_ascending
 from fieldspec.checks.sources_present import sources_present
 from fieldspec.checks.spaces_reachable import spaces_reachable
 from fieldspec.checks.spans_match_layout import spans_match_layout
+from fieldspec.checks.statements_agree import statements_agree
 from fieldspec.checks.states_disjoint import states_disjoint
+from fieldspec.checks.steps_possible import steps_possible
 from fieldspec.checks.subindices_match_elements import subindices_match_elements
 from fieldspec.checks.table_fields_readable import table_fields_readable
+from fieldspec.checks.tasks_complete import tasks_complete
 from fieldspec.checks.text_fits_words import text_fits_words
 from fieldspec.checks.triggers_writable import triggers_writable
 from fieldspec.checks.value_within_range import value_within_range
@@ -120,12 +128,14 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("frame_length_matches", frame_length_matches),
     ("gaps_declared", gaps_declared),
     ("identifiers_spelled_alike", identifiers_spelled_alike),
+    ("illegible_inferred", illegible_inferred),
     ("inferred_keys_given", inferred_keys_given),
     ("keys_fit_type", keys_fit_type),
     ("labels_consistent", labels_consistent),
     ("labels_unique", labels_unique),
     ("lengths_hold", lengths_hold),
     ("limits_ordered", limits_ordered),
+    ("limits_within", limits_within),
     ("links_complete", links_complete),
     ("lookups_agree", lookups_agree),
     ("lookups_regular", lookups_regular),
@@ -141,6 +151,8 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("parameter_numbers_within_range", parameter_numbers_within_range),
     ("printed_names_match", printed_names_match),
     ("printed_names_whole", printed_names_whole),
+    ("priorities_decide", priorities_decide),
+    ("provenance_stated", provenance_stated),
     ("range_ends_match", range_ends_match),
     ("range_within_enum", range_within_enum),
     ("range_within_type", range_within_type),
@@ -150,6 +162,7 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("repeat_last", repeat_last),
     ("replies_agree", replies_agree),
     ("restatements_agree", restatements_agree),
+    ("roles_unique", roles_unique),
     ("senses_differ", senses_differ),
     ("series_regular", series_regular),
     ("siblings_agree", siblings_agree),
@@ -158,9 +171,12 @@ CHECKS: tuple[tuple[str, Check], ...] = (
     ("sources_present", sources_present),
     ("spaces_reachable", spaces_reachable),
     ("spans_match_layout", spans_match_layout),
+    ("statements_agree", statements_agree),
     ("states_disjoint", states_disjoint),
+    ("steps_possible", steps_possible),
     ("subindices_match_elements", subindices_match_elements),
     ("table_fields_readable", table_fields_readable),
+    ("tasks_complete", tasks_complete),
     ("text_fits_words", text_fits_words),
     ("triggers_writable", triggers_writable),
     ("value_within_range", value_within_range),

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from typing import TypeAlias
 
-from fieldspec.model.fact import Citation, Claim, Fact
+from fieldspec.model.fact import PRINTED, REPORTED, STANDARD, Citation, Claim, Fact, Report
 from fieldspec.model.record import Message
 from fieldspec.model.registers import Parameter
 from fieldspec.model.value import Ranges, Value, exact_scale, intervals
@@ -42,6 +42,11 @@ COLUMNS = (
     "unverified",
     "sources",
     "write_ranges",
+    "provenance",
+    "inferred",
+    "standard",
+    "evidence",
+    "roles",
 )
 
 Cell: TypeAlias = int | Decimal | str | list[str] | dict[str, object] | None
@@ -96,7 +101,7 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Fac
     cited = tuple(sources)
     if cited:
         text = "; ".join(citation.text() for citation in cited)
-        result_row.update(section=cited[0].section or None, line=cited[0].line(), sources=text)
+        result_row.update(section=cited[0].section or None, line=cited[0].line(), sources=text, provenance=PRINTED)
     for key, cell in cells.items():
         if cell is not None and cell != "":
             result_row[key] = cell
@@ -108,12 +113,32 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
     known: FactRow = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
-    yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **cells})
+    yield row(kind, fact.place.path, fact.sources, **{**known, **of_value(value), **_implied(fact), **cells})
     for claim in fact.restated:
         yield _restated(kind, value, claim, known, "code" if isinstance(fact, Message | Parameter) else "number")
+    for report in fact.reported:
+        yield _reported(kind, value, report, known)
     for number, sentinel in enumerate(value.sentinels if value else ()):
         path = f"{fact.place.path}/sentinels/{number}"
         yield row("sentinel", path, sentinel.sources or fact.sources, code=sentinel.value, name=sentinel.name)
+
+
+def _implied(fact: Fact) -> FactRow:
+    """What the manual does not print of a fact: keys with the reasons, and with the standards that give them."""
+    cells: FactRow = {"roles": ", ".join(fact.roles)}
+    if fact.inferred:
+        cells["inferred"] = dict(fact.inferred)
+    if fact.standard:
+        cells["standard"] = {key: standard.text() for key, standard in fact.standard.items()}
+        if not fact.sources:
+            cells["provenance"] = STANDARD
+    return cells
+
+
+def _reported(kind: str, value: Value | None, report: Report, known: FactRow) -> FactRow:
+    """The row of a report: what makes the fact known, what others say of it, and who. It has no place in the manual."""
+    cells = _restated(kind, value, Claim(report.place, (), report.values), known, "number")
+    return {**cells, "provenance": REPORTED, "evidence": f"{report.by}: {report.how}"}
 
 
 def of_value(value: Value | None) -> FactRow:

@@ -1,4 +1,4 @@
-"""Facts without bytes: lookup tables, limits, notes, examples, and errata beside the facts that they correct."""
+"""Facts without bytes: lookup tables, limits, tasks, notes, examples, and errata beside the facts that they correct."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from functools import partial
 from fieldspec.facts.row import FactRow, SharedRows, of_fact, row
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
+from fieldspec.model.fact import COMPUTED, INFERRED
+from fieldspec.model.task import Task, argument_text, value_text
 from fieldspec.model.texts import Lookup
 
 
@@ -17,8 +19,12 @@ def texts(layout: DeviceLayout, shared: SharedRows) -> Iterator[FactRow]:
     for lookup in device.lookups:
         yield from shared.rows(lookup, partial(_lookup, lookup))
     yield from _limits(device)
+    for task in device.tasks:
+        yield from _task(task)
     for note in device.notes:
         yield row("note", note.place.path, note.sources, name=note.name, label=note.title)
+        for one in note.statements:
+            yield row("statement", one.place.path, one.sources, name=one.subject, ranges=one.says, label=one.text)
     yield from _examples(layout)
     yield from _versions(device)
 
@@ -42,6 +48,26 @@ def _limits(device: Device) -> Iterator[FactRow]:
         yield from of_fact(limit.kind, limit, unit=limit.unit, min=low, max=high, ranges=limit.text)
 
 
+def _task(task: Task) -> Iterator[FactRow]:
+    """A task, and a row for each of its steps: what is done, with what, and the value or the argument."""
+    yield from of_fact("task", task, label=task.open or task.not_applicable or task.label, ranges=task.kind)
+    for number, step in enumerate(task.steps):
+        value = argument_text(step.argument) if step.argument else step.value
+        cells: FactRow = {
+            "number": number + 1,
+            "name": step.action,
+            "label": step.target,
+            "ranges": None if value is None else value_text(value),
+            "position": step.timeout,
+        }
+        yield row("step", step.place.path, step.sources, **cells)
+        for field, content in (
+            *step.values.items(),
+            *((key, argument_text(name)) for key, name in step.arguments.items()),
+        ):
+            yield row("step_value", f"{step.place.path}/{field}", step.sources, name=field, ranges=value_text(content))
+
+
 def _examples(layout: DeviceLayout) -> Iterator[FactRow]:
     for example in layout.device.examples.values():
         message = layout.messages.get(example.message)
@@ -54,6 +80,8 @@ def _examples(layout: DeviceLayout) -> Iterator[FactRow]:
             "label": example.title,
             "direction": example.direction,
         }
+        if example.origin == COMPUTED:
+            cells.update(provenance=COMPUTED, evidence=" ".join(example.notes))
         yield row("example", example.place.path, example.sources, **cells)
 
 
@@ -61,7 +89,10 @@ def _versions(device: Device) -> Iterator[FactRow]:
     for line in device.lines:
         for version in line.versions:
             path = f"versions/{line.name}/{version.id}"
-            yield row("version", path, version.sources, name=version.id, label=version.title)
+            cells: FactRow = {"name": version.id, "label": version.title}
+            if version.inferred:
+                cells.update(provenance=INFERRED, evidence=version.inferred)
+            yield row("version", path, version.sources, **cells)
 
 
 def with_errata(device: Device, rows: list[FactRow]) -> list[FactRow]:

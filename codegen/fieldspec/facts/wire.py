@@ -12,6 +12,7 @@ from fieldspec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.model.access import narrowed
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum, Flags, Member
+from fieldspec.model.fact import STANDARD
 from fieldspec.model.link import Link
 from fieldspec.model.record import Message
 from fieldspec.model.value import Conversion
@@ -200,7 +201,11 @@ def _link(link: Link) -> Iterator[FactRow]:
     ):
         if silence is not None:
             cells = {"name": "silence", "min": silence, "unit": unit}
-            yield row("timing", f"{path}/silence/{name}", link.silence_sources or link.sources, **cells)
+            standard = link.standard.get("silence")
+            if standard is not None and not link.silence_sources:
+                cells.update(provenance=STANDARD, evidence=standard.text())
+            sources = link.silence_sources or (() if standard is not None else link.sources)
+            yield row("timing", f"{path}/silence/{name}", sources, **cells)
     yield from _stations(link)
     yield from _serial(link)
     for direction in ("request", "response"):

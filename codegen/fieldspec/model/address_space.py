@@ -32,6 +32,7 @@ WORDS = AddressSpace(
     name="",
     place=Place("", Span(SourceFile("", ""), 0, 0), {}),
     inferred={},
+    standard={},
     allowed={},
     title="Registers",
     unit=WORD,

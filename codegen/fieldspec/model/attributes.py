@@ -14,6 +14,7 @@ from fieldspec.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.model.link import Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
+from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
 from fieldspec.model.value import Conversion, Signal
 
@@ -76,10 +77,13 @@ _FACT = (
     "sources",
     "notes",
     "inferred",
+    "standard",
+    "roles",
     "unverified",
     "since",
     "until",
     "only",
+    "reported",
     "restated",
 )
 """What documents each fact."""
@@ -104,6 +108,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
             Content(Conversion, "conversions"),
             Content(Lookup, "lookups"),
             Content(Limit, "limits"),
+            Content(Task, "tasks"),
             Content(Note, "notes"),
             Content(Example, "examples"),
             Content(Erratum, "errata"),
@@ -112,7 +117,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
         ("name", "vendor", "title", "doc", "manual"),
         key=attrgetter("id"),
     ),
-    VersionLine: ModelClass("line of versions", (Content(Version, "versions"),), ("title",)),
+    VersionLine: ModelClass("line of versions", (Content(Version, "versions"),), ("title", "like", "inferred")),
     Version: ModelClass("version", documentation=("title", "doc", "inferred", "sources"), key=attrgetter("id")),
     Link: ModelClass(
         "link",
@@ -152,12 +157,13 @@ MODEL_CLASSES: dict[type, ModelClass] = {
     Signal: ModelClass("signal", documentation=(*_FACT, "direction")),
     Conversion: ModelClass("conversion", documentation=(*_FACT, "title", "printed")),
     Lookup: ModelClass("table to look up", documentation=(*_FACT, "title", "kind", "columns", "rows")),
-    Limit: ModelClass("limit", documentation=_FACT),
-    Note: ModelClass("note", documentation=("title", "text", "about", "sources")),
+    Limit: ModelClass("limit", documentation=(*_FACT, "sum_of", "within", "transmits")),
+    Task: ModelClass("task", documentation=(*_FACT, "kind", "messages", "not_applicable", "open", "steps")),
+    Note: ModelClass("note", documentation=("title", "text", "about", "statements", "sources")),
     Example: ModelClass("example", documentation=("title", "sources", "notes"), key=attrgetter("id")),
     Erratum: ModelClass(
         "erratum",
-        documentation=("fact", "printed", "literal", "reason", "confidence", "effect", "proof", "sources"),
+        documentation=("fact", "printed", "literal", "illegible", "reason", "confidence", "effect", "proof", "sources"),
         key=attrgetter("id"),
     ),
     Acceptance: ModelClass("accepted change", documentation=("rule", "path", "reason", "date", "since")),

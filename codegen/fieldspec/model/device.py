@@ -11,6 +11,7 @@ from fieldspec.model.fact import Citation, Place
 from fieldspec.model.link import Link
 from fieldspec.model.record import Message, Record, RegisterAccess
 from fieldspec.model.registers import ParameterSet, Register, RegisterGroup, Table
+from fieldspec.model.task import Task
 from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, Note
 from fieldspec.model.value import Conversion, Signal
 
@@ -40,11 +41,16 @@ class Version:
 
 @dataclass(frozen=True, slots=True)
 class VersionLine:
-    """Versions that follow one another, the oldest first. Outputs are written for those of the built line."""
+    """Versions that follow one another, the oldest first. Outputs are written for those of the built line.
+
+    `like` is the line whose bounds hold for this one too, or empty; `inferred` is why.
+    """
 
     name: str
     title: str
     builds: bool
+    like: str
+    inferred: str
     versions: tuple[Version, ...]
 
 
@@ -74,6 +80,7 @@ class Device:
     conversions: Mapping[str, Conversion]
     lookups: tuple[Lookup, ...]
     limits: tuple[Limit, ...]
+    tasks: tuple[Task, ...]
     notes: tuple[Note, ...]
     examples: Mapping[str, Example]
     errata: tuple[Erratum, ...]

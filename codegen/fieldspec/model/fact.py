@@ -73,12 +73,46 @@ class Claim:
     values: Mapping[str, PlainValue]
 
 
+PRINTED, INFERRED, STANDARD, COMPUTED, REPORTED = "printed", "inferred", "standard", "computed", "reported"
+PROVENANCES: Mapping[str, str] = {
+    PRINTED: "the manual prints it, in a section and on a line",
+    INFERRED: "the manual implies it, and a reason says how",
+    STANDARD: "a standard gives it in a clause, and the manual does not print it",
+    COMPUTED: "we have computed it from other facts",
+    REPORTED: "somebody reports it, and the manual does not print it",
+}
+"""Every provenance of a fact, with what it means."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standard:
+    """A standard, by title and edition, and the clause that gives a fact."""
+
+    name: str
+    clause: str
+
+    def text(self) -> str:
+        """The standard and the clause in one line."""
+        return ", ".join(part for part in (self.name, self.clause) if part)
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What somebody reports of a fact, key by key, who that is and how they know it. No codec uses it."""
+
+    place: Place
+    by: str
+    how: str
+    values: Mapping[str, PlainValue]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fact:
-    """The name, the print, the sources and the caveats of a fact.
+    """The name, the print, the sources and the caveats of a fact. `roles` are words of the schema.
 
-    `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one version for each
-    line that they are about.
+    `inferred` has the reason, and `standard` the clause, for each key that the manual does not print; `reported` is
+    what others say. `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one
+    version for each line that they are about.
     """
 
     name: str
@@ -89,6 +123,9 @@ class Fact:
     sources: tuple[Citation, ...] = ()
     notes: tuple[str, ...] = ()
     inferred: Mapping[str, str]
+    standard: Mapping[str, Standard]
+    reported: tuple[Report, ...] = ()
+    roles: tuple[str, ...] = ()
     unverified: bool = False
     allowed: Mapping[str, str]
     restated: tuple[Claim, ...] = ()

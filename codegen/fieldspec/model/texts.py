@@ -30,13 +30,17 @@ JUDGEMENT = "judgement"
 
 @dataclass(frozen=True, slots=True)
 class Erratum:
-    """What is printed at a fact, and what is made of it. `proof` names a check, or is `judgement`."""
+    """What is printed at a fact, and what is made of it. `proof` names a check, or is `judgement`.
+
+    `illegible` is `empty` or `garbled` where nothing can be read there, else it is empty.
+    """
 
     id: str
     place: Place
     fact: str
     printed: Mapping[str, object]
     literal: str
+    illegible: str
     reason: str
     confidence: str
     effect: str
@@ -79,7 +83,11 @@ class Example:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limit(Fact):
-    """A timing, a maximum, a supply: a value, bounds, or a text."""
+    """A timing, a maximum, a supply: a value, bounds, or a text.
+
+    `sum_of` are the paths of the limits that add up to this one, `within` is that of one that it may not exceed.
+    `transmits` is the direction of the longest frame that goes over the line after it, or empty.
+    """
 
     kind: str
     value: Decimal | None
@@ -87,6 +95,14 @@ class Limit(Fact):
     high: Decimal | None
     text: str
     unit: str
+    sum_of: tuple[str, ...]
+    within: str
+    transmits: str
+
+    @property
+    def most(self) -> Decimal | None:
+        """The greatest value, None where none is given."""
+        return self.high if self.high is not None else self.value
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,12 +137,24 @@ class Lookup(Fact):
 
 
 @dataclass(frozen=True, slots=True)
+class Statement:
+    """What one place of the manual states of a subject: that it is so `always`, `sometimes` or `never`."""
+
+    place: Place
+    subject: str
+    says: str
+    text: str
+    sources: tuple[Citation, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Note:
-    """A caveat, and the paths of the facts that it is about."""
+    """A caveat, the paths of the facts that it is about, and what places of the manual state of its subjects."""
 
     name: str
     place: Place
     title: str
     text: str
     about: tuple[str, ...]
+    statements: tuple[Statement, ...]
     sources: tuple[Citation, ...]

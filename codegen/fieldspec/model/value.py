@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from decimal import Context, Decimal
 from enum import Enum
+from operator import itemgetter
 
-from fieldspec.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.model.fact import Citation, Fact
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
     from fractions import Fraction
 
 
@@ -89,6 +92,33 @@ class Ranges:
         return ", ".join(f"{low}" if low == high else f"{low}..{high}" for low, high in self.intervals)
 
 
+def merged(intervals: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The same whole numbers in as few intervals as possible, in ascending order."""
+    result: list[tuple[int, int]] = []
+    for low, high in sorted(intervals):
+        if result and low <= result[-1][1] + 1:
+            result[-1] = result[-1][0], max(result[-1][1], high)
+        else:
+            result.append((low, high))
+    return result
+
+
+def uncovered(low: int, high: int, merged_intervals: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The parts of `low` to `high` that are in none of some intervals, which `merged` has put in order."""
+    holes = []
+    start = low
+    for index in range(bisect_left(merged_intervals, low, key=itemgetter(1)), len(merged_intervals)):
+        first, last = merged_intervals[index]
+        if first > high:
+            break
+        if first > start:
+            holes.append((start, first - 1))
+        start = max(start, last + 1)
+    if start <= high:
+        holes.append((start, high))
+    return holes
+
+
 def intervals(text: str) -> tuple[tuple[Decimal, Decimal], ...]:
     """`0..127, 10000..10127` as pairs of exact numbers."""
     pairs = []
@@ -135,7 +165,10 @@ class Handling:
 
 
 UNSPECIFIED = Handling()
-"""What is known where the manual says nothing."""
+"""The handling of a value of which the manual says nothing."""
+
+HANDLING_KEYS = attributes(Handling)
+"""The keys of the language that state it: they have the names of its attributes."""
 
 
 # Wide enough for the product of a 64-bit count and any scale that the language takes.

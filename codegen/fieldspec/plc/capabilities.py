@@ -85,7 +85,13 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         found["images"] = found["aligned_images"] = lossy(
             "have the bytes of the wire; numbers are read through functions, which turn them"
         )
-    if not dialect.wide_texts:
+    if not dialect.packs:
+        found["images"] = found["aligned_images"] = lossy(
+            "are bytes, which functions make values of: the standard does not say how a struct lies in memory"
+        )
+    if not dialect.texts:
+        found["code_texts"] = refused("are lists of structs with values, which constants cannot be there")
+    elif not dialect.wide_texts:
         found["code_texts"] = lossy("have ASCII alone, and at most 254 characters")
     found["remedies"] = refused("are texts for people: see the output for operator panels")
     found["labels"] = lossy("are comments")

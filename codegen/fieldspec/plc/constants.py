@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Fact
+from fieldspec.model.registers import Parameter, ParameterSet
 from fieldspec.model.value import Kind, Value
 from fieldspec.plc.enums import available
 from fieldspec.plc.routines.expressions import BITS, LREAL, SIGNED, UINT, UNSIGNED, Elementary
@@ -90,10 +91,17 @@ def _parameters(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for held in layout.device.parameters.values():
         for one in held.parameters:
             if not one.reserved:
-                text = f"{held.number_text(one.number)} {_printed(one)}"
-                yield Draft(one.name, UINT, held.base + one.number, _comment(text, one), one, hexadecimal=held.base > 0)
+                number = held.base + one.number
+                yield Draft(one.name, UINT, number, _comment(_numbered(held, one), one), one, hexadecimal=held.base > 0)
                 if one.count > 1:
                     yield Draft(f"{one.name}_count", UINT, one.count, _OF_SEVERAL["count"], one, derived=True)
+
+
+def _numbered(held: ParameterSet, one: Parameter) -> str:
+    """What a parameter is called, with its printed number where neither the constant nor the printed name says it."""
+    number, printed = held.number_text(one.number), _printed(one)
+    known = (str(held.base + one.number), *printed.split())
+    return printed if number in known else f"{number} {printed}"
 
 
 def _messages(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:

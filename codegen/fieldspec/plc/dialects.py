@@ -18,7 +18,9 @@ class Spelling:
 
     `variable` and `routine` hold a name, `shift` holds the function, the value and the number of bits. `member` holds
     an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
-    numbers. `struct` holds the name of a declared type. `sections` are the words for the roles of variables.
+    numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, empty where a
+    variable may have an array without a name as its type. `sections` are the words for the roles of variables.
+    `comment` is the form of a comment, `timer` the type of an on-delay timer.
     """
 
     variable: str = "{}"
@@ -26,15 +28,19 @@ class Spelling:
     shift: str = "{}({}, {})"
     member: str = "{0}.{1}"
     struct: str = "{}"
+    array: str = ""
     enums: bool = True
     sections: Mapping[str, str] = field(default_factory=lambda: SECTIONS)
     head: str = "FUNCTION {} : {}"
     begin: str = ""
     end: str = "END_FUNCTION"
     attributes: tuple[str, ...] = ()
+    comment: str = "// {}"
+    timer: str = "TON"
 
 
 STRUCTURED_TEXT = Spelling()
+STANDARD = Spelling(member="{2}", array="T_{}_{}", enums=False, comment="(* {} *)")
 SCL = Spelling(
     variable="#{}",
     routine='"{}"',
@@ -50,6 +56,7 @@ SCL = Spelling(
     },
     head="FUNCTION {} : {}",
     begin="BEGIN",
+    timer="TON_TIME",
     attributes=("{ S7_Optimized_Access := 'TRUE' }", "VERSION : 0.1"),
 )
 
@@ -67,7 +74,8 @@ class Dialect:
     bytes of its widest whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be
     arrays, `wide_texts` that texts of codes may have other characters than those of ASCII. `bits` says whether words of
     flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images,
-    and `longest_image` the most bytes of process data. `foreign` is what tools of others lose of it, empty for nothing.
+    and `longest_image` the most bytes of process data. `packs` says that a struct can be told to have no gaps; `texts`
+    is empty where constants cannot be texts of codes. `foreign` is what tools of others lose of it, empty for nothing.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """
@@ -93,6 +101,7 @@ class Dialect:
     target: str
     longest_image: int
     spelling: Spelling
+    packs: bool = True
     foreign: str = ""
     comment: str = "// {}"
     byte_order_mark: str = ""
@@ -129,6 +138,23 @@ STRUCTURED = Dialect(
     # The most data in a frame of PROFINET.
     longest_image=1440,
     spelling=STRUCTURED_TEXT,
+)
+
+IEC = replace(
+    STRUCTURED,
+    name="iec",
+    title="Structured Text of IEC 61131-3, for Beremiz and OpenPLC",
+    # Members of enums have no numbers there, so that enums are numbers with constants.
+    enum="",
+    constants="{}{}",
+    texts="",
+    qualified=False,
+    enums=False,
+    enum_members=1,
+    wide_texts=False,
+    packs=False,
+    spelling=STANDARD,
+    comment="(* {} *)",
 )
 
 SIEMENS = Dialect(
@@ -170,6 +196,7 @@ DIALECTS = {
             title="PLCopen XML",
             foreign="attributes and lists of constants are data of CODESYS, which tools of others leave out",
         ),
+        IEC,
         SIEMENS,
     )
 }

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.classes import replace
 from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.value import HANDLING_KEYS
 from fieldspec.reading.findings import near
 from fieldspec.reading.nodes import Mapping, Node, Scalar, ScalarValue, Sequence, identity
 from fieldspec.schema import schema
@@ -14,10 +15,8 @@ _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
 _VALUE = frozenset(schema()["$defs"]["value"]["properties"])
 # What a field takes from its signal, and a register from the one of which it is a copy.
 _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
-# What whoever reads or writes a value must know of the memory in which it is: a copy is in another one.
-_OF_MEMORY = frozenset({"clears_on_read", "memory", "saved_by", "endurance", "opposite_of"})
 _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
-    *_OF_MEMORY,
+    *HANDLING_KEYS,  # a copy is in a memory of its own
     "at",
     "decimal",
     "number",
@@ -162,7 +161,7 @@ class _Expansion:
 
 def _elsewhere(defaults: Node) -> Node:
     """The defaults of a group, for rows that are in another memory."""
-    for key in sorted(_OF_MEMORY & defaults.values.keys()) if isinstance(defaults, Mapping) else ():
+    for key in sorted(defaults.values.keys() & HANDLING_KEYS) if isinstance(defaults, Mapping) else ():
         assert isinstance(defaults, Mapping)
         defaults = defaults.without(key)
     return defaults

@@ -9,7 +9,7 @@ from fieldspec.backends import OUTPUTS
 from fieldspec.plc.capabilities import CONSTRUCTS, EXACT, Capability, of_dialect
 from fieldspec.plc.dialects import DIALECTS
 
-COLUMNS = ("st", "twincat", "plcopen", "scl", "kv", "hmi")
+COLUMNS = ("st", "twincat", "plcopen", "iec", "scl", "kv", "hmi")
 """The outputs for engineering tools, in the order of the columns."""
 
 _INTRODUCTION = """\

@@ -16,6 +16,7 @@ from fieldspec.model.enums import Enum, Flags, Member, State
 from fieldspec.model.fact import Claim, Fact
 from fieldspec.model.link import Link
 from fieldspec.model.registers import Parameter, ParameterSet, Register, RegisterGroup
+from fieldspec.model.task import Task
 from fieldspec.model.texts import Erratum, Example, Limit, Lookup, Note
 from fieldspec.model.value import UNSPECIFIED, Conversion, Handling, Signal
 
@@ -78,6 +79,7 @@ Item: TypeAlias = (
     | Link
     | Lookup
     | Limit
+    | Task
     | Note
     | Example
     | Erratum
@@ -109,6 +111,7 @@ def items(layout: DeviceLayout) -> Iterator[Item]:
     yield from device.links.values()
     yield from device.lookups
     yield from device.limits
+    yield from device.tasks
     yield from device.notes
     yield from device.examples.values()
     yield from device.errata

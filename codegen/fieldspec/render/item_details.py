@@ -15,6 +15,7 @@ from fieldspec.model.device import Device
 from fieldspec.model.enums import Enum
 from fieldspec.model.link import Link
 from fieldspec.model.registers import ParameterSet, Register
+from fieldspec.model.task import Task, step_text
 from fieldspec.model.texts import Erratum, Example, Limit, Note
 from fieldspec.model.value import Conversion, Signal
 from fieldspec.render.item import (
@@ -67,6 +68,13 @@ def details(layout: DeviceLayout, item: Item, number: int | None) -> Details:
             yield "unit", item.unit
             yield "bounds", ", ".join(f"0x{low:04X}..0x{high:04X}" for low, high in item.bounds.intervals)
             yield "first number", str(item.first_number)
+        case Task():
+            yield "task", item.kind
+            yield "open question", item.open
+            yield "not applicable", item.not_applicable
+            yield "with", ", ".join(item.messages)
+            for number_of_step, step in enumerate(item.steps, 1):
+                yield f"step {number_of_step}", step_text(step)
         case Limit():
             bounds = [str(bound) for bound in (item.low, item.high) if bound is not None]
             count = str(item.value) if item.value is not None else "..".join(bounds)

@@ -194,6 +194,7 @@ def _names(device: Device) -> Iterator[tuple[str, list[str]]]:
     yield "flags", list(device.flags)
     yield "look-up tables", [lookup.name for lookup in device.lookups]
     yield "limits", [limit.name for limit in device.limits]
+    yield "tasks", [task.name for task in device.tasks]
     yield "notes", [note.name for note in device.notes]
     counts = ((len(device.examples), "examples"), (len(device.errata), "errata"))
     yield "and", [f"{number} {noun}" for number, noun in counts if number]

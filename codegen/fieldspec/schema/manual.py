@@ -108,6 +108,14 @@ def _words(part: Schema) -> Iterator[str]:
     """The words that a scalar must be one of, where there are such."""
     if "enum" in part:
         yield ""
+        if "enumDescriptions" in part:
+            yield "| word | what it means |"
+            yield "|---|---|"
+            yield from (
+                f"| `{word}` | {_cell(text)} |"
+                for word, text in zip(part["enum"], part["enumDescriptions"], strict=True)
+            )
+            return
         yield "Words: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
 
 

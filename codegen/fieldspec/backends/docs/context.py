@@ -19,7 +19,7 @@ from fieldspec.backends.docs.document import (
     styled,
     text_piece,
 )
-from fieldspec.backends.docs.sources import Holder, holders, reasons
+from fieldspec.backends.docs.sources import Holder, holders, provenance_lines, reasons
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.device import Device
@@ -130,6 +130,9 @@ class Context:
             yield (styled(f"until {', '.join(fact.until)}", "badge"),)
         if fact.only:
             yield (styled(f"only {', '.join(fact.only)}", "badge"),)
+        yield from provenance_lines(fact)
+        if fact.roles:
+            yield (styled("Role: ", "quiet"), *joined((text_piece(role),) for role in fact.roles))
         yield from handled(getattr(fact, "handling", UNSPECIFIED))
         yield from (_note(note) for note in fact.notes)
         yield from self.beside(fact.place)

@@ -353,6 +353,8 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "Silence between frames", ((text_piece(f"{decimal_text(link.silence_characters)} characters"),),)
     if link.silence_milliseconds is not None:
         yield "Silence between frames", ((text_piece(f"{decimal_text(link.silence_milliseconds)} ms"),),)
+    if link.silence_sources:
+        yield "Source of the silence", (cited(link.silence_sources),)
     if link.error is not None:
         text = f"the code of the request with the bits {link.error.flag:02X}h set, and the record "
         yield "Refusals", ((text_piece(text), code(link.error.record, f"#records/{link.error.record}")),)

@@ -40,6 +40,13 @@ LIMITS = (
     TableColumn("Source", "source"),
 )
 
+STATEMENTS = (
+    TableColumn("Subject", unbroken=True),
+    TableColumn("Is so", unbroken=True),
+    TableColumn("What that place says", "wide"),
+    TableColumn("Source", "source"),
+)
+
 
 def lookups(context: Context) -> Section:
     """All tables of pins, lamps, priorities and their like."""
@@ -122,6 +129,17 @@ def _limit_lines(limit: Limit) -> Iterator[str]:
         yield f"at most {decimal_text(limit.high)}{unit}"
     if limit.text:
         yield limit.text
+    if limit.sum_of:
+        yield f"the sum of {', '.join(_short(path) for path in limit.sum_of)}"
+    if limit.transmits:
+        yield f"before the longest {limit.transmits}"
+    if limit.within:
+        yield f"within {_short(limit.within)}"
+
+
+def _short(path: str) -> str:
+    """The name at the end of a path."""
+    return path.rpartition("/")[2]
 
 
 def notes(context: Context) -> Section:
@@ -137,6 +155,14 @@ def _note(context: Context, note: Note) -> Section:
     if note.sources:
         facts.append(("Source", (cited(note.sources),)))
     blocks: list[Block] = [Paragraph((text_piece(note.text),))]
+    if note.statements:
+        rows = [
+            TableRow(
+                (cell(code(one.subject)), cell(one.says), cell(one.text), cell(cited(one.sources))), one.place.path
+            )
+            for one in note.statements
+        ]
+        blocks.append(table("What places of the manual state", STATEMENTS, rows))
     blocks += [Paragraph(line) for line in context.holding.badges(note.place.path)]
     if facts:
         blocks.append(Facts(tuple(facts)))

@@ -30,9 +30,11 @@ from fieldspec.backends.docs.parameters import parameters
 from fieldspec.backends.docs.records import records, tables
 from fieldspec.backends.docs.registers import registers
 from fieldspec.backends.docs.spaces import spaces
+from fieldspec.backends.docs.tasks import tasks
 from fieldspec.classes import replace
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.fact import Citation
+from fieldspec.model.value import merged
 
 COLUMNS = (
     TableColumn("Section", unbroken=True),
@@ -68,17 +70,12 @@ def _order(section: str) -> list[tuple[int, str]]:
 
 def _merged(lines: set[tuple[int, int]]) -> str:
     """Intervals of lines, those that touch in one."""
-    found: list[tuple[int, int]] = []
-    for first, last in sorted(lines):
-        if found and first <= found[-1][1] + 1:
-            found[-1] = (found[-1][0], max(found[-1][1], last))
-        else:
-            found.append((first, last))
-    return Citation("", tuple(found)).text()
+    return Citation("", tuple(merged(lines))).text()
 
 
 SECTIONS = (
     identity,
+    tasks,
     links,
     spaces,
     registers,

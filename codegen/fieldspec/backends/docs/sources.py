@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TypeAlias
 
-from fieldspec.backends.docs.document import Footnote, Line, Piece, styled, text_piece
+from fieldspec.backends.docs.document import Footnote, Line, Piece, code, joined, styled, text_piece
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Claim, Fact
 from fieldspec.model.link import Stations
 from fieldspec.model.record import Record
 from fieldspec.model.registers import PrintedElement
-from fieldspec.model.texts import Example, LookupRow, Note
+from fieldspec.model.texts import Example, LookupRow, Note, Statement
 
-Holder: TypeAlias = Fact | Claim | Example | Note | Stations | PrintedElement | LookupRow
+Holder: TypeAlias = Fact | Claim | Example | Note | Statement | Stations | PrintedElement | LookupRow
 
 
 def holders(device: Device) -> dict[str, Holder]:
@@ -32,7 +32,9 @@ def _all(device: Device) -> Iterator[Holder]:
         yield from table.elements
     for lookup in device.lookups:
         yield from lookup.rows
-    yield from device.notes
+    for note in device.notes:
+        yield note
+        yield from note.statements
     yield from device.examples.values()
 
 
@@ -70,6 +72,7 @@ def _facts(device: Device) -> Iterator[Fact]:
         yield from flags.states
     yield from device.lookups
     yield from device.limits
+    yield from device.tasks
 
 
 def _cases(record: Record) -> Iterator[Fact]:
@@ -130,3 +133,17 @@ def reasons(inferred: Mapping[str, str]) -> Iterable[Line]:
 
 def _reason(key: str, reason: str) -> Line:
     return (styled(f"{key} is inferred: ", "strong"), text_piece(reason))
+
+
+def provenance_lines(fact: Fact) -> Iterable[Line]:
+    """A line for each key that a standard gives, and for each report, with their marks."""
+    for key, standard in fact.standard.items():
+        yield (
+            styled("standard", "badge"),
+            text_piece(" "),
+            code(key),
+            text_piece(f" is from {standard.text()}; the manual does not print it."),
+        )
+    for report in fact.reported:
+        said = joined((text_piece(f"{key} "), code(str(value))) for key, value in report.values.items())
+        yield (styled("reported", "badge"), text_piece(" "), *said, text_piece(f" by {report.by}: {report.how}"))

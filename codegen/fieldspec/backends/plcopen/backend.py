@@ -1,4 +1,4 @@
-"""The files of the PLCopen output: one TC6 XML 2.01 for a device."""
+"""The files of the PLCopen output: one TC6 XML for a device, in the form that CODESYS exports itself."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.program import Program, newest, program, stem
 from fieldspec.plc.structured.program import refusals as program_refusals
 
-NAMESPACE = "http://www.plcopen.org/xml/tc6_0201"
+# What CODESYS writes and TwinCAT reads; 2.01 differs in nothing that stands here.
+NAMESPACE = "http://www.plcopen.org/xml/tc6_0200"
 GLOBALS = "http://www.3s-software.com/plcopenxml/globalvars"
 # The schema demands a date. This one says nothing, and is the same in every build.
 CREATED = "2000-01-01T00:00:00"

@@ -10,7 +10,7 @@ from fieldspec.plc.constants import ConstantList
 from fieldspec.plc.enums import EnumDeclaration, TextTable
 from fieldspec.plc.routines.expressions import BOOL, ArrayType, Elementary, StructType, Type
 from fieldspec.plc.routines.printer import comment_text
-from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.routines.routine import Declared, Routine
 from fieldspec.plc.structs import Struct
 from fieldspec.plc.structured.objects import ENUM_ATTRIBUTES, LIST_ATTRIBUTES, PACK_MODE, Item, TextForm, number, string
 from fieldspec.plc.structured.program import Program
@@ -143,7 +143,8 @@ def text_type(form: TextForm) -> Element:
     return _declared(form.name, element("struct", *members), (), "What a code means.")
 
 
-_SECTIONS = {"input": "inputVars", "in_out": "inOutVars", "output": "outputVars", "local": "localVars"}
+# The order in which CODESYS exports them.
+_SECTIONS = {"input": "inputVars", "output": "outputVars", "in_out": "inOutVars", "local": "localVars"}
 _DOCUMENTATION_NAMESPACE = "http://www.w3.org/1999/xhtml"
 
 
@@ -152,18 +153,23 @@ def function(routine: Routine, text: Item) -> Element:
     sections = []
     for role, name in _SECTIONS.items():
         held = [
-            variable(one.variable.name, type_element(one.variable.type), None, one.remark)
+            variable(one.variable.name, type_element(one.variable.type), _initial(one), one.remark)
             for one in routine.of_role(role)
         ]
         if held:
             sections.append(element(name, *held))
     interface = element(
         "interface",
-        element("returnType", type_element(routine.returns)),
+        *([element("returnType", type_element(routine.returns))] if routine.returns is not None else []),
         *sections,
         documentation(routine.remarks),
     )
-    return element("pou", interface, _body(text.implementation), name=routine.name, pouType="function")
+    kind = "function" if routine.returns is not None else "functionBlock"
+    return element("pou", interface, _body(text.implementation), name=routine.name, pouType=kind)
+
+
+def _initial(declared: Declared) -> Element | None:
+    return element("simpleValue", value=declared.initial) if declared.initial else None
 
 
 def _body(lines: Sequence[str]) -> Element:

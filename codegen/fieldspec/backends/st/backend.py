@@ -15,6 +15,7 @@ _PARTS = {
     "type": "Types: enums and structs",
     "list": "Constants: each list is an object of its own, by the name above it",
     "function": "Functions",
+    "block": "Function blocks",
 }
 
 

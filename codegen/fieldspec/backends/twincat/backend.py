@@ -13,6 +13,7 @@ from fieldspec.plc.structured.layout_table import layout_table
 from fieldspec.plc.structured.objects import Item
 from fieldspec.plc.structured.program import newest, program, stem
 from fieldspec.plc.structured.program import refusals as program_refusals
+from fieldspec.spreadsheet import BYTE_ORDER_MARK
 
 # An identifier that is made of a name is the same in every build, and differs where names differ.
 _SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "twincat.fieldspec")
@@ -32,6 +33,7 @@ FORMS = {
     "type": Form("DUT", "TcDUT", "DUTs"),
     "list": Form("GVL", "TcGVL", "GVLs"),
     "function": Form("POU", "TcPOU", "POUs", ' SpecialFunc="None"'),
+    "block": Form("POU", "TcPOU", "POUs", ' SpecialFunc="None"'),
 }
 
 
@@ -69,16 +71,16 @@ def identifier(name: str) -> str:
 
 
 def source(item: Item, about: list[str]) -> str:
-    """The file of an object."""
+    """The file of an object, with the byte order mark of all files that TwinCAT writes itself."""
     form = FORMS[item.kind]
     head = [f"// {line}" for line in about]
     lines = [
-        '<?xml version="1.0" encoding="utf-8"?>',
+        f'{BYTE_ORDER_MARK}<?xml version="1.0" encoding="utf-8"?>',
         '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">',
         f'  <{form.element} Name="{item.name}" Id="{identifier(item.name)}"{form.attributes}>',
         f"    <Declaration>{_characters([*head, *item.declaration])}</Declaration>",
     ]
-    if item.kind == "function":
+    if item.kind in ("function", "block"):
         lines += [
             "    <Implementation>",
             f"      <ST>{_characters(item.implementation)}</ST>",
@@ -96,7 +98,8 @@ def _characters(lines: Sequence[str]) -> str:
 def inclusion(items: Sequence[Item]) -> str:
     """The part of a `.plcproj` that includes the objects."""
     lines = ["<!-- Copy these elements into an ItemGroup of the .plcproj. -->", "<ItemGroup>"]
-    lines += [f'  <Folder Include="{form.folder}" />' for form in FORMS.values()]
+    folders = dict.fromkeys(form.folder for form in FORMS.values())
+    lines += [f'  <Folder Include="{folder}" />' for folder in folders]
     for item in items:
         lines += [
             f'  <Compile Include="{path(item).replace("/", chr(92))}">',

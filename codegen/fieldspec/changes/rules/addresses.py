@@ -15,9 +15,9 @@ from fieldspec.model.registers import Parameter, ParameterSet, Register, Subinde
 
 
 def register_moved(comparison: Comparison) -> Iterator[Change]:
-    """A register lies at another address.
+    """A register is at another address.
 
-    Why: old programs read and write another register than they mean.
+    Why: existing programs read and write the wrong register.
 
     Example: `at: 0x2011` that becomes `at: 0x2012`.
 
@@ -28,14 +28,14 @@ def register_moved(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Register):
         if pair.old.address != pair.new.address:
             old, new = hexadecimal(pair.old.address), hexadecimal(pair.new.address)
-            text = f"{named(pair.new)} lies at {new}, and lay at {old}"
+            text = f"{named(pair.new)} is at {new}, and was at {old}"
             yield change("register_moved", Effect.WIRE, pair, "at", text, old, new)
 
 
 def table_moved(comparison: Comparison) -> Iterator[Change]:
     """A table begins at another address.
 
-    Why: old programs read and write other records than they mean.
+    Why: existing programs read and write the wrong records.
 
     Example: `base: 0x9010` that becomes `base: 0xA010`.
 
@@ -51,9 +51,9 @@ def table_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def stride_changed(comparison: Comparison) -> Iterator[Change]:
-    """The elements of a register or a table lie at other distances.
+    """The elements of a register or a table are at other distances.
 
-    Why: all elements but the first lie at other addresses.
+    Why: all elements but the first are at other addresses.
 
     Example: `stride: 0x10` that becomes `stride: 0x20`.
 
@@ -69,9 +69,9 @@ def stride_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def index_changed(comparison: Comparison) -> Iterator[Change]:
-    """The elements of a register, a table or a parameter are counted in another way.
+    """The elements of a register, a table or a parameter have other numbers.
 
-    Why: element 5 is another one than before, with another address.
+    Why: element 5 is not the element 5 of before, and has another address.
 
     Example: `index_from: 0` that becomes `index_from: 1`.
 
@@ -94,7 +94,7 @@ def index_changed(comparison: Comparison) -> Iterator[Change]:
 def number_changed(comparison: Comparison) -> Iterator[Change]:
     """A parameter, or a set of parameters, has other numbers on the wire.
 
-    Why: old programs read and write another parameter than they mean.
+    Why: existing programs read and write the wrong parameter.
 
     Example: `number: 19` that becomes `number: 20`, or another `base` of a set.
 
@@ -127,9 +127,9 @@ _OF_SPACE = (
 
 
 def space_changed(comparison: Comparison) -> Iterator[Change]:
-    """A register, a table or a message belongs to another address space, or a space is another one.
+    """A register, a table or a message belongs to another address space, or an address space changes itself.
 
-    Why: the same address in another space is another register; programs read and write it with the wrong message.
+    Why: the same address in another space is another register, and needs other messages.
 
     Example: a group of registers with `space: holding_registers` that becomes `space: input_registers`.
 

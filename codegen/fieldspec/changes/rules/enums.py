@@ -13,9 +13,9 @@ from fieldspec.model.enums import Bit, Enum, Member
 
 
 def enum_changed(comparison: Comparison) -> Iterator[Change]:
-    """ValuePair are named by another enum, or have names where they had none, or none where they had some.
+    """A value has another enum, has an enum now, or has none any more.
 
-    Why: where the two enums name a value differently, it means something else. Else the types of generated code change.
+    Why: if the two enums give a number different names, it means something else. If not, the types of generated code change.
 
     Example: `enum: mode` that becomes `enum: extended_mode`.
 
@@ -48,14 +48,14 @@ def _names(device: Device, name: str) -> dict[int, str]:
 
 
 def member_added(comparison: Comparison) -> Iterator[Change]:
-    """An enum has a further member.
+    """An enum has a new member.
 
-    Why: programs that know all members meet one that they do not know; generated code of the old version refuses it, or
-    passes it on as a number where the enum is open.
+    Why: programs receive a value that they do not know. Generated code of the old version refuses it, or passes it on as
+    a number if the enum is open.
 
     Example: an alarm code that the new firmware has.
 
-    Cure: Nothing to do. Where more are to be expected, say `open: true`.
+    Cure: Nothing to do. If the manual announces more, write `open: true`.
     """
 
     for unpaired in comparison.added:
@@ -79,11 +79,11 @@ def member_added(comparison: Comparison) -> Iterator[Change]:
 def member_removed(comparison: Comparison) -> Iterator[Change]:
     """An enum has lost a member.
 
-    Why: the value means nothing any more, or something else, and generated code has no name for it.
+    Why: the value has no meaning any more, or another one, and generated code has no name for it.
 
-    Example: a mode that the new firmware has not.
+    Example: a mode that the new firmware does not have.
 
-    Cure: Where the device still takes the value, keep the member with `unavailable: true`. Where the old spec was
+    Cure: If the device still accepts the value, keep the member with `unavailable: true`. Where the old spec was
     wrong, accept the change with that reason; else give the new version a number of its own.
     """
 
@@ -109,7 +109,7 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
 def member_renumbered(comparison: Comparison) -> Iterator[Change]:
     """A member of an enum has another value.
 
-    Why: old programs write and understand another member than they mean.
+    Why: existing programs write the wrong member, and misread those that they receive.
 
     Example: `{value: 5, name: blue}` that becomes `{value: 6, name: blue}`.
 
@@ -125,14 +125,14 @@ def member_renumbered(comparison: Comparison) -> Iterator[Change]:
 
 
 def openness_changed(comparison: Comparison) -> Iterator[Change]:
-    """An enum takes values that it does not list, or no longer takes them.
+    """An enum admits values that it does not list, or no longer admits them.
 
-    Why: where it opens, generated types admit plain numbers that programs must expect. Where it closes, values that it
-    does not list are refused.
+    Why: an open enum has a type that also admits numbers, which programs must expect. With a closed one, generated code
+    refuses values that it does not list.
 
     Example: `open: true` at the enum of alarms.
 
-    Cure: Nothing to do where new codes are to be expected.
+    Cure: Nothing to do if the manual announces more codes.
     """
 
     for pair in comparison.of(Enum):

@@ -18,13 +18,13 @@ from fieldspec.model.texts import Example
 
 
 def device_added(device: Device) -> Change:
-    """That a device is new."""
+    """The change that a device is new."""
     text = f"the device {device.id} is new"
     return Change("fact_added", Effect.BEHAVIOUR, "device", device.id, text, "", device.name, None, device.place["id"])
 
 
 def device_removed(device: Device) -> Change:
-    """That a device is gone, and with it everything that is generated for it."""
+    """The change that a device is gone, with everything that is generated for it."""
     text = f"the device {device.id} is gone"
     return Change(
         "fact_removed", Effect.SOURCE, "device", device.id, text, device.name, "", device.place["id"], None, ALL
@@ -32,14 +32,14 @@ def device_removed(device: Device) -> Change:
 
 
 def fact_added(comparison: Comparison) -> Iterator[Change]:
-    """The new version has something that the old one has not.
+    """The new version has something that the old one does not have.
 
-    Why: nobody who does without it is hurt, as long as it takes no place from anything. A field that makes a record
-    longer, or moves others, breaks every program that knows the old length.
+    Why: programs that do not use it go on working, as long as nothing else moves. A field that makes a record longer, or
+    moves other fields, breaks every program that knows the old length.
 
     Example: a register at an address that was free.
 
-    Cure: Put new fields where reserved ones were. Give the fact a `since`, so that users of the old version know.
+    Cure: Put new fields in the place of reserved ones. Give the fact a `since`, so that users of the old version know.
     """
 
     for unpaired in comparison.added:
@@ -64,13 +64,13 @@ def _effect(unpaired: Unpaired) -> Effect:
 
 
 def fact_removed(comparison: Comparison) -> Iterator[Change]:
-    """The old version has something that the new one has not, and nothing shows that it only has another name.
+    """The old version has something that the new one does not have, and nothing shows that only its name has changed.
 
     Why: programs that use it read or write nothing, or something else, and generated code has no name for it any more.
 
     Example: a register that the new manual does not list.
 
-    Cure: Look whether the new manual has left it out by mistake. Else give it an `until`, and tell users what to use
+    Cure: Find out whether the new manual omits it by mistake. If not, give it an `until`, and tell users what to use
     instead.
     """
 
@@ -110,7 +110,8 @@ def renamed(comparison: Comparison) -> Iterator[Change]:
     for renaming in comparison.renamed:
         old, new = named(renaming.pair.old), named(renaming.pair.new)
         consequences = CONSEQUENCES[type(renaming.pair.new)]
-        text = f"the {kind(renaming.pair.new)} {old}{within(renaming.pair.containers[1])} is called {new}; it has {renaming.evidence}"
+        place = within(renaming.pair.containers[1])
+        text = f"the {kind(renaming.pair.new)} {old}{place} is called {new}; it has {renaming.evidence}"
         yield change("renamed", consequences.renaming, renaming.pair, "name", text, old, new, consequences.outputs)
 
 

@@ -15,7 +15,7 @@ from fieldspec.model.registers import Parameter, Register, Table
 
 
 def field_moved(comparison: Comparison) -> Iterator[Change]:
-    """FieldLists of a record or a message, or parts of a frame, lie elsewhere among the others.
+    """Fields of a record or a message, or parts of a frame, lie elsewhere among the others.
 
     Why: bytes that were one field are another one.
 

@@ -60,6 +60,8 @@ USINT, UINT, UDINT, ULINT = (
     Elementary(n, "unsigned", s) for n, s in (("USINT", 1), ("UINT", 2), ("UDINT", 4), ("ULINT", 8))
 )
 SINT, INT, DINT, LINT = (Elementary(n, "signed", s) for n, s in (("SINT", 1), ("INT", 2), ("DINT", 4), ("LINT", 8)))
+TIME = Elementary("TIME", "time", 4)
+TIMER = StructType("TON")
 REAL, LREAL = Elementary("REAL", "real", 4), Elementary("LREAL", "real", 8)
 
 ELEMENTARY = {

@@ -7,6 +7,7 @@ from typing import Any
 
 from fieldspec.plc.dialects import Spelling
 from fieldspec.plc.routines.expressions import (
+    TIMER,
     ArrayType,
     Call,
     Conversion,
@@ -25,7 +26,17 @@ from fieldspec.plc.routines.expressions import (
     Variable,
     Whole,
 )
-from fieldspec.plc.routines.routine import Assignment, Body, Condition, Loop, Return, Routine, Selection, Statement
+from fieldspec.plc.routines.routine import (
+    Assignment,
+    Body,
+    Condition,
+    Loop,
+    Return,
+    Routine,
+    Selection,
+    Statement,
+    Timing,
+)
 
 _WIDTH = 112
 _STEP = "    "
@@ -33,15 +44,25 @@ _ASSOCIATIVE = ("+", "AND", "OR", "XOR")
 _COMMENT_MARKS = range(-(1 << 31), 1 << 31)
 
 
-def comment(text: str, indent: str = "") -> list[str]:
+def comment(text: str, indent: str = "", form: str = "// {}") -> list[str]:
     """A text of a spec as lines of comment. It stays within them, whatever it holds."""
-    room = _WIDTH - len(indent)
+    room = _WIDTH - len(indent) - len(form) + len("// {}")
     lines = [""]
     for word in comment_text(text).split(" "):
         if lines[-1] and len(lines[-1]) + len(word) >= room:
             lines.append("")
         lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
-    return [f"{indent}// {line}".rstrip() for line in lines]
+    return [f"{indent}{form.format(line)}".rstrip() for line in lines]
+
+
+def array_name(kind: ArrayType, spelling: Spelling) -> str:
+    """The name of an array type where arrays must have one: `T_Gadget_BYTE_0_255`"""
+    bounds: list[str] = []
+    of: Type = kind
+    while isinstance(of, ArrayType):
+        bounds[:0] = [str(of.low), str(of.high)]
+        of = of.of
+    return spelling.array.format("_".join([type_text(of, spelling), *bounds]))
 
 
 def comment_text(text: str) -> str:
@@ -56,10 +77,14 @@ def comment_text(text: str) -> str:
 
 def type_text(kind: Type, spelling: Spelling) -> str:
     """A type where a variable is declared."""
+    if isinstance(kind, ArrayType) and spelling.array:
+        return array_name(kind, spelling)
     if isinstance(kind, ArrayType):
         return f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
     if isinstance(kind, Elementary):
         return kind.name
+    if kind == TIMER:
+        return spelling.timer
     if isinstance(kind, EnumType) and not spelling.enums:
         return kind.base.name
     return spelling.struct.format(kind.name)
@@ -67,19 +92,26 @@ def type_text(kind: Type, spelling: Spelling) -> str:
 
 def declaration(routine: Routine, spelling: Spelling) -> list[str]:
     """The head of a routine: its comment, its name, its variables."""
-    lines = [line for paragraph in routine.remarks for line in comment(paragraph)]
+    form = spelling.comment
+    lines = [line for paragraph in routine.remarks for line in comment(paragraph, form=form)]
     if routine.example:
-        lines += ["//", "// Example:", *(f"//{_STEP}{line}".rstrip() for line in routine.example)]
-    lines.append(spelling.head.format(spelling.routine.format(routine.name), type_text(routine.returns, spelling)))
+        example = ["", "Example:", *(f"{_STEP}{line}"[1:] for line in routine.example)]
+        lines += [form.format(line).rstrip() for line in example]
+    name = spelling.routine.format(routine.name)
+    if routine.returns is None:
+        lines.append(f"FUNCTION_BLOCK {name}")
+    else:
+        lines.append(spelling.head.format(name, type_text(routine.returns, spelling)))
     lines += spelling.attributes
     for role, word in spelling.sections.items():
         declared = routine.of_role(role)
         if not declared:
             continue
-        lines.append(word)
+        lines.append("VAR" if role == "local" and routine.returns is None else word)
         for one in declared:
-            beside = f" // {comment_text(one.remark)}" if one.remark else ""
-            lines.append(f"{_STEP}{one.variable.name} : {type_text(one.variable.type, spelling)};{beside}")
+            beside = f" {form.format(comment_text(one.remark))}" if one.remark else ""
+            initial = f" := {one.initial}" if one.initial else ""
+            lines.append(f"{_STEP}{one.variable.name} : {type_text(one.variable.type, spelling)}{initial};{beside}")
         lines.append("END_VAR")
     return lines
 
@@ -92,13 +124,15 @@ def implementation(routine: Routine, spelling: Spelling) -> list[str]:
 def routine_text(routine: Routine, spelling: Spelling) -> list[str]:
     """The whole routine."""
     begin = [spelling.begin] if spelling.begin else []
-    return [*declaration(routine, spelling), *begin, *implementation(routine, spelling), spelling.end]
+    end = "END_FUNCTION_BLOCK" if routine.returns is None else spelling.end
+    return [*declaration(routine, spelling), *begin, *implementation(routine, spelling), end]
 
 
 def call_lines(routine: Routine, spelling: Spelling, **others: Expression) -> list[str]:
     """A call whose arguments are variables that are called as the parameters, or `others` by the parameters' names."""
     names = [one.variable for one in routine.declared if one.role != "local"]
     given: dict[str, Expression] = {one.name: others.get(one.name, one) for one in names}
+    assert routine.returns is not None
     result = Variable("eStatus", routine.returns)
     return _body((Assignment(result, routine.called(**given)),), spelling, "")
 
@@ -126,6 +160,9 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
                 lines.append(f"{indent}ELSE")
                 lines += _body(otherwise, spelling, inner)
             lines.append(f"{indent}END_IF;")
+        case Timing(timer, running, time):
+            texts = (_text(one, spelling) for one in (timer, running, time))
+            lines.append("{}{}(IN := {}, PT := {});".format(indent, *texts))
         case Return():
             lines.append(f"{indent}RETURN;")
         case Loop(index, first, last, body):

@@ -10,11 +10,20 @@ from fieldspec.plc.routines.expressions import (
     INT,
     UINT,
     Call,
+    Conversion,
+    Element,
     EnumMemberExpression,
     EnumType,
     Expression,
+    Fraction,
+    Member,
+    Negation,
+    Operation,
+    Shift,
+    Truth,
     Type,
     Variable,
+    Whole,
     compared,
 )
 
@@ -59,7 +68,16 @@ class Return:
     """RETURN."""
 
 
-Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """A call of an on-delay timer: it runs while `running` holds, and its Q is true when `time` has passed."""
+
+    timer: Variable
+    running: Expression
+    time: Variable
+
+
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing
 Body: TypeAlias = tuple[Statement, ...]
 
 
@@ -74,24 +92,26 @@ SECTIONS = {"input": "VAR_INPUT", "in_out": "VAR_IN_OUT", "output": "VAR_OUTPUT"
 
 @dataclass(frozen=True, slots=True)
 class Declared:
-    """A parameter or a local variable: its role is input, in_out, output or local."""
+    """A parameter or a local variable: its role is input, in_out, output or local. `initial` is a literal, or empty."""
 
     variable: Variable
     role: str
     remark: str = ""
+    initial: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Routine:
     """A function. It changes nothing but its outputs and the variables that it is lent, and keeps nothing.
 
-    `group` is what it is about, in a word or two; `remarks` are the paragraphs of its comment, `example` are lines of
-    a program that calls it.
+    Where `returns` is None it is a function block, which keeps its variables from one call to the next. `group` is what
+    it is about, in a word or two; `remarks` are the paragraphs of its comment, `example` are lines of a program that
+    calls it.
     """
 
     name: str
     group: str
-    returns: Type
+    returns: Type | None
     declared: tuple[Declared, ...]
     body: Body
     remarks: tuple[str, ...]
@@ -100,6 +120,7 @@ class Routine:
     @property
     def result(self) -> Variable:
         """What is assigned to return a value."""
+        assert self.returns is not None
         return Variable(self.name, self.returns)
 
     def of_role(self, role: str) -> list[Declared]:
@@ -108,6 +129,7 @@ class Routine:
 
     def called(self, **given: Expression) -> Call:
         """A call with an expression for every parameter."""
+        assert self.returns is not None
         outputs = {one.variable.name for one in self.of_role("output")}
         wanted = [one.variable.name for one in self.declared if one.role != "local"]
         assert sorted(given) == sorted(wanted), (self.name, sorted(given), sorted(wanted))
@@ -167,6 +189,59 @@ class Status:
 BASE = UINT
 
 
+# Most of what there is, beside variables.
+_LEAVES = frozenset({Whole, EnumMemberExpression, Fraction, Truth, Return})
+
+
+def called(routine: Routine) -> set[str]:
+    """The names of the routines that it calls."""
+    return _names(routine.body)[0]
+
+
+def used(body: Body) -> set[str]:
+    """The names of the variables in some statements."""
+    return _names(body)[1]
+
+
+def _names(body: Body) -> tuple[set[str], set[str]]:
+    """The names of the routines that some statements call, and those of their variables."""
+    found: set[str] = set()
+    variables: set[str] = set()
+    left: list[Statement | Expression] = [*body]
+    while left:
+        one = left.pop()
+        if one.__class__ in _LEAVES:
+            continue
+        if isinstance(one, Variable):
+            variables.add(one.name)
+        elif isinstance(one, Assignment):
+            left += (one.target, one.value)
+        elif isinstance(one, Operation):
+            left += one.operands
+        elif isinstance(one, Member | Negation | Shift | Conversion):
+            left.append(one.of)
+        elif isinstance(one, Element):
+            left += (one.of, one.index)
+        elif isinstance(one, Condition):
+            for test, body in one.branches:
+                left.append(test)
+                left += body
+            left += one.otherwise
+        elif isinstance(one, Call):
+            found.add(one.routine)
+            left += [given for _, given in (*one.inputs, *one.outputs)]
+        elif isinstance(one, Timing):
+            left += (one.timer, one.running, one.time)
+        elif isinstance(one, Loop):
+            left += (one.index, one.first, one.last, *one.body)
+        elif isinstance(one, Selection):
+            left.append(one.of)
+            for _, body in one.branches:
+                left += body
+            left += one.otherwise
+    return found, variables
+
+
 class Draft:
     """A routine that returns a status. Names are compared without their case, as all dialects do."""
 
@@ -210,13 +285,17 @@ class Draft:
         return self.status.refuse(self.result, test, status)
 
     def finished(self, last: Expression | None = None) -> Routine:
-        """The routine; at its end it returns a status, where none is given that all is well."""
+        """The routine; at its end it returns a status, where none is given that all is well.
+
+        Local variables that no statement uses are left out: compilers warn of them.
+        """
         body = (*self.body, Assignment(self.result, self.status.of("ok") if last is None else last))
+        names = used(body)
         return Routine(
             self.name,
             self.group,
             self.status.type,
-            tuple(self._declared),
+            tuple(one for one in self._declared if one.role != "local" or one.variable.name in names),
             body,
             tuple(self.remarks),
             tuple(self.example),

@@ -8,6 +8,7 @@ from fieldspec.classes import dataclass
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.model.value import Kind, Value
+from fieldspec.names import Name
 from fieldspec.plc.routines.expressions import (
     BITS,
     BYTE,
@@ -20,6 +21,7 @@ from fieldspec.plc.routines.expressions import (
     EnumType,
     Expression,
     Fraction,
+    Member,
     Negation,
     Truth,
     Variable,
@@ -90,8 +92,10 @@ def read(
     if target is None:
         return []
     if wire.kind is Kind.FLOAT:
-        call = world.real_from_bits(bits, target)
-        return [draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")]
+        received = _received(draft, target, "rValue")
+        call = world.real_from_bits(bits, received)
+        refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
+        return [refusal, *_moved(target, received)]
     if wire.kind is Kind.BOOLEAN:
         raw = converted(bits, wire.whole)
         return [
@@ -99,13 +103,29 @@ def read(
             Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
         ]
     if isinstance(target.type, EnumType):
-        call = world.enum_from_raw(
-            value.enum, converted(converted(bits, wire.whole), world.raw_type(value.enum)), target
-        )
-        return [draft.refusal(Negation(call), "unknown_value")]
+        received = _received(draft, target, f"e{Name.of(value.enum).pascal()}")
+        raw = converted(converted(bits, wire.whole), world.raw_type(value.enum))
+        refusal = draft.refusal(Negation(world.enum_from_raw(value.enum, raw, received)), "unknown_value")
+        return [refusal, *_moved(target, received)]
     assert isinstance(target.type, Elementary)
     statements: list[Statement] = [Assignment(target, converted(bits, target.type))]
     return [*statements, *_closed(draft, world, wire, target)]
+
+
+def _received(draft: Draft, target: Expression, name: str) -> Expression:
+    """Where a function puts its output: a local variable for an element of an array, and for what lies in one.
+
+    The compiler of Beremiz and OpenPLC makes wrong C of an output that goes there directly.
+    """
+    of = target
+    while isinstance(of, Member):
+        of = of.of
+    return draft.local(name, target.type) if isinstance(of, Element) else target
+
+
+def _moved(target: Expression, received: Expression) -> list[Statement]:
+    """What brings an output to its place, where it is not there."""
+    return [] if received is target else [Assignment(target, received)]
 
 
 def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:

@@ -85,6 +85,10 @@ class World:
             words += Name.of(part)
         return f"F_{self.names.device}_{words.pascal()}"
 
+    def block(self, *parts: str) -> str:
+        """The name of a function block: `FB_Gadget_ReadRegisters`"""
+        return "FB" + self.routine(*parts).removeprefix("F")
+
     def variable(self, name: str, kind: Type) -> str:
         """The name of a variable for a part or a field: `uiSpeed`, `stPoint`, `aCorners`"""
         if isinstance(kind, Elementary):

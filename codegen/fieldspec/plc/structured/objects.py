@@ -15,7 +15,7 @@ from fieldspec.plc.structs import Struct
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """An object by its name. `kind` is type, list or function; `about` is what it belongs to, in a word or two.
+    """An object by its name. `kind` is type, list, function or block; `about` is what it belongs to, in a word or two.
 
     `declaration` and `implementation` are its lines; a function has no line for its end, since files of projects have
     none.
@@ -30,7 +30,8 @@ class Item:
     @property
     def lines(self) -> list[str]:
         """The whole object, as text that stands alone."""
-        end = ["END_FUNCTION"] if self.kind == "function" else []
+        ends = {"function": ["END_FUNCTION"], "block": ["END_FUNCTION_BLOCK"]}
+        end = ends.get(self.kind, [])
         return [*self.declaration, *self.implementation, *end]
 
 

@@ -54,15 +54,7 @@ class Program:
 
     def about(self) -> list[str]:
         """What stands at the head of a file."""
-        layout = self.declared.layout
-        device = layout.device
-        manual = f"{device.manual.title} {device.manual.edition}".strip()
-        return [
-            comment_text(f"{device.name} ({device.vendor}), version {device.version}"),
-            comment_text(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
-            f"Identity of the layout: {layout.identity}",
-            "Written by fieldspec. Do not edit: change the spec and build again.",
-        ]
+        return about(self.declared.layout)
 
     def guide(self) -> list[str]:
         """How the functions are used, for the head of a file that has everything."""
@@ -73,6 +65,18 @@ class Program:
             "wire, but the order of bytes may be another one: use the functions, and do not copy memory.",
             *examples(self.declared.world, self.routines, spelling),
         ]
+
+
+def about(layout: DeviceLayout) -> list[str]:
+    """What stands at the head of every file of a device."""
+    device = layout.device
+    manual = f"{device.manual.title} {device.manual.edition}".strip()
+    return [
+        comment_text(f"{device.name} ({device.vendor}), version {device.version}"),
+        comment_text(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
+        f"Identity of the layout: {layout.identity}",
+        "Written by fieldspec. Do not edit: change the spec and build again.",
+    ]
 
 
 def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
@@ -115,7 +119,7 @@ def _items(declared: Declarations, where: Sequence[Placed], texts: TextForm | No
 
 def _function(routine: Routine, spelling: Spelling) -> Item:
     lines = tuple(declaration(routine, spelling)), tuple(implementation(routine, spelling))
-    return Item(routine.name, "function", routine.group, *lines)
+    return Item(routine.name, "function" if routine.returns is not None else "block", routine.group, *lines)
 
 
 def _texts_list(declared: Declarations) -> str:

@@ -9,12 +9,13 @@ from functools import lru_cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.diagnostics import Diagnostic, Label
-from fieldspec.model.fact import Citation, Claim, Place, PlainValue
-from fieldspec.model.value import UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
+from fieldspec.model.fact import Citation, Claim, Place, PlainValue, Report, Standard
+from fieldspec.model.value import HANDLING_KEYS, UNSPECIFIED, Handling, Ranges, intervals, whole_intervals
 from fieldspec.reading.nodes import Mapping, Node, Scalar, Sequence, exact
 from fieldspec.source import Span
 
 _CLAIM_META = ("source", "doc")
+_REPORT_META = ("by", "how")
 
 
 class Entry:
@@ -185,7 +186,7 @@ class Entry:
 
     def handling(self) -> Handling:
         """What whoever reads or writes the value must know."""
-        if self.defaults is None and _HANDLING.isdisjoint(self.own):
+        if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
         return Handling(
@@ -207,6 +208,29 @@ class Entry:
             for entry in self.entries(key)
         )
 
+    def standards(self, key: str) -> dict[str, Standard]:
+        """The standards that give keys of a fact; those of the defaults come first, the own keys win."""
+        standards: dict[str, Standard] = {}
+        for holder in (self.defaults, self.node):
+            node = holder.values.get(key) if holder is not None else None
+            for name, inner in node.values.items() if isinstance(node, Mapping) else ():
+                if isinstance(inner, Mapping):
+                    entry = Entry(inner, f"{self.path}/{key}/{name}", self.found)
+                    standards[name] = Standard(entry.text("name"), entry.text("clause"))
+        return standards
+
+    def reports(self, key: str) -> tuple[Report, ...]:
+        """What others report of a fact."""
+        return tuple(
+            Report(
+                entry.place(),
+                entry.text("by"),
+                entry.text("how"),
+                {key: _claimed(value) for key, value in entry.node.values.items() if key not in _REPORT_META},
+            )
+            for entry in self.entries(key, "")
+        )
+
 
 _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
     "name": ("name", Entry.text, ""),
@@ -215,9 +239,12 @@ _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
     "doc": ("doc", Entry.text, ""),
     "notes": ("notes", Entry.texts, ()),
     "inferred": ("inferred", Entry.reasons, {}),
+    "standard": ("standard", Entry.standards, {}),
+    "reported": ("reported", Entry.reports, ()),
     "unverified": ("unverified", Entry.flag, False),
     "allow": ("allowed", Entry.reasons, {}),
     "restated": ("restated", Entry.claims, ()),
+    "roles": ("roles", Entry.texts, ()),
     "since": ("since", Entry.texts, ()),
     "until": ("until", Entry.texts, ()),
     "only": ("only", Entry.texts, ()),
@@ -225,7 +252,6 @@ _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
 """The keys of a fact: the argument of the model, how it is read, and what it is where the key is not given."""
 
 _ABSENT: dict[str, Any] = {argument: absent for argument, _, absent in _FACT.values()}
-_HANDLING = frozenset(("memory", "saved_by", "endurance", "clears_on_read", "opposite_of"))
 
 
 def _claimed(node: Node) -> PlainValue:

@@ -8,7 +8,7 @@ from typing import TypeVar, cast
 from fieldspec.diagnostics import Diagnostic, Label
 from fieldspec.model.device import Device, Manual, Version, VersionLine
 from fieldspec.model.registers import RegisterGroup
-from fieldspec.reading.building import enums, links, records, registers, texts, values
+from fieldspec.reading.building import enums, links, records, registers, tasks, texts, values
 from fieldspec.reading.building.context import Entry, Reused, reused_items
 from fieldspec.reading.nodes import Mapping, Scalar, mappings
 from fieldspec.source import Span
@@ -53,6 +53,7 @@ def built(tree: Mapping, version: str, kept: Reused | None = None) -> tuple[Devi
             conversions=_by_name(root, "conversions", lambda entry: values.conversion(entry, types), {}),
             lookups=tuple(_by_name(root, "lookups", texts.lookup, kept).values()),
             limits=tuple(_by_name(root, "limits", texts.limit, kept).values()),
+            tasks=tuple(_by_name(root, "tasks", tasks.task, kept).values()),
             notes=tuple(_by_name(root, "notes", texts.note, kept).values()),
             examples=_by_name(root, "examples", texts.example, kept, "id"),
             errata=tuple(_by_name(root, "errata", texts.erratum, kept, "id").values()),
@@ -126,4 +127,11 @@ def _line(entry: Entry) -> VersionLine:
         Version(inner.text("id"), inner.text("title"), inner.text("doc"), inner.text("inferred"), inner.sources)
         for inner in entry.entries("members", "id")
     )
-    return VersionLine(entry.text("line"), entry.text("title"), entry.flag("builds"), members)
+    return VersionLine(
+        entry.text("line"),
+        entry.text("title"),
+        entry.flag("builds"),
+        entry.text("like"),
+        entry.text("inferred"),
+        members,
+    )

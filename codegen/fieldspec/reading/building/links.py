@@ -32,8 +32,11 @@ _HELP = {
 def link(entry: Entry) -> Link:
     """A link."""
     error, silence, names = entry.entry("error"), entry.entry("silence"), entry.entry("direction_names")
+    arguments = entry.fact()
+    if silence and silence.get("source"):  # what the manual prints is no longer from the standard
+        arguments["standard"] = {key: standard for key, standard in arguments["standard"].items() if key != "silence"}
     return Link(
-        **entry.fact(),
+        **arguments,
         title=entry.text("title"),
         encoding=entry.text("encoding") or "binary",
         start=bytes.fromhex(entry.text("start")),
@@ -50,7 +53,7 @@ def link(entry: Entry) -> Link:
         serial=_serial(entry),
         silence_characters=silence.decimal("characters") if silence else None,
         silence_milliseconds=silence.decimal("milliseconds") if silence else None,
-        silence_sources=silence.sources if silence else (),
+        silence_sources=silence.citations("source") if silence else (),
     )
 
 

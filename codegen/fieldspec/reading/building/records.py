@@ -109,6 +109,9 @@ def _data(entry: Entry, direction: str, kept: Reused) -> Record:
         "notes": (),
         "restated": (),
         "inferred": {},
+        "standard": {},
+        "reported": (),
+        "roles": (),
         "unverified": False,
     }
     fields = rows(entry, f"{entry.path}/{direction}", None, kept, _field, key=direction)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, LookupColumn, LookupRow, Note
+from fieldspec.model.texts import Acceptance, Erratum, Example, Limit, Lookup, LookupColumn, LookupRow, Note, Statement
 from fieldspec.reading.building.context import Entry, free
 from fieldspec.reading.nodes import Scalar, Sequence
 
@@ -43,6 +43,9 @@ def limit(entry: Entry) -> Limit:
         high=entry.decimal("max"),
         text=entry.text("text"),
         unit=entry.text("unit"),
+        sum_of=entry.texts("sum_of"),
+        within=entry.text("within"),
+        transmits=entry.text("transmits"),
     )
 
 
@@ -54,6 +57,12 @@ def note(entry: Entry) -> Note:
         title=entry.text("title"),
         text=entry.text("text"),
         about=entry.texts("about"),
+        statements=tuple(
+            Statement(
+                inner.place(), inner.text("subject"), inner.text("says"), inner.text("text"), inner.citations("source")
+            )
+            for inner in entry.entries("statements", "")
+        ),
         sources=entry.sources,
     )
 
@@ -96,6 +105,7 @@ def erratum(entry: Entry) -> Erratum:
         fact=entry.text("fact"),
         printed=free(entry.get("printed")),
         literal=entry.text("literal"),
+        illegible=entry.text("illegible"),
         reason=entry.text("reason"),
         confidence=entry.text("confidence"),
         effect=entry.text("effect"),

@@ -4483,6 +4483,9 @@ class RtuLink:
     Read as the lowest address first, it fits both orders of words; read as the low word first, it
     contradicts 1.2.
 
+    Note: 1.2 prints that a frame begins with a silence of 3.5 characters; that it also ends with one
+    is not printed (L107-110).
+
     Note: A request with a wrong check, or one that does not arrive, gets no answer; the master waits
     for its timeout (1.4 L201-202).
 
@@ -4843,6 +4846,8 @@ Where to, or how far, 07D8h moves.
 
 0x07D6, 2 words, read and write, i32, all words in one request.
 
+Note: Neither unit nor range is printed; the positions of points are in pulses (2.7 L575).
+
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
 
@@ -4921,6 +4926,8 @@ The speed at which the move before the push starts.
 
 0x07E0, 2 words, read and write, u32, all words in one request.
 
+Note: Neither unit nor range is printed; the speeds of points are in pps (2.7 L576).
+
 Inferred (type): The manual does not print whether it is signed; nothing of it can be negative.
 
 Source: 2.4 L321.
@@ -4932,6 +4939,8 @@ The speed of the move before the push.
 
 0x07E2, 2 words, read and write, u32, all words in one request.
 
+Note: Neither unit nor range is printed; the speeds of points are in pps (2.7 L577).
+
 Inferred (type): The manual does not print whether it is signed; nothing of it can be negative.
 
 Source: 2.4 L322.
@@ -4941,6 +4950,8 @@ PUSH_ACCELERATION_TIME: _Final = _Register("push_acceleration_time", 0x07E4, 1, 
 
 0x07E4, 1 word, read and write, u16.
 
+Note: Neither unit nor range is printed; the times of points are in ms (2.7 L578).
+
 Inferred (type): The manual does not print whether it is signed; nothing of it can be negative.
 
 Source: 2.4 L323.
@@ -4949,6 +4960,8 @@ PUSH_DECELERATION_TIME: _Final = _Register("push_deceleration_time", 0x07E5, 1, 
 """Push deceleration time (PushPosDec, 位置運動減速時間).
 
 0x07E5, 1 word, read and write, u16.
+
+Note: Neither unit nor range is printed; the times of points are in ms (2.7 L579).
 
 Inferred (type): The manual does not print whether it is signed; nothing of it can be negative.
 
@@ -4993,6 +5006,8 @@ Where the push begins, after the move to it.
 
 0x07EA, 2 words, read and write, i32, all words in one request.
 
+Note: Neither unit nor range is printed; the positions of points are in pulses (2.7 L575).
+
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
 
@@ -5004,6 +5019,8 @@ PUSH_END_POSITION: _Final = _Register("push_end_position", 0x07EC, 2, _Number(">
 Where the push ends at the latest.
 
 0x07EC, 2 words, read and write, i32, all words in one request.
+
+Note: Neither unit nor range is printed; the push position of a point is in pulses (3.5 L867).
 
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
@@ -5123,6 +5140,8 @@ The absolute position of the first pulse.
 
 0x07F8, 2 words, read and write, i32, all words in one request.
 
+Note: Neither unit nor range is printed; the trigger position of a point is in pulses (3.5 L863).
+
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
 
@@ -5134,6 +5153,8 @@ COMPARE_PERIOD: _Final = _Register("compare_period", 0x07FA, 2, _Number(">I"), "
 The distance from pulse to pulse.
 
 0x07FA, 2 words, read and write, u32, all words in one request.
+
+Note: Neither unit nor range is printed; the trigger position of a point is in pulses (3.5 L863).
 
 Inferred (type): The manual does not print whether it is signed; nothing of it can be negative.
 
@@ -5684,11 +5705,14 @@ Source: 2.6 L406; 3.4 L810.
 SAVE_POSITION: _Final = _Register("save_position", 0x13D4, 2, _Closed(">I", "enabled", _ENABLED_MEMBERS, ranges=((0, 1),)), "rw", atomic=True, number=38)
 """Save position (儲存位置 / 位置表).
 
-Whether the position and the number of the point are kept when the power goes.
+Whether the position and the point table are kept when the power goes.
 
 0x13D4, 2 words, read and write, u32, 0..1, initially 1, all words in one request, number 38.
 
 Note: The position that is kept may not be the actual one.
+
+Note: The title in 3.4 has the number of the point table, the sentence below it the point table
+itself.
 
 Inferred (type): The manual does not print whether it is signed; all values that it allows fit.
 
@@ -6641,7 +6665,7 @@ Source: 2.6 L512.
 FLASH_SAVE_POSITION: _Final = _Register("flash_save_position", 0x149C, 2, _Closed(">I", "enabled", _ENABLED_MEMBERS, ranges=((0, 1),)), "ro", atomic=True, copy_of="save_position")
 """Flash save position (儲存位置 / 位置表).
 
-Whether the position and the number of the point are kept when the power goes.
+Whether the position and the point table are kept when the power goes.
 
 0x149C, 2 words, read only, u32, 0..1, initially 1, all words in one request, a copy of SAVE_POSITION.
 
@@ -7182,6 +7206,8 @@ COMMAND_POSITION: _Final = _Register("command_position", 0x03EC, 2, _Number(">i"
 
 0x03EC, 2 words, read only, i32, all words in one request.
 
+Note: No unit is printed; the positions of points are in pulses (2.7 L575).
+
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.
 
@@ -7205,6 +7231,8 @@ POSITION_ERROR: _Final = _Register("position_error", 0x03F0, 2, _Number(">i"), "
 How far the actual position is from the commanded one.
 
 0x03F0, 2 words, read only, i32, all words in one request.
+
+Note: No unit is printed; the positions of points are in pulses (2.7 L575).
 
 Inferred (type): The manual does not print whether it is signed. Positions may be negative, as the
 limits of 3.4 are.

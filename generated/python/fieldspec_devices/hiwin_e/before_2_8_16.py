@@ -2045,6 +2045,9 @@ class CoastStopMethod(_IntEnum):
 
     Stops by the dynamic brake, and runs free then.
 
+    Inferred (doc): The cell for how the motor stops is empty; it is taken to go on from the row
+    above, of which the dynamic brake is the only way.
+
     Source: 6.5 L1634.
     """
 

@@ -528,6 +528,9 @@ class FaultCode(_IntEnum):
         Cause: A parameter was written that takes effect after a restart. Switch the control supply
             off and on.
 
+    Inferred (causes): The printed sentence makes no sense as it stands; label and remedy give its
+    meaning.
+
     Source: 8.2 L1515.
     """
 
@@ -555,6 +558,8 @@ class FaultCode(_IntEnum):
 
         Cause: A motion was commanded while the signal LOCK was on. Switch LOCK off, then command.
         Cause: The signal LOCK came on during a motion. Switch LOCK off, then command.
+
+    Inferred (causes): The printed sentence asks for what its remedy forbids; it is read as the cause.
 
     Source: 8.2 L1515.
     """
@@ -1743,7 +1748,7 @@ class ExceptionRecord(_Record):
 
         exception_code (錯誤碼): ExceptionCode | int, 1..3.
 
-    Source: 8.3 L1748-1752.
+    Source: 8.3 L1750-1752.
     """
 
     __slots__ = ("_held_exception_code",)

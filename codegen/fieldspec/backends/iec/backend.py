@@ -1,0 +1,114 @@
+"""The files for Beremiz, OpenPLC and other compilers of IEC 61131-3."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from fieldspec.backends.iec.types import struct_lines, type_lines
+from fieldspec.classes import dataclass, replace
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.layout.device import DeviceLayout
+from fieldspec.plc.cache import cached
+from fieldspec.plc.constants import ConstantList
+from fieldspec.plc.declarations import Declarations, declarations
+from fieldspec.plc.dialects import IEC, Spelling
+from fieldspec.plc.routines.device import routines
+from fieldspec.plc.routines.expressions import ArrayType
+from fieldspec.plc.routines.printer import comment, comment_text, routine_text
+from fieldspec.plc.routines.routine import Routine
+from fieldspec.plc.structured.examples import examples
+from fieldspec.plc.structured.objects import number
+from fieldspec.plc.structured.program import about, newest, stem
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A device for such a compiler: what is declared, its routines, and how they are spelled."""
+
+    declared: Declarations
+    routines: tuple[Routine, ...]
+    spelling: Spelling
+
+
+def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
+    """Of a device's newest version the types and functions as one source, and the constants for a configuration."""
+    layout = newest(versions)
+    made = source(layout)
+    return {f"{stem(layout)}.st": text(made), f"{stem(layout)}_constants.st": constants(made)}
+
+
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """Names that a compiler does not take, or takes for one."""
+    return list(source(newest(versions)).declared.findings)
+
+
+def shared() -> dict[str, str]:
+    """Nothing belongs to no device."""
+    return {}
+
+
+@cached
+def source(layout: DeviceLayout) -> Source:
+    """The source of a device that has passed the checks."""
+    declared = declarations(layout, IEC)
+    spelling = replace(IEC.spelling, array=IEC.spelling.array.format(declared.world.names.device, "{}"))
+    return Source(declared, tuple(routines(declared.world)), spelling)
+
+
+def text(made: Source) -> str:
+    """Types, each behind those that it uses, then functions, each behind those that it calls."""
+    lines = _remarks([*about(made.declared.layout), "", *_guide(made)])
+    declared: set[str] = set()
+    for struct in made.declared.structs:
+        for member in struct.members:
+            lines += _arrays(member.type, made.spelling, declared)
+        lines += ["", *struct_lines(struct, made.spelling)]
+    for routine in made.routines:
+        for one in routine.declared:
+            lines += _arrays(one.variable.type, made.spelling, declared)
+    for routine in made.routines:
+        lines += ["", *routine_text(routine, made.spelling)]
+    return "\n".join(lines) + "\n"
+
+
+def _arrays(kind: object, spelling: Spelling, declared: set[str]) -> Iterator[str]:
+    """The types of an array and of the arrays in it, as far as they are not declared yet."""
+    if isinstance(kind, ArrayType):
+        yield from _arrays(kind.of, spelling, declared)
+        name, *lines = type_lines(kind, spelling)
+        if name not in declared:
+            declared.add(name)
+            yield from ("", *lines)
+
+
+def _guide(made: Source) -> list[str]:
+    return [
+        "Each function returns a status, a number: see the constants. Unless that is 0, its outputs and what it was to",
+        "fill must not be used. Arrays have named types, because an argument must have the type of the parameter.",
+        *examples(made.declared.world, made.routines, made.spelling),
+    ]
+
+
+def _remarks(lines: Sequence[str]) -> list[str]:
+    form = IEC.comment
+    return [form.format(line.replace("(*", "( *").replace("*)", "* )")).rstrip() for line in lines]
+
+
+def constants(made: Source) -> str:
+    """All constants, for the configuration: a program names those that it uses in VAR_EXTERNAL CONSTANT."""
+    head = ["Put these lists into the CONFIGURATION. A program declares what it uses as VAR_EXTERNAL CONSTANT."]
+    lines = _remarks([*about(made.declared.layout), "", *head])
+    for listed in made.declared.constants:
+        lines += ["", *_constants(listed)]
+    return "\n".join(lines) + "\n"
+
+
+def _constants(listed: ConstantList) -> Iterator[str]:
+    yield from comment(listed.title, form=IEC.comment)
+    yield "VAR_GLOBAL CONSTANT"
+    for one in listed.constants:
+        remark = comment_text(one.remark)
+        yield f"    {one.name} : {one.type.name} := {number(one)};" + (
+            f" {IEC.comment.format(remark)}" if remark else ""
+        )
+    yield "END_VAR"

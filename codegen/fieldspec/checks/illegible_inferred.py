@@ -1,0 +1,37 @@
+"""What the spec makes of an empty or garbled place of the manual is inferred, with a reason.
+
+Why: where nothing can be read, whatever the spec says is our own reading. Without `inferred` it looks printed.
+
+Example: an erratum with `illegible: garbled` about a member whose `doc` has no entry under `inferred`.
+
+Cure: Give the fact a reason under `inferred` for the key that was read into it, or take the reading out of the fact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.facts import facts
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.fact import Fact
+
+
+def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
+    illegible = [erratum for erratum in device.errata if erratum.illegible]
+    if not illegible:
+        return
+    by_path = {fact.place.path: fact for fact in facts(device)}
+    for erratum in illegible:
+        fact = by_path.get(erratum.fact.partition("/restated/")[0])
+        if fact is not None and not fact.inferred and _read(fact):
+            text = f"the print is {erratum.illegible}, and nothing of {fact.name} is inferred"
+            there = label(fact.place, _read(fact), "read into the print")
+            help = "give the reason under `inferred`"
+            yield finding("illegible_inferred", erratum.place, "illegible", text, help, there)
+
+
+def _read(fact: Fact) -> str:
+    """The key under which something was read into the print of a fact, or nothing."""
+    return next((key for key in ("doc", "causes", "remedies", "notes") if key in fact.place), "")

@@ -1,0 +1,81 @@
+"""A limit that is made of others is their sum, and a limit that another one bounds does not exceed it.
+
+Why: a device that takes up to 400 ms to answer, and 280 ms to send, cannot be judged by a timeout of 600 ms. The
+manual prints the numbers on different pages, and nobody adds them up.
+
+Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest response has
+244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.
+
+Cure: Put the number or the reference right; where the manual prints it so, write an erratum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.checks.sizes import Sizes, messages_on, shapes
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.texts import Limit
+
+_SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
+"""How many of a unit of time a second has."""
+
+
+def limits_within(device: Device) -> Iterator[Diagnostic]:
+    limits = {limit.place.path: limit for limit in device.limits}
+    for limit in device.limits:
+        if limit.sum_of:
+            yield from _sum(limit, [limits[path] for path in limit.sum_of if path in limits])
+        bound = limits.get(limit.within)
+        if bound is None or limit.most is None or bound.most is None:
+            continue
+        there = label(bound.place, "max" if "max" in bound.place else "value", "the bound")
+        if limit.unit != bound.unit:
+            text = f"{limit.name} is in {limit.unit or 'no unit'}, {bound.name} in {bound.unit or 'no unit'}"
+            yield finding("limits_within", limit.place, "unit", text, "give both in one unit", there)
+            continue
+        more, frame = _transmission(device, limit)
+        if limit.most + more > bound.most:
+            text = f"{limit.name} goes to {limit.most + more} {limit.unit}{frame}, and {bound.name} to {bound.most}"
+            yield finding("limits_within", limit.place, "within", text, "put one of them right", there)
+
+
+def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
+    """How long the longest frame behind a limit takes on the line, in its unit to two places, and what to say of it."""
+    scale = _SECOND.get(limit.unit)
+    if not limit.transmits or scale is None:
+        return Decimal(0), ""
+    from fractions import Fraction
+
+    sizes = Sizes(device)
+    longest, taken = 0, Fraction(0)
+    for shape in shapes(device, limit.transmits):
+        serial = shape.link.serial
+        if serial is None or not serial.baud or min(serial.baud) <= 0:
+            continue
+        bits = (serial.start_bits or 1) + max(serial.data_bits, default=8) + max(serial.stop_bits, default=1)
+        bits += 0 if set(serial.parity) <= {"none"} else 1
+        for message in messages_on(device, shape.link):
+            bounds = sizes.bounds(message.request if limit.transmits == "request" else message.response)
+            length = shape.length(bounds[1]) if bounds is not None else 0
+            time = Fraction(length * bits * scale, min(serial.baud))
+            if time > taken:
+                longest, taken = length, time
+    return round(Decimal(taken.numerator) / taken.denominator, 2), f" with a {limit.transmits} of {longest} bytes"
+
+
+def _sum(limit: Limit, parts: list[Limit]) -> Iterator[Diagnostic]:
+    """Whether the greatest values of the parts add up to that of the limit, in its unit."""
+    for part in parts:
+        if part.most is None or part.unit != limit.unit:
+            text = f"{part.name} has no greatest value in {limit.unit or 'no unit'} that could be added up"
+            there = label(part.place, "name", "a part of the sum")
+            yield finding("limits_within", limit.place, "sum_of", text, "name limits of the same unit", there)
+            return
+    total = sum(part.most for part in parts if part.most is not None)
+    if limit.most is not None and parts and total != limit.most:
+        text = f"the parts of {limit.name} add up to {total}, not to {limit.most}"
+        yield finding("limits_within", limit.place, "sum_of", text, "put the sum or the parts right")

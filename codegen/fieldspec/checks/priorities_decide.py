@@ -1,0 +1,49 @@
+"""A table of priorities decides: the same states of what is compared give the same result wherever they stand.
+
+Why: a table that shows a servo on in one moment and off in another, with the same command and the same input, answers
+the question for neither.
+
+Example: a row `on | off -> on -> off | on -> on -> off` in a table of the kind `priority`.
+
+Cure: Put the row right; where the manual prints it so, write an erratum, and allow it at the table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.texts import Lookup, LookupRow
+
+_STEP = "->"
+"""What stands between the states of a cell that follow each other."""
+
+
+def priorities_decide(device: Device) -> Iterator[Diagnostic]:
+    for lookup in device.lookups:
+        if lookup.kind == "priority" and len(lookup.columns) > 1:
+            yield from _of(lookup)
+
+
+def _of(lookup: Lookup) -> Iterator[Diagnostic]:
+    first: dict[tuple[str, ...], tuple[str, LookupRow]] = {}
+    for row in lookup.rows:
+        for *states, result in _moments(row):
+            before, where = first.setdefault(tuple(states), (result, row))
+            if before != result:
+                text = f"{lookup.name} has {before} and {result} for {', '.join(states)}"
+                there = label(where.place, "cells", f"{before} here")
+                help = "put the row right, or write an erratum and allow it at the table"
+                yield finding("priorities_decide", row.place, "cells", text, help, there)
+                break
+
+
+def _moments(row: LookupRow) -> Iterator[tuple[str, ...]]:
+    """The states of all columns, moment by moment; a cell of one state has it in all of them."""
+    cells = [[part.strip() for part in str(cell).split(_STEP)] for cell in row.cells]
+    most = max(len(cell) for cell in cells)
+    if most > 1 and all(len(cell) in (1, most) for cell in cells):
+        for at in range(most):
+            yield tuple(cell[at] if len(cell) > 1 else cell[0] for cell in cells)

@@ -1,0 +1,34 @@
+"""A role stands once where a step looks for it: among the registers, the parameters, the commands, the frames, in a
+record, and in each message.
+
+Why: a step that writes the target position must know which value that is. With two of them it would be a guess, and a
+machine would move by it.
+
+Example: `roles: target_position` on two registers.
+
+Cure: Keep the role at the fact that the task uses; a step can name the other one by its path.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.operand import Operand, operands
+
+
+def roles_unique(device: Device) -> Iterator[Diagnostic]:
+    first: dict[tuple[str, str], Operand] = {}
+    reported: set[tuple[str, str, str]] = set()
+    for operand in operands(device):
+        for role in operand.roles:
+            before = first.setdefault((operand.scope, role), operand)
+            key = role, before.fact.place.path, operand.fact.place.path
+            if before is operand or key in reported:
+                continue
+            reported.add(key)
+            text = f"{before.path} and {operand.path} have the role `{role}`"
+            there = label(before.fact.place, "roles", "the first one")
+            yield finding("roles_unique", operand.fact.place, "roles", text, "keep it at one of them", there)

@@ -1,0 +1,31 @@
+"""What places of the manual state of one subject agrees: what is so always in one of them is not sometimes or never so
+in another.
+
+Why: `the device always answers` on one page, and `it does not answer` on another, leave whoever writes a driver with a
+timeout that is either a fault or the rule.
+
+Example: `{subject: reply, says: always, source: 6 L10}` beside `{subject: reply, says: never, source: 7 L20}`.
+
+Cure: State what is right at both places, and write an erratum for the place that prints something else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.checks.finding import finding, label
+from fieldspec.diagnostics import Diagnostic
+from fieldspec.model.device import Device
+from fieldspec.model.texts import Statement
+
+
+def statements_agree(device: Device) -> Iterator[Diagnostic]:
+    first: dict[str, Statement] = {}
+    for note in device.notes:
+        for statement in note.statements:
+            before = first.setdefault(statement.subject, statement)
+            if before.says != statement.says:
+                text = f"{statement.subject} is so {before.says} in one place, and {statement.says} in another"
+                there = label(before.place, "says", "the first one")
+                help = "state what is right, and write an erratum for the place that prints something else"
+                yield finding("statements_agree", statement.place, "says", text, help, there)

@@ -1,0 +1,76 @@
+"""What people do with a device, as steps over its facts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from fieldspec.classes import dataclass
+from fieldspec.model.fact import Citation, Fact, Place, PlainValue
+
+ACTIONS = ("write", "set", "clear", "pulse", "send", "read", "wait")
+"""What a step does with its target."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step. `action` is one of ACTIONS, `target` a role or the path of an operand.
+
+    `value` is what is written or waited for, None where there is none or an `argument` is. `values` and `arguments` are
+    those of the fields of a message's request. `timeout` is the path of a limit, or empty.
+    """
+
+    place: Place
+    action: str
+    target: str
+    value: PlainValue
+    argument: str
+    values: Mapping[str, object]
+    arguments: Mapping[str, str]
+    timeout: str
+    doc: str
+    sources: tuple[Citation, ...]
+
+
+def step_text(step: Step) -> str:
+    """A step as people read it: `write command = homing`, `wait in_position = 1, at most limits/reply`."""
+    text = f"{step.action} {step.target}"
+    if step.argument or step.value is not None:
+        text += f" = {argument_text(step.argument) if step.argument else value_text(step.value)}"
+    fields = [f"{name} = {value_text(value)}" for name, value in step.values.items()]
+    fields += [f"{name} = {argument_text(argument)}" for name, argument in step.arguments.items()]
+    if fields:
+        text += f" with {', '.join(fields)}"
+    return f"{text}, at most {step.timeout}" if step.timeout else text
+
+
+def argument_text(name: str) -> str:
+    """An argument, marked as what is to be chosen."""
+    return f"<{name}>"
+
+
+def value_text(value: object) -> str:
+    """A value of a step; truth values as the spec writes them."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task(Fact):
+    """A task. It has `steps`, or says why it is `not_applicable`, or which question is `open`.
+
+    `kind` is its word in the schema. With `messages`, the steps work with each of these cyclic messages by itself.
+    """
+
+    kind: str
+    messages: tuple[str, ...]
+    steps: tuple[Step, ...]
+    not_applicable: str
+    open: str
+
+    def arguments(self) -> Iterator[str]:
+        """What whoever does the task chooses, each once, in the order of the steps."""
+        seen: set[str] = set()
+        for step in self.steps:
+            for name in (step.argument, *step.arguments.values()):
+                if name and name not in seen:
+                    seen.add(name)
+                    yield name

@@ -1,0 +1,46 @@
+"""Tasks and their steps."""
+
+from __future__ import annotations
+
+from fieldspec.model.task import ACTIONS, Step, Task
+from fieldspec.reading.building.context import Entry, free
+from fieldspec.reading.nodes import Mapping, Scalar
+
+
+def task(entry: Entry) -> Task:
+    """A task: steps, or a reason why there are none."""
+    answers = [key for key in ("steps", "not_applicable", "open") if entry.get(key)]
+    if len(answers) != 1:
+        said = "nothing says how it is done" if not answers else f"it has `{answers[0]}` and `{answers[1]}`"
+        help = "give one of `steps`, `not_applicable` and `open`"
+        entry.refuse("wrong_form", answers[-1] if answers else "task", f"of the task, {said}", help)
+    return Task(
+        **entry.fact(),
+        kind=entry.text("task"),
+        messages=entry.texts("messages"),
+        steps=tuple(_step(inner) for inner in entry.entries("steps", "")),
+        not_applicable=entry.text("not_applicable"),
+        open=entry.text("open"),
+    )
+
+
+def _step(entry: Entry) -> Step:
+    actions = [action for action in ACTIONS if entry.get(action)]
+    if len(actions) != 1:
+        said = "the step does nothing" if not actions else f"the step has `{actions[0]}` and `{actions[1]}`"
+        entry.refuse("wrong_form", actions[-1] if actions else "value", said, f"give one of {', '.join(ACTIONS)}")
+    action = actions[0] if actions else "read"
+    named = entry.get("arguments")
+    arguments = named.values if isinstance(named, Mapping) else {}
+    return Step(
+        place=entry.place(),
+        action=action,
+        target=entry.text(action),
+        value=entry.value("value"),
+        argument=entry.text("argument"),
+        values=free(entry.get("values")),
+        arguments={key: node.text for key, node in arguments.items() if isinstance(node, Scalar)},
+        timeout=entry.text("timeout"),
+        doc=entry.text("doc"),
+        sources=entry.sources,
+    )

@@ -1,0 +1,287 @@
+"""Structured Text of IEC 61131-3, translated to C by matiec, compiled with sanitizers, and run in a process.
+
+The process reads which routine to run and what it is given, and answers with what that returns. What a sanitizer finds
+ends it, and with it the test.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import os
+import re
+import struct
+import subprocess
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from st_machine import Machine
+from st_syntax import Unit, parsed
+from standard_text import anonymous
+
+from matiec import matiec
+from tools_available import require_tool
+
+FORMATS = {
+    "bool": "?",
+    "byte": "B",
+    "word": "H",
+    "dword": "I",
+    "lword": "Q",
+    "real": "f",
+    "lreal": "d",
+    "usint": "B",
+    "uint": "H",
+    "udint": "I",
+    "ulint": "Q",
+    "sint": "b",
+    "int": "h",
+    "dint": "i",
+    "lint": "q",
+}
+FLAGS = ("-std=gnu11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-fsanitize=address,undefined,float-cast-overflow")
+# What matiec writes for every program alike: parameters for EN that a block does not look at, tests of divisors,
+# initial values of arrays of arrays on one level.
+QUIET = ("-Wno-unused-parameter", "-Wno-unused-function", "-Wno-type-limits", "-Wno-missing-braces")
+PROTOTYPE = re.compile(r"^(\w+) (\w+)\(\s*BOOL EN,\s*BOOL \*__ENO(.*?)\);", re.MULTILINE | re.DOTALL)
+RESULT = "VAR_RESULT"
+
+
+@dataclass(frozen=True)
+class Block:
+    """A function block or a program to be run scan by scan: what is set before a scan, and what is read after it.
+
+    Both are paths of variables with their types: `fbChannel.xDone`, and of members of structs: `stStatus/xServoOn`.
+    """
+
+    name: str
+    written: tuple[tuple[str, Any], ...]
+    read: tuple[tuple[str, Any], ...]
+
+
+class Compiled(Machine):
+    """The functions of a text in the standard's dialect; calls go to the compiled code."""
+
+    def __init__(self, text: str, folder: Path, block: Block | None = None, unit: Unit | None = None) -> None:
+        super().__init__(parsed(anonymous(text)) if unit is None else unit)
+        self.block = block
+        self.numbers = {name: number for number, name in enumerate(self.unit.functions)}
+        self._process = subprocess.Popen(
+            [str(self._program(text, folder))],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"},
+        )
+
+    def call(self, name: str, **given: Any) -> tuple[Any, ...]:
+        """What a function returns, and behind it its outputs; what it is lent is changed."""
+        function = self.unit.functions[name.lower()]
+        given = {key.lower(): value for key, value in given.items()}
+        sections = [(role, one, self.kind(kind)) for role, one, kind, _ in function.variables if role != "VAR"]
+        into = [(kind, given[one]) for role, one, kind in sections if role in ("VAR_INPUT", "VAR_IN_OUT")]
+        out = [
+            (RESULT, "", self.kind(function.returns)),
+            *(one for role in ("VAR_OUTPUT", "VAR_IN_OUT") for one in sections if one[0] == role),
+        ]
+        answer = self._asked(self.numbers[function.name], into, [kind for _, _, kind in out])
+        for (role, one, _), value in zip(out, answer, strict=True):
+            if role == "VAR_IN_OUT" and isinstance(value, list):
+                given[one][:] = value
+            elif role == "VAR_IN_OUT":
+                given[one].update(value)
+        return tuple(value for (role, _, _), value in zip(out, answer, strict=True) if role != "VAR_IN_OUT")
+
+    def restart(self) -> None:
+        """Gives the variables of the block their initial values, as when a controller is switched on."""
+        self._asked(len(self.numbers), [], [])
+
+    def scan(self, milliseconds: int, values: Sequence[Any]) -> list[Any]:
+        """Runs the block once, some time after the scan before, and gives what is read after it."""
+        assert self.block is not None
+        into = [("udint", milliseconds), *zip((kind for _, kind in self.block.written), values, strict=True)]
+        return self._asked(len(self.numbers) + 1, into, [kind for _, kind in self.block.read])
+
+    def _asked(self, number: int, into: list[tuple[Any, Any]], out: list[Any]) -> list[Any]:
+        """What the process answers."""
+        flat: list[Any] = [number]
+        form = "<I"
+        for kind, value in into:
+            form += self.form(kind)
+            self._flatten(kind, value, flat)
+        answer = struct.Struct("<" + "".join(map(self.form, out)))
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        try:
+            self._process.stdin.write(struct.pack(form, *flat))
+            self._process.stdin.flush()
+        except BrokenPipeError:
+            pass
+        got = self._process.stdout.read(answer.size) if answer.size else b""
+        if len(got) < answer.size:
+            assert self._process.stderr is not None
+            raise AssertionError(self._process.stderr.read().decode()[-4000:])
+        values = iter(answer.unpack(got))
+        return [self._raised(kind, values) for kind in out]
+
+    def form(self, kind: Any) -> str:
+        """How a type is written for `struct`, element by element."""
+        if kind in FORMATS:
+            return FORMATS[kind]
+        kind = self.kind(kind)
+        if isinstance(kind, tuple):
+            return self.form(kind[3]) * (kind[2] - kind[1] + 1)
+        if kind in self.unit.structs:
+            return "".join(self.form(of) for _, of, _ in self.unit.structs[kind])
+        return FORMATS[kind]
+
+    def _flatten(self, kind: Any, value: Any, out: list[Any]) -> None:
+        kind = self.kind(kind)
+        if isinstance(kind, tuple):
+            for one in value:
+                self._flatten(kind[3], one, out)
+        elif kind in self.unit.structs:
+            for name, of, _ in self.unit.structs[kind]:
+                self._flatten(of, value[name], out)
+        else:
+            out.append(value)
+
+    def _raised(self, kind: Any, values: Iterator[Any]) -> Any:
+        kind = self.kind(kind)
+        if isinstance(kind, tuple):
+            return [self._raised(kind[3], values) for _ in range(kind[1], kind[2] + 1)]
+        if kind in self.unit.structs:
+            return {name: self._raised(of, values) for name, of, _ in self.unit.structs[kind]}
+        return next(values)
+
+    def _program(self, text: str, folder: Path) -> Path:
+        """The program of a text, compiled."""
+        tool = matiec()
+        about = repr((text, self.block, FLAGS, QUIET, Path(__file__).read_bytes()))
+        place = folder / hashlib.sha256(about.encode()).hexdigest()[:16]
+        place.mkdir(parents=True, exist_ok=True)
+        with (place / "lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not (place / "program").exists():
+                self._compile(text, place, tool)
+        return place / "program"
+
+    def _compile(self, text: str, place: Path, tool: Path) -> None:
+        """Translates and compiles a text; a warning of either compiler is an error."""
+        (place / "text.st").write_text(text, "utf-8")
+        ran = subprocess.run(
+            [str(tool / "iec2c"), "-I", str(tool / "lib"), "-T", str(place), str(place / "text.st")],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert ran.returncode == 0, ran.stderr[-3000:]
+        assert not ran.stderr, ran.stderr[-3000:]
+        (place / "driver.c").write_text(self._driver((place / "POUS.h").read_text("utf-8")), "utf-8")
+        compiler = [require_tool("gcc"), *FLAGS, *QUIET, "-isystem", str(tool / "lib" / "C"), f"-I{place}"]
+        unfinished = place / "unfinished"
+        made = subprocess.run(
+            [*compiler, "-o", str(unfinished), str(place / "driver.c"), "-lm"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert made.returncode == 0, made.stderr[:3000]
+        unfinished.rename(place / "program")
+
+    def _driver(self, header: str) -> str:
+        """The C around the routines: reads what is asked, calls it, and answers."""
+        kinds = {name.lower(): (returns, rest) for returns, name, rest in PROTOTYPE.findall(header)}
+        lines = [
+            "#include <stdio.h>",
+            "#include <stdlib.h>",
+            '#include "POUS.h"',
+            "TIME __CURRENT_TIME;",
+            "BOOL __DEBUG;",
+            '#include "POUS.c"',
+            "static void get(void *to, size_t size) { if (fread(to, 1, size, stdin) != size) exit(0); }",
+            "static void put(const void *from, size_t size) { fwrite(from, 1, size, stdout); }",
+        ]
+        for number, (name, function) in enumerate(self.unit.functions.items()):
+            returns, rest = kinds[name]
+            types = {one: kind for kind, one in self._parameters(rest)}
+            lines.append(f"static void run_{number}(void) {{")
+            sections = [(role, one, self.kind(kind)) for role, one, kind, _ in function.variables if role != "VAR"]
+            lines += [f"  static {types[one]} {one};" for _, one, _ in sections]
+            for role, one, kind in sections:
+                if role != "VAR_OUTPUT":
+                    lines += self._moved("get", one, kind, 1)
+            arguments = [one if role == "VAR_INPUT" else f"&{one}" for role, one, _ in self._in_order(sections, rest)]
+            lines.append(f"  {returns} result = {name.upper()}({', '.join(['1', 'NULL', *arguments])});")
+            lines += self._moved("put", "result", self.kind(function.returns), 1)
+            for wanted in ("VAR_OUTPUT", "VAR_IN_OUT"):
+                for role, one, kind in sections:
+                    if role == wanted:
+                        lines += self._moved("put", one, kind, 1)
+            lines.append("}")
+        lines += self._block_lines()
+        lines += [
+            "int main(void) {",
+            "  for (;;) {",
+            "    unsigned number;",
+            "    get(&number, 4);",
+            "    switch (number) {",
+        ]
+        lines += [f"      case {number}: run_{number}(); break;" for number in range(self._routines())]
+        lines += ["      default: return 1;", "    }", "    fflush(stdout);", "  }", "}"]
+        return "\n".join(lines) + "\n"
+
+    def _routines(self) -> int:
+        return len(self.numbers) + (2 if self.block is not None else 0)
+
+    @staticmethod
+    def _parameters(rest: str) -> list[tuple[str, str]]:
+        """The types and names of the parameters in a prototype."""
+        found = []
+        for text in filter(None, (part.strip() for part in rest.split(","))):
+            kind, _, name = text.partition(" ")
+            found.append((kind, name.removeprefix("*").removeprefix("__").lower()))
+        return found
+
+    def _in_order(self, sections: list[tuple[str, str, Any]], rest: str) -> list[tuple[str, str, Any]]:
+        by_name = {one: (role, one, kind) for role, one, kind in sections}
+        return [by_name[name] for _, name in self._parameters(rest)]
+
+    def _block_lines(self) -> list[str]:
+        """The functions that start and run the block."""
+        if self.block is None:
+            return []
+        name, first = self.block.name.upper(), len(self.numbers)
+        lines = [f"static {name} block;", f"static void run_{first}(void) {{"]
+        lines += [f"  memset(&block, 0, sizeof block); {name}_init__(&block, 0);", "}"]
+        lines += [f"static void run_{first + 1}(void) {{", "  unsigned milliseconds; get(&milliseconds, 4);"]
+        lines += [
+            "  long long at = __CURRENT_TIME.tv_sec * 1000LL + __CURRENT_TIME.tv_nsec / 1000000 + milliseconds;",
+            "  __CURRENT_TIME.tv_sec = at / 1000; __CURRENT_TIME.tv_nsec = at % 1000 * 1000000;",
+        ]
+        for path, kind in self.block.written:
+            lines += self._moved("get", self._place(path), self.kind(kind), 1)
+        lines.append(f"  {name}_body__(&block);")
+        for path, kind in self.block.read:
+            lines += self._moved("put", self._place(path), self.kind(kind), 1)
+        return [*lines, "}"]
+
+    @staticmethod
+    def _place(path: str) -> str:
+        """A variable of the block in C, or a member of one."""
+        variable, _, member = path.upper().partition("/")
+        return f"block.{variable}.value" + (f".{member}" if member else "")
+
+    def _moved(self, deed: str, place: str, kind: Any, depth: int) -> list[str]:
+        """Statements that read or write a value, element by element."""
+        kind, pad = self.kind(kind), "  " * depth
+        if isinstance(kind, tuple):
+            at = f"at{depth}"
+            head = f"{pad}for (int {at} = 0; {at} < {kind[2] - kind[1] + 1}; {at}++) {{"
+            return [head, *self._moved(deed, f"{place}.table[{at}]", kind[3], depth + 1), f"{pad}}}"]
+        if kind in self.unit.structs:
+            members = self.unit.structs[kind]
+            return [line for name, of, _ in members for line in self._moved(deed, f"{place}.{name.upper()}", of, depth)]
+        return [f"{pad}{deed}(&{place}, sizeof {place});"]

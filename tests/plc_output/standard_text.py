@@ -1,0 +1,48 @@
+"""Dialects of Structured Text as the text that compilers of IEC 61131-3 take, and that text as our own parser does."""
+
+from __future__ import annotations
+
+import re
+
+ARRAY = re.compile(r"ARRAY\s*\[\s*(-?\d+)\s*\.\.\s*(-?\d+)\s*\]\s*OF\s+(?!ARRAY\b)(\w+)", re.IGNORECASE)
+DECLARED = re.compile(r"\nTYPE\n    (\w+) : (ARRAY [^;:]+?)(?: := [^;]+)?;\nEND_TYPE\n")
+OBJECT = re.compile(r"^(?=TYPE\b|FUNCTION\b|FUNCTION_BLOCK\b|PROGRAM\b)", re.MULTILINE)
+
+
+def without_comments(text: str) -> str:
+    """A text without its comments and pragmas."""
+    text = re.sub(r"\(\*.*?\*\)", "", text, flags=re.DOTALL)
+    return re.sub(r"^\s*\{.*?\}", "", re.sub(r"//[^\n]*", "", text), flags=re.MULTILINE)
+
+
+def anonymous(text: str) -> str:
+    """A text whose arrays have types with names, with the types in the places of the names."""
+    kinds = dict(DECLARED.findall(text))
+    text = DECLARED.sub("\n", text)
+
+    def placed(match: re.Match[str]) -> str:
+        return re.sub(r"\bT_\w+", placed, kinds[match.group()])
+
+    return re.sub(r"\bT_\w+", placed, text)
+
+
+def named(text: str) -> str:
+    """A text without comments whose arrays have types without names, with a type by a name before its first use."""
+    made: dict[str, str] = {}
+    out: list[str] = []
+    for held in OBJECT.split(text):
+        fresh: list[str] = []
+
+        def called(match: re.Match[str]) -> str:
+            low, high, of = match.groups()
+            name = f"T_{of}_{low.replace('-', 'M')}_{high}"
+            if name not in made:
+                made[name] = f"TYPE {name} : ARRAY [{low}..{high}] OF {of}; END_TYPE\n"
+                fresh.append(made[name])  # noqa: B023
+            return name
+
+        before = ""
+        while before != held:
+            before, held = held, ARRAY.sub(called, held)
+        out += [*fresh, held]
+    return "".join(out)

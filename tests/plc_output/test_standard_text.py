@@ -1,0 +1,76 @@
+"""What is generated for compilers of IEC 61131-3 is what all other dialects have, and such a compiler takes it all."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from loaded import DEVICES, NAMES, made_of
+from test_judges import hostile
+
+from fieldspec.backends.iec.backend import constants, files, source, text
+from fieldspec.plc.routines.printer import implementation
+from laid_out import newest
+from matiec import matiec
+
+
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_functions_have_the_statements_of_the_other_dialects_with_numbers_for_members(root: Path, device: str) -> None:
+    other = made_of(root, device)
+    made = source(newest(root, device))
+    members = {
+        f"{enum.name}.{member.name}": str(member.value) for enum in other.declared.enums for member in enum.members
+    }
+    assert [one.name for one in made.routines] == [one.name for one in other.routines]
+    for ours, theirs in zip(made.routines, other.functions, strict=True):
+        wanted = re.sub(r"\bE_\w+\.\w+", lambda match: members[match.group()], " ".join(theirs.implementation))
+        found = " ".join(implementation(ours, made.spelling))
+        assert found.split() == wanted.split(), ours.name
+
+
+def translated(content: str, folder: Path) -> None:
+    """Asserts that matiec takes a text without a word."""
+    (folder / "text.st").write_text(content, "utf-8")
+    tool = matiec()
+    ran = subprocess.run(
+        [str(tool / "iec2c"), "-I", str(tool / "lib"), "-T", str(folder), str(folder / "text.st")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (ran.returncode, ran.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
+def test_a_program_in_a_configuration_uses_every_constant(root: Path, device: str, tmp_path: Path) -> None:
+    made = source(newest(root, device))
+    listed = [one for held in made.declared.constants for one in held.constants]
+    external = "\n".join(f"{one.name} : {one.type.name};" for one in listed)
+    variables = "\n".join(f"v{number} : {one.type.name};" for number, one in enumerate(listed))
+    uses = "\n".join(f"v{number} := {one.name};" for number, one in enumerate(listed))
+    translated(
+        f"PROGRAM Main VAR_EXTERNAL CONSTANT {external} END_VAR VAR {variables} END_VAR {uses} END_PROGRAM\n"
+        f"CONFIGURATION Plant {constants(made)} RESOURCE Controller ON PLC "
+        "TASK Cycle(INTERVAL := T#20ms, PRIORITY := 0); PROGRAM Instance WITH Cycle : Main; "
+        "END_RESOURCE END_CONFIGURATION\n",
+        tmp_path,
+    )
+
+
+def test_hostile_labels_stay_within_comments(tmp_path: Path) -> None:
+    for name, content in files([hostile()]).items():
+        if not name.endswith("_constants.st"):
+            translated(content, tmp_path)
+            assert all(line.isprintable() for line in content.splitlines())
+
+
+def test_arrays_have_one_type_each(tmp_path: Path) -> None:
+    for root, device in DEVICES:
+        names = re.findall(r"^    (T_\w+) :", text(source(newest(root, device))), re.MULTILINE)
+        assert len(names) == len(set(names))
