@@ -120,7 +120,7 @@ def number_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 _OF_SPACE = (
-    ("unit", "what an address holds", Effect.WIRE),
+    ("unit", "the unit of its addresses", Effect.WIRE),
     ("bounds", "the range of its addresses", Effect.BEHAVIOUR),
     ("first_number", "the number of its first address", Effect.DOCS),
 )

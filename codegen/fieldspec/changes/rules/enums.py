@@ -15,7 +15,8 @@ from fieldspec.model.enums import Bit, Enum, Member
 def enum_changed(comparison: Comparison) -> Iterator[Change]:
     """A value has another enum, has an enum now, or has none any more.
 
-    Why: if the two enums give a number different names, it means something else. If not, the types of generated code change.
+    Why: if the two enums give a number different names, it means something else. If not, the types of generated code
+    change.
 
     Example: `enum: mode` that becomes `enum: extended_mode`.
 
@@ -50,8 +51,8 @@ def _names(device: Device, name: str) -> dict[int, str]:
 def member_added(comparison: Comparison) -> Iterator[Change]:
     """An enum has a new member.
 
-    Why: programs receive a value that they do not know. Generated code of the old version refuses it, or passes it on as
-    a number if the enum is open.
+    Why: programs receive a value that they do not know. Generated code of the old version refuses it, or passes it on
+    as a number if the enum is open.
 
     Example: an alarm code that the new firmware has.
 
@@ -83,8 +84,8 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
 
     Example: a mode that the new firmware does not have.
 
-    Cure: If the device still accepts the value, keep the member with `unavailable: true`. Where the old spec was
-    wrong, accept the change with that reason; else give the new version a number of its own.
+    Cure: If the device still accepts the value, keep the member with `unavailable: true`. Where the old spec was wrong,
+    accept the change with that reason; else give the new version a number of its own.
     """
 
     for unpaired in comparison.removed:

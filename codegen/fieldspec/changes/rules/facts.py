@@ -34,8 +34,8 @@ def device_removed(device: Device) -> Change:
 def fact_added(comparison: Comparison) -> Iterator[Change]:
     """The new version has something that the old one does not have.
 
-    Why: programs that do not use it go on working, as long as nothing else moves. A field that makes a record longer, or
-    moves other fields, breaks every program that knows the old length.
+    Why: programs that do not use it go on working, as long as nothing else moves. A field that makes a record longer,
+    or moves other fields, breaks every program that knows the old length.
 
     Example: a register at an address that was free.
 
@@ -96,14 +96,14 @@ def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
 
 
 def renamed(comparison: Comparison) -> Iterator[Change]:
-    """Something has another name. It is the same thing by the evidence that the message names: nothing else that has
-    come or gone shares it.
+    """Something has another name. The message names the evidence that it is the same: what the two have in common, and
+    nothing else that is new or gone.
 
     Why: generated names follow the names of the spec, so programs that use the old ones no longer compile or run.
 
     Example: a register `servo` at 0x2011 that is called `servo_on` now.
 
-    Cure: Keep the old name, unless the new one is worth the trouble of all users; labels and printed names may change
+    Cure: Keep the old name, unless the new one is worth the work of all users. Labels and printed names can change
     freely.
     """
 
@@ -116,14 +116,14 @@ def renamed(comparison: Comparison) -> Iterator[Change]:
 
 
 def availability_changed(comparison: Comparison) -> Iterator[Change]:
-    """A member of an enum has become not available, or available.
+    """A member of an enum is not available any more, or is available now.
 
     Why: generated code has no name for a value that is not available, so programs that use the name no longer compile
     or run.
 
     Example: `unavailable: true` at a mode that the old version had.
 
-    Cure: Tell users what to use instead. A member that becomes available hurts nobody.
+    Cure: Tell users what to use instead. A member that becomes available affects nobody.
     """
 
     for pair in comparison.of(Member):
@@ -135,13 +135,13 @@ def availability_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def applicability_changed(comparison: Comparison) -> Iterator[Change]:
-    """A parameter exists for other kinds of motor, axis or model, or has an effect with other messages.
+    """A parameter applies to other kinds of motor, axis or model, or has an effect with other messages.
 
-    Why: a program that sets it may have to ask first what it is connected to.
+    Why: a program that sets it may have to find out first what it is connected to.
 
     Example: `applies_to: [rotary]` that becomes `applies_to: [rotary, linear]`.
 
-    Cure: Nothing to do where the list grows; else tell users which devices no longer have the parameter.
+    Cure: Nothing to do if the list grows; else tell users which devices no longer have the parameter.
     """
 
     for pair in comparison.of(Parameter):
@@ -155,10 +155,10 @@ def applicability_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def documentation_changed(comparison: Comparison) -> Iterator[Change]:
-    """What is read by people has changed: names as printed, labels, texts, notes, sources, and what the manual prints
+    """The documentation of a fact has changed: printed names, labels, texts, notes, sources, or what the manual prints
     twice.
 
-    Why: nobody is hurt. Texts stand in the documentation and in the comments of generated code.
+    Why: nobody is affected. The texts are in the documentation and in the comments of generated code.
 
     Example: a `doc` in other words, or a `source` with another line.
 
@@ -190,7 +190,7 @@ _OF_SIGNAL = ("printed_name", "label", "doc", "scale", "sentinels")
 
 
 def _followed(comparison: Comparison, pair: Pair[Any], key: str, old: Any, new: Any) -> tuple[Any, Any]:
-    """Two texts: the old one by new names, and both without what other rules tell."""
+    """The two texts: the old one with new names, and both without what other rules report."""
     if key in _NAMES:
         return comparison.renamed_to(_NAMES[key], old), new
     if key in _PATHS:
@@ -211,7 +211,7 @@ def _same_scale(pair: Pair[Any]) -> bool:
 
 
 def _belongs_to_signal(comparison: Comparison, pair: Pair[Any], key: str) -> bool:
-    """Whether a signal tells what has changed at a field that takes its texts from there."""
+    """Whether the difference of a field's text is that of its signal."""
     if not isinstance(pair.new, Field) or key not in _OF_SIGNAL:
         return False
     get = TEXTS[Field][key]
@@ -245,13 +245,13 @@ _EXAMPLE_KEYS = {"link": "links", "message": "messages", "reply_to": "examples"}
 
 
 def example_changed(comparison: Comparison) -> Iterator[Change]:
-    """An example has other bytes, or other values, or stands for something else.
+    """An example has other bytes or other values, or shows something else.
 
-    Why: nobody is hurt by an example. But where its frame has changed and no fact has, one of the two is wrong.
+    Why: an example affects nobody. But if its frame has changed and no fact has, one of the two is wrong.
 
-    Example: a `frame` with another check.
+    Example: a `frame` with another checksum.
 
-    Cure: Look whether the manual or the transcription has changed.
+    Cure: Find out whether the manual or the transcription has changed.
     """
 
     for pair in comparison.of(Example):

@@ -14,9 +14,9 @@ from fieldspec.model.enums import Bit, State
 
 
 def bit_moved(comparison: Comparison) -> Iterator[Change]:
-    """A bit, or a field of bits, lies elsewhere in its word.
+    """A bit, or a field of bits, is elsewhere in its word.
 
-    Why: old programs test and set other bits than they mean.
+    Why: existing programs test and set the wrong bits.
 
     Example: `bit: 4` that becomes `bit: 5`, or `bits: 4..5` that becomes `bits: 4..6`.
 
@@ -33,10 +33,10 @@ def bit_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def flags_changed(comparison: Comparison) -> Iterator[Change]:
-    """The bits of a value are named by another word of flags, or have names where they had none, or none where they had
-    some.
+    """A value has another word of flags, has one now, or has none any more.
 
-    Why: where the two words name a bit differently, it means something else. Else the types of generated code change.
+    Why: if the two words give a bit different names, it means something else. If not, the types of generated code
+    change.
 
     Example: `flags: status` that becomes `flags: extended_status`.
 
@@ -61,11 +61,11 @@ def _names(device: Device, name: str) -> set[tuple[int, int, str]]:
 
 
 def polarity_changed(comparison: Comparison) -> Iterator[Change]:
-    """A bit shows the opposite.
+    """A bit means the opposite.
 
-    Why: what was so when the bit was 1 is so when it is 0.
+    Why: what was true when the bit was 1 is true when it is 0.
 
-    Example: `active: low` at a bit that had none.
+    Example: `active: low` at a bit without it.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
@@ -79,9 +79,9 @@ def polarity_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def state_changed(comparison: Comparison) -> Iterator[Change]:
-    """A state of the device is shown by other bits.
+    """Other bits show a state of the device.
 
-    Why: programs take one state for another.
+    Why: programs mistake one state for another.
 
     Example: `set: [ready]` of the state `running` that becomes `set: [ready, operating]`.
 
@@ -100,13 +100,13 @@ def state_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def edge_changed(comparison: Comparison) -> Iterator[Change]:
-    """A bit acts by its level where it acted by its edge, or by another edge.
+    """A bit acts by its level and no longer by its edge, the other way round, or by another edge.
 
-    Why: a program that leaves the bit as it is starts nothing, or starts it again and again.
+    Why: a program that leaves the bit unchanged starts nothing, or starts the action again and again.
 
-    Example: `edge: rising` at a bit that had none.
+    Example: `edge: rising` at a bit without it.
 
-    Cure: Tell users how the bit has to be set and cleared.
+    Cure: Tell users how to set and clear the bit.
     """
 
     for pair in comparison.of(Bit):
@@ -117,13 +117,14 @@ def edge_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def reserved_changed(comparison: Comparison) -> Iterator[Change]:
-    """A field, a bit, a parameter or an element of one has lost its meaning, or has got one.
+    """A field, a bit, a parameter or an element of a parameter is reserved now, or is no longer reserved.
 
-    Why: what had a meaning is written as zero and ignored by generated code. What gets one was written as zero so far.
+    Why: generated code writes what is reserved as zero, and ignores it. What has a meaning now was written as zero
+    before.
 
     Example: `reserved: true` at a field that the old version used.
 
-    Cure: Nothing to do where something gets a meaning. Where the old spec was wrong, accept the change with that
+    Cure: Nothing to do if something is no longer reserved. Where the old spec was wrong, accept the change with that
     reason; else give the new version a number of its own.
     """
 

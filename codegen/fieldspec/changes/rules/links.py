@@ -14,13 +14,13 @@ from fieldspec.model.link import ErrorReply, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
-_KEYS = {"encoding": "the encoding", "start": "the mark at the start", "end": "the mark at the end"}
+_KEYS = {"encoding": "the encoding", "start": "the start delimiter", "end": "the end delimiter"}
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames have other marks at their ends, or are written in another way.
+    """Frames have other delimiters, or another encoding.
 
-    Why: neither side finds the frames of the other.
+    Why: neither side recognises the frames of the other.
 
     Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
 
@@ -37,7 +37,7 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def check_changed(comparison: Comparison) -> Iterator[Change]:
-    """The check of a frame is computed in another way, or over other parts, or a length counts other parts.
+    """The checksum of a frame has another algorithm or covers other parts, or a length counts other parts.
 
     Why: each side refuses the frames of the other.
 
@@ -68,7 +68,7 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _span_text(part: Part) -> str:
-    """`words from command to body plus 2`, or `from command to body`"""
+    """What a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
@@ -79,9 +79,9 @@ def _span_text(part: Part) -> str:
 
 
 def code_changed(comparison: Comparison) -> Iterator[Change]:
-    """A message has another code, or, where it carries none, another number.
+    """A message has another code, or another number if it carries no code.
 
-    Why: old programs send, and understand, another message than they mean.
+    Why: existing programs send the wrong message, and misread those that they receive.
 
     Example: `code: 0x2F` that becomes `code: 0x30`.
 
@@ -101,9 +101,9 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
-    """A refusal is marked by another bit of the code, or has another record.
+    """Another bit of the code marks an exception response, or it has another record.
 
-    Why: programs take a refusal for an answer, or misread its reason.
+    Why: programs mistake an exception response for an answer, or misread its reason.
 
     Example: `error: {flag: 0x80}` that becomes `error: {flag: 0x40}`.
 
@@ -114,7 +114,7 @@ def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Link):
         old, new = _error_text(comparison, pair.old.error, True), _error_text(comparison, pair.new.error, False)
         if old != new:
-            text = f"{named(pair.new)}: {difference_text('the reply that refuses', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('the exception response', old, new)}"
             yield change("error_reply_changed", Effect.WIRE, pair, "error", text, old, new)
 
 
@@ -126,9 +126,9 @@ def _error_text(comparison: Comparison, error: ErrorReply | None, before: bool) 
 
 
 def role_changed(comparison: Comparison) -> Iterator[Change]:
-    """A field, or a part of the frame, has another job: it measures, chooses, repeats, or carries something else.
+    """A field or a part of the frame has another purpose: it measures, decides, repeats or carries something else.
 
-    Why: the same bytes are read as a length, a code, an address or a plain value.
+    Why: the same bytes are read as a length, a code, an address or an ordinary value.
 
     Example: `role: plain` that becomes `role: station`, or `measures: {bytes: values}` that becomes `measures: {items:
     values}`.
@@ -206,13 +206,13 @@ def _renamed(comparison: Comparison, message: Message, name: str) -> str:
 
 
 def sending_changed(comparison: Comparison) -> Iterator[Change]:
-    """A message is sent on other links, or beside other messages.
+    """A message is sent on other links, or together with other messages.
 
-    Why: on a link that it has lost, a message is not understood; beside another one it may not be allowed.
+    Why: the device does not understand the message on a link that is gone, and may not accept it with other messages.
 
     Example: `links: [rtu, ascii]` that becomes `links: [rtu]`.
 
-    Cure: Nothing to do where links or companions are added. Where the old spec was wrong, accept the change with that
+    Cure: Nothing to do if links or messages are added. Where the old spec was wrong, accept the change with that
     reason; else give the new version a number of its own.
     """
 
@@ -221,7 +221,7 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
         beside = tuple(comparison.renamed_to("messages", name) for name in pair.old.supplements)
         for key, what, old, new, fallback in (
             ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
-            ("supplements", "what it is sent beside", beside, pair.new.supplements, pair.new.supplements),
+            ("supplements", "what it is sent with", beside, pair.new.supplements, pair.new.supplements),
         ):
             stated = getattr(pair.old, key) or fallback
             if stated and sorted(old) != sorted(new):
@@ -239,13 +239,13 @@ _SERIAL_KEYS = ("baud", "default_baud", "data_bits", "parity", "stop_bits", "sta
 
 
 def serial_changed(comparison: Comparison) -> Iterator[Change]:
-    """A serial line has other settings, or another one of them at first.
+    """A serial line has other settings, or another default.
 
-    Why: two sides with different settings do not hear each other.
+    Why: two sides with different settings do not understand each other.
 
     Example: `default_baud: 9600` that becomes `default_baud: 19200`.
 
-    Cure: Tell users what to set their side to.
+    Cure: Tell users the settings for their side.
     """
 
     for pair in comparison.of(Link):
@@ -258,9 +258,9 @@ def serial_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def timing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames are separated by another silence.
+    """The silence between frames is another one.
 
-    Why: a program that waits for too short a time sends two frames that the device takes for one.
+    Why: if a program waits too short, the device takes two frames for one.
 
     Example: `silence: {characters: 3.5}` that becomes `silence: {milliseconds: 50}`.
 
@@ -276,9 +276,9 @@ def timing_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
-    """Another address means all stations, or a message can be sent to all stations now, or no longer.
+    """Another unit address means all stations, or a message can be sent to all stations now, or no longer.
 
-    Why: a request that was for one device is carried out by all of them, or by none.
+    Why: all devices carry out a request that was for one of them, or none does.
 
     Example: `broadcast: 0` that becomes `broadcast: 255` at the stations of a link.
 
@@ -308,11 +308,11 @@ def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
 def building_changed(comparison: Comparison) -> Iterator[Change]:
     """Another line of versions gets outputs of its own.
 
-    Why: generated modules and headers are named after versions, so programs no longer find those that they use.
+    Why: generated modules and headers have the names of versions, so programs no longer find those that they use.
 
     Example: `builds: true` that moves from the line `firmware` to the line `hardware`.
 
-    Cure: Keep the line that is built, or tell users the new names.
+    Cure: Keep the line that has the outputs, or tell users the new names.
     """
 
     for pair in comparison.of(VersionLine):

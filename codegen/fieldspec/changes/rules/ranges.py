@@ -17,9 +17,9 @@ from fieldspec.model.value import Handling
 
 
 def range_narrowed(comparison: Comparison) -> Iterator[Change]:
-    """A value may be fewer numbers than before, a text may be shorter, or fewer records may follow each other.
+    """Fewer values are permitted than before, only a shorter text, or fewer elements.
 
-    Why: what was accepted is refused, by the device or by generated code.
+    Why: the device or the generated code refuses what it accepted.
 
     Example: `range: 0..100` that becomes `range: 1..100`.
 
@@ -36,9 +36,10 @@ def range_narrowed(comparison: Comparison) -> Iterator[Change]:
 
 
 def range_widened(comparison: Comparison) -> Iterator[Change]:
-    """A value may be more numbers than before, a text may be longer, or more records may follow each other.
+    """More values are permitted than before, a longer text, or more elements.
 
-    Why: values come that an old program does not expect, and generated code of the old version refuses them.
+    Why: an existing program receives values that it does not expect, and generated code of the old version refuses
+    them.
 
     Example: `range: 0..100` that becomes `range: 0..200`.
 
@@ -55,10 +56,10 @@ def range_widened(comparison: Comparison) -> Iterator[Change]:
 
 
 def default_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value is another one as long as nobody sets it.
+    """The default of a value is another one.
 
-    Why: a device that was set up for the old version, and a record that is filled in part, behave in another way. What
-    is written into reserved fields are other bytes.
+    Why: a device that relies on the old default, and a record that is filled only in part, behave in another way. Other
+    bytes are written into reserved fields.
 
     Example: `default: 100` that becomes `default: 50`.
 
@@ -86,7 +87,7 @@ _KEYS = {
 
 
 def limit_changed(comparison: Comparison) -> Iterator[Change]:
-    """A timing, a maximum, a supply is another one.
+    """A limit of the device, such as a time, a maximum or a supply, is another one.
 
     Why: a machine that was built for the old number may be too fast, too slow or too weak.
 
@@ -105,9 +106,9 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def access_changed(comparison: Comparison) -> Iterator[Change]:
-    """Whether a register, a table, a field or a parameter can be read and written is another matter now.
+    """A register, a table, a field or a parameter has another access.
 
-    Why: a program that writes what can only be read is refused by the device, or by the generated code.
+    Why: the device, or the generated code, refuses to write what can only be read.
 
     Example: `access: rw` that becomes `access: ro`.
 
@@ -139,13 +140,14 @@ _PATHS = ("saved_by", "opposite_of")
 
 
 def handling_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value has to be read or written in another way: in one request or not, as a trigger or not, saved or not.
+    """The handling of a value is another one: whether it must be accessed in one request, starts an action, or is
+    saved.
 
     Why: a program that reads a value in two requests gets halves of two values; one that reads back a trigger gets
-    nothing; one that does not save what is lost with the power finds it gone; and one that does not know that two facts
-    have opposite senses does the contrary of what it should.
+    nothing; one that does not save a value loses it with the power; and one that does not know that two facts have
+    opposite senses does the opposite of what it should.
 
-    Example: `atomic: true` at a register that did not have it, or `saved_by: registers/save` at a parameter.
+    Example: `atomic: true` at a register without it, or `saved_by: registers/save` at a parameter.
 
     Cure: Tell users how to access the value.
     """

@@ -15,14 +15,14 @@ from fieldspec.model.registers import Parameter, Register, Table
 
 
 def field_moved(comparison: Comparison) -> Iterator[Change]:
-    """Fields of a record or a message, or parts of a frame, lie elsewhere among the others.
+    """Fields of a record or a message, or parts of a frame, have other offsets.
 
-    Why: bytes that were one field are another one.
+    Why: the bytes of one field are now those of another one.
 
-    Example: a field that is put before all others, or two that change places.
+    Example: a new field before all others, or two fields that change places.
 
-    Cure: Put new fields behind the others, or where reserved ones were. Where the old spec was wrong, accept the change
-    with that reason; else give the new version a number of its own.
+    Cure: Put new fields behind the others, or in the place of reserved ones. Where the old spec was wrong, accept the
+    change with that reason; else give the new version a number of its own.
     """
 
     for fields in comparison.field_lists:
@@ -30,9 +30,9 @@ def field_moved(comparison: Comparison) -> Iterator[Change]:
             first, now, before, after = fields.moved[0]
             names = enumeration([named(new) for _, new, _, _ in fields.moved])
             container = fields.containers[1]
-            text = f"{named(now)} lies at offset {after}, and lay at {before}"
+            text = f"{named(now)} is at offset {after}, and was at {before}"
             if len(fields.moved) > 1:
-                text = f"{names} lie elsewhere; {text}"
+                text = f"{names} have other offsets; {text}"
             text = f"{named(container)}: {text}"
             yield Change(
                 "field_moved",
@@ -48,15 +48,15 @@ def field_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def length_changed(comparison: Comparison) -> Iterator[Change]:
-    """A record, the data of a message, or what stands around the data in a frame, has another length.
+    """A record, the data of a message, or the rest of a frame has another length.
 
-    Why: who waits for the old number of bytes cuts a frame off, or waits for ever; generated code refuses frames of
-    another length.
+    Why: a program that waits for the old number of bytes cuts the frame short, or waits for ever. Generated code
+    refuses frames of another length.
 
-    Example: a response of 10 bytes that has 12.
+    Example: a response of 10 bytes that has 12 now.
 
-    Cure: Put new fields where reserved ones were. Where the old spec was wrong, accept the change with that reason;
-    else give the new version a number of its own.
+    Cure: Put new fields in the place of reserved ones. Where the old spec was wrong, accept the change with that
+    reason; else give the new version a number of its own.
     """
 
     for fields in comparison.field_lists:
@@ -91,9 +91,9 @@ def _length_text(size: tuple[int, bool]) -> str:
 
 
 def case_changed(comparison: Comparison) -> Iterator[Change]:
-    """A case of a field holds for other values of the field that decides.
+    """A case of a field applies to other values of the deciding field.
 
-    Why: data of one type are read as data of another.
+    Why: data of one type are read as another type.
 
     Example: `when: [unsigned16]` that becomes `when: [unsigned16, word]`.
 
@@ -106,27 +106,27 @@ def case_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = tuple(comparison.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
         if old != new:
             effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
-            text = f"{named(pair.new)}: {difference_text('what it holds for', old, new)}"
+            text = f"{named(pair.new)}: {difference_text('what it applies to', old, new)}"
             yield change("case_changed", effect, pair, "when", text, old, new)
 
 
 def _enum(comparison: Comparison, field: Field) -> str:
-    """The name of the old enum whose members are named."""
+    """The name of the old enum whose members the cases name."""
     by = field.choice.by if field.choice else ""
     values = (field.value for field in fields_beside(field, comparison.old) if field.name == by)
     return next((value.enum for value in values if value is not None), "")
 
 
 def count_changed(comparison: Comparison) -> Iterator[Change]:
-    """There are more, or fewer, elements of a register, a table, a field or a parameter.
+    """A register, a table, a field or a parameter has more or fewer elements.
 
-    Why: fewer elements leave programs with addresses that mean nothing; a field with more or fewer moves all that
-    follows it.
+    Why: with fewer elements, programs use addresses without a meaning. A field with more or fewer elements moves all
+    that follows it.
 
     Example: `count: 127` of a table that becomes `count: 255`.
 
-    Cure: Nothing to do where registers, tables and parameters grow. Where the old spec was wrong, accept the change
-    with that reason; else give the new version a number of its own.
+    Cure: Nothing to do if registers, tables and parameters grow. Where the old spec was wrong, accept the change with
+    that reason; else give the new version a number of its own.
     """
 
     for pair in comparison.any_of(Register, Table, Parameter):

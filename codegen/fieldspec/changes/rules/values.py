@@ -17,7 +17,7 @@ from fieldspec.model.value import Conversion, Value
 
 
 def type_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value has another type or another size, or a record lies where another one, or a value, lay.
+    """A value has another type or another size, or a field or a table has another record.
 
     Why: the bytes are read as another number, and what follows them in a frame moves.
 
@@ -56,7 +56,7 @@ def _of(value: Value | None) -> str:
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:
-    """The key that says what lies in a field, and what that is."""
+    """The key that gives the type of a field, and the type as text."""
     if field.choice is not None:
         return "choice", f"a choice by {field.choice.by}"
     return ("record", record) if record else ("type", _of(field.value))
@@ -71,9 +71,9 @@ def _change(
 
 
 def scale_changed(comparison: Comparison) -> Iterator[Change]:
-    """One count is worth something else.
+    """The scale or the offset of a value is another one.
 
-    Why: the same number on the wire is ten times the distance, or a tenth of it.
+    Why: the same number on the wire is another quantity, such as ten times the distance.
 
     Example: `scale: 0.01` that becomes `scale: 0.001`.
 
@@ -94,7 +94,7 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
 def unit_changed(comparison: Comparison) -> Iterator[Change]:
     """A quantity is in another unit.
 
-    Why: the same number is millimetres where it was pulses.
+    Why: the same number is in millimetres now, and was in pulses.
 
     Example: `unit: pulse` that becomes `unit: mm`.
 
@@ -110,11 +110,11 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value that stands for something else than a quantity has come, has gone, or is another one.
+    """A special value is new, is gone, or has another name.
 
-    Why: 0xFFFF that meant `ignore` is a distance now, or a distance means `ignore`.
+    Why: 0xFFFF meant `ignore` and is a distance now, or was a distance and means `ignore`.
 
-    Example: `sentinels: [{value: 0xFFFF, name: ignored}]` that loses its only member.
+    Example: `sentinels: [{value: 0xFFFF, name: ignored}]` that loses its only entry.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
@@ -149,7 +149,7 @@ def _compared(value_pair: ValuePair) -> Iterator[Change]:
 
 
 def _possible(value: Value, count: int) -> bool:
-    """Whether a count was a quantity."""
+    """Whether a raw value was permitted as a quantity."""
     return value.ranges is None or count in value.ranges
 
 
@@ -160,9 +160,9 @@ def _sentinel_change(
 
 
 def const_changed(comparison: Comparison) -> Iterator[Change]:
-    """The one value that a field may have is another one.
+    """The constant value of a field is another one.
 
-    Why: frames with the old value are refused, and so are those of the old side.
+    Why: the new side refuses frames with the old value, and the old side frames with the new one.
 
     Example: `const: 0x44` that becomes `const: 0x45`.
 
@@ -178,9 +178,9 @@ def const_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
-    """The bytes of a value, or the words of values of several registers, follow each other in another order.
+    """The bytes of a value, or the words of a value in several registers, are in another order.
 
-    Why: every number of more than one byte is read as another one.
+    Why: every number of more than one byte is misread.
 
     Example: `byte_order: big` at a link that becomes `byte_order: little`.
 
@@ -198,7 +198,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
         if part.old.algorithm and part.new.algorithm:
             old, new = part.old.byte_order or "little", part.new.byte_order or "little"
             if old != new:
-                text = f"{named(part.new)}: {difference_text('the byte order of the check', old, new)}"
+                text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
     for value_pair in comparison.values:
         if (
@@ -221,7 +221,8 @@ def _order(value: Value, device: Device) -> str:
 
 
 def conversion_changed(comparison: Comparison) -> Iterator[Change]:
-    """A count stands for another share of its reference.
+    """A conversion gives a count another percentage of its reference, applies to other signals, or has other
+    references.
 
     Why: the same count is another speed, torque or distance.
 
@@ -236,10 +237,10 @@ def conversion_changed(comparison: Comparison) -> Iterator[Change]:
         renamed = tuple(comparison.renamed_to("signals", name) for name in pair.old.signals)
         for key, what, old, new in (
             ("full_scale", "the full scale", pair.old.full_scale, pair.new.full_scale),
-            ("complement", "taking away from the reference", pair.old.complement, pair.new.complement),
+            ("complement", "subtraction from the reference", pair.old.complement, pair.new.complement),
             ("type", "the type of the count", pair.old.type.name, pair.new.type.name),
-            ("signals", "what it holds for", renamed, pair.new.signals),
-            ("references", "what holds the reference", paths, pair.new.references),
+            ("signals", "what it applies to", renamed, pair.new.signals),
+            ("references", "the reference", paths, pair.new.references),
         ):
             if old != new:
                 text = f"{named(pair.new)}: {difference_text(what, old, new)}"
