@@ -219,7 +219,7 @@ class _Frame:
         read = decode_value(self.layout.device, part.value, raw, part.order, False)
         assert isinstance(read.number, int)
         if part.role == "length":
-            return self._counted(part, read)
+            return self._judged_length(part, read)
         if part.offset < 0:
             return read
         self.values[part.name] = read.number
@@ -229,7 +229,7 @@ class _Frame:
             return self._station(read)
         return read
 
-    def _counted(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
+    def _judged_length(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """A length, compared with the bytes that it counts."""
         if not self.wrapped.whole:
             return read

@@ -1,4 +1,4 @@
-"""One row a fact, for audits and other programs. The columns are documented in docs/facts.md and stable."""
+"""One row for each fact, for audits and other programs. docs/facts.md documents the columns, which are stable."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def rows(layout: DeviceLayout) -> list[FactRow]:
 
 
 def of_versions(layouts: Sequence[DeviceLayout]) -> list[list[FactRow]]:
-    """All facts of a device at each of some versions. Rows that these share are the same objects, and nobody's own."""
+    """The facts of a device at several versions, which share the rows of what they share. Nobody may change a row."""
     shared = SharedRows()
     return [
         with_errata(

@@ -1,4 +1,4 @@
-"""The facts of what is addressed: registers, tables of records, and numbered parameters."""
+"""The facts of everything with an address: registers, record tables, and parameters."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from fieldspec.model.registers import Parameter, ParameterSet, Register, Registe
 
 
 def memory(layout: DeviceLayout, shared: SharedRows) -> Iterator[FactRow]:
-    """The rows of address spaces, groups of registers, of tables and of sets of parameters."""
+    """The rows of address spaces, groups of registers, tables and sets of parameters."""
     for space in layout.device.spaces.values():
         yield from of_fact("address_space", space, None, number=space.first_number, **of_ranges(space.bounds))
     for group in layout.device.groups:
@@ -50,7 +50,7 @@ def _cells(register: Register) -> FactRow:
 
 
 def _series(register: Register) -> Iterator[FactRow]:
-    """A row for several equal registers, and one for each, with its own line where the spec has it."""
+    """A row for several equal registers, and one for each of them, with its own source if the spec has it."""
     whole: FactRow = {"address": register.address, "words": register.end - register.address, "count": register.count}
     whole |= {"position": register.space}
     yield from of_fact("register_series", register, register.value, **whole)
@@ -91,7 +91,7 @@ def _tables(layout: DeviceLayout) -> Iterator[FactRow]:
 
 
 def _elements(table_layout: TableLayout) -> Iterator[FactRow]:
-    """The elements of which the manual prints the addresses."""
+    """The rows of the elements whose addresses the manual prints."""
     for element in table_layout.table.elements:
         name = f"{table_layout.name}_{element.index}"
         cells: FactRow = {
@@ -112,7 +112,7 @@ def _parameters(device: Device, shared: SharedRows) -> Iterator[FactRow]:
 
 
 def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[FactRow]:
-    """A parameter, or a run of equal ones; its elements, and what it is for."""
+    """The rows of a parameter, or of a run of equal ones, of its elements, and of what it applies to."""
     kind = "parameter" if parameter.count == 1 else "parameter_series"
     cells: FactRow = {
         "code": parameter.number,

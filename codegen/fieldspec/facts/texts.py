@@ -14,7 +14,7 @@ from fieldspec.model.texts import Lookup
 
 
 def texts(layout: DeviceLayout, shared: SharedRows) -> Iterator[FactRow]:
-    """The rows of look-up tables, limits, notes, examples and versions."""
+    """The rows of tables to look up, limits, notes, examples and versions."""
     device = layout.device
     for lookup in device.lookups:
         yield from shared.rows(lookup, partial(_lookup, lookup))
@@ -23,8 +23,9 @@ def texts(layout: DeviceLayout, shared: SharedRows) -> Iterator[FactRow]:
         yield from _task(task)
     for note in device.notes:
         yield row("note", note.place.path, note.sources, name=note.name, label=note.title)
-        for one in note.statements:
-            yield row("statement", one.place.path, one.sources, name=one.subject, ranges=one.says, label=one.text)
+        for statement in note.statements:
+            cells: FactRow = {"name": statement.subject, "ranges": statement.says, "label": statement.text}
+            yield row("statement", statement.place.path, statement.sources, **cells)
     yield from _examples(layout)
     yield from _versions(device)
 
@@ -98,7 +99,7 @@ def _versions(device: Device) -> Iterator[FactRow]:
 def with_errata(device: Device, rows: list[FactRow]) -> list[FactRow]:
     """The rows with every erratum at the innermost fact that it is about.
 
-    A fact of which there is no row, because it does not hold for this version, gets one of the kind `fact`.
+    A fact without a row, because this version does not have it, gets one of the kind `fact`.
     """
     by_path: dict[str, int] = {}
     for number, fact_row in enumerate(rows):
@@ -111,11 +112,11 @@ def with_errata(device: Device, rows: list[FactRow]) -> list[FactRow]:
             path = erratum.fact
             by_path[path] = len(rows)
             rows.append(row("fact", path, erratum.sources, name=path.rpartition("/")[2]))
-        held = rows[by_path[path]]
-        ids, before = held["errata"], held["printed"]
+        fact_row = rows[by_path[path]]
+        ids, before = fact_row["errata"], fact_row["printed"]
         assert isinstance(ids, list)
         added: FactRow = {"errata": [*ids, erratum.id]}
         if erratum.printed:
             added["printed"] = {**(before if isinstance(before, dict) else {}), **erratum.printed}
-        rows[by_path[path]] = {**held, **added}  # others may share the row
+        rows[by_path[path]] = {**fact_row, **added}  # other versions may share the row
     return rows

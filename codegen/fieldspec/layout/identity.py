@@ -1,4 +1,4 @@
-"""A hash over everything that decides what bytes mean, and over nothing else."""
+"""A hash of everything that gives bytes their meaning, and of nothing else."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def identity(
     messages: Mapping[str, MessageLayout],
     registers: tuple[RegisterLayout, ...],
 ) -> str:
-    """Sixteen hexadecimal digits that are the same for two layouts if and only if what is on the wire is."""
+    """Sixteen hexadecimal digits. Two layouts have the same if and only if they exchange the same bytes."""
     digest = hashlib.sha256()
     for words in chain(
         _links(links),
@@ -84,7 +84,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
-    """What a part counts or covers, and whether it is reserved; nothing where it is as in most frames."""
+    """What a part counts or covers, and whether it is reserved; nothing for what is so in most frames."""
     usual = part.role != "check" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
@@ -107,7 +107,7 @@ def _field(field: FieldLayout) -> Iterator[Words]:
 
 
 def _access(access: RegisterAccess | None) -> str | None:
-    """What a message does with registers; in which space is said of the spaces."""
+    """How a message accesses registers. Its space is stated with the spaces."""
     if access is None:
         return None
     parts = (access.operation, access.start, access.count, access.values)
@@ -123,7 +123,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
 
 
 def _spaces(device: Device) -> Iterator[Words]:
-    """The spaces, and what lies in each, as far as there are several."""
+    """The spaces with their contents, if there are several."""
     for space in device.spaces.values() if device.several_spaces else ():
         yield "space", space.name, space.unit
         yield (

@@ -1,4 +1,4 @@
-"""Values as people write them, converted to raw values: counts, quantities, enum members, lists."""
+"""Converts values as people write them to raw values: counts, quantities, enum members, bits, lists."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _COUNT = r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})"
 
 
 class MeaningError(ValueError):
-    """A written value that cannot be understood. `path` says which: field names joined by dots."""
+    """A value that has no raw value. `path` names it by field names joined by dots; `detail` says why."""
 
     def __init__(self, path: str, detail: str) -> None:
         super().__init__(f"{path}: {detail}")
@@ -34,17 +34,17 @@ class MeaningError(ValueError):
 
 
 def body_of(layout: DeviceLayout, link: str, direction: str, message: str, error: bool) -> RecordLayout:
-    """The record in the body of a frame."""
-    refusal = layout.links[link].link.error
-    if error and refusal is not None:
-        return layout.records[refusal.record]
+    """The record in the body of a frame. `error` selects the exception response."""
+    exception_response = layout.links[link].link.error
+    if error and exception_response is not None:
+        return layout.records[exception_response.record]
     return layout.messages[message].data(direction)
 
 
 def raw_values(layout: DeviceLayout, example: Example) -> dict[str, Raw]:
-    """The raw values of an example: those of the parts before the body, and of the body's fields.
+    """The raw values of an example by name: those of its header, and of the fields in its body.
 
-    Raises MeaningError.
+    Raises MeaningError for a value that has no raw value.
     """
     parts = layout.links[example.link].frame(example.direction).head
     body: RecordLayout | None = None
@@ -59,9 +59,9 @@ def raw_of(
     body: RecordLayout | None,
     entered: Mapping[str, object],
 ) -> dict[str, Raw]:
-    """Raw values by name, of the parts of a head and the fields of a record, from what is written.
+    """The raw values, by name, of values that are entered for parts of a header and fields of a record.
 
-    Raises MeaningError for a name that neither has, and for a value that cannot be understood.
+    Raises MeaningError for a name that neither has, and for a value that has no raw value.
     """
     fields = _decided(device, body, entered).fields if body is not None else ()
     known_parts = {part.name: part for part in parts}
@@ -79,7 +79,7 @@ def raw_of(
 
 
 def _decided(device: Device, body: RecordLayout, entered: Mapping[str, object]) -> RecordLayout:
-    """The record itself, or the one that the written value of its selector chooses."""
+    """The record itself, or the one that the entered value of its selector decides."""
     by = body.selector
     if by is None:
         return body
@@ -116,12 +116,12 @@ def _element_value(device: Device, path: str, field: FieldLayout, entered: objec
 
 
 def raw_value(device: Device, path: str, value: Value, entered: object) -> Raw:
-    """One written value as a raw one. Raises MeaningError; `path` is what it calls the value."""
+    """The raw value of an entered value. Raises MeaningError, which calls the value `path`."""
     return _number(device, path, value, entered)
 
 
 def _number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
-    """One written value as a raw one."""
+    """The raw value of an entered value."""
     assert value is not None
     if value.flags and isinstance(entered, list | str) and not _is_count(entered):
         return _word(device, path, value, entered)
@@ -154,7 +154,7 @@ def _is_count(entered: object) -> bool:
 
 
 def _text(device: Device, path: str, value: Value, entered: str) -> int:
-    """A count, a member's name, a sentinel's name, or a quantity with its unit."""
+    """The raw value of a count, a member's name, a sentinel's name, or a quantity with its unit."""
     if re.fullmatch(_COUNT, entered):
         return int(entered, 0)
     if value.enum:
@@ -181,7 +181,7 @@ def _text(device: Device, path: str, value: Value, entered: str) -> int:
 
 
 def _word(device: Device, path: str, value: Value, entered: list[object] | str) -> int:
-    """The word with the named bits set; `name=member` or `name=number` sets a field of several bits."""
+    """The word with the named bits set. `name=member` or `name=number` sets a field of several bits."""
     flags = device.flags[value.flags]
     word = 0
     for item in entered if isinstance(entered, list) else [piece for piece in re.split(r"[, ]+", entered) if piece]:

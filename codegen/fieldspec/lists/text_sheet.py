@@ -1,4 +1,4 @@
-"""Lists as text: CSV with any usual separator, tables with bars, and JSON."""
+"""Reads lists from text: CSV with any usual separator, tables with bars, and JSON."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _RULE = re.compile(r"[|+:=\s-]+")
 
 
 def text_sheet(content: bytes, encoding: str = "") -> Sheet:
-    """The sheet in a text file. Without an encoding, a byte order mark says it, else it is UTF-8."""
+    """The sheet in a text file. The default encoding is that of the byte order mark, else UTF-8. Raises ListError."""
     text = decoded(content, encoding)
     if not text.strip():
         raise ListError("is empty")
@@ -69,7 +69,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
 
 
 def _bounded(text: str, size: list[int]) -> Iterator[str]:
-    """The lines of a text; `size` counts the characters of a row, which may be of several lines, and is bounded."""
+    """The lines of a text. `size` counts the characters of a row, which may have several lines, and is bounded."""
     for line in io.StringIO(text, newline=""):
         size[0] += len(line)
         if size[0] > _LONGEST_ROW:
@@ -78,7 +78,7 @@ def _bounded(text: str, size: list[int]) -> Iterator[str]:
 
 
 def decoded(content: bytes, encoding: str = "") -> str:
-    """The text of a file."""
+    """The text of a file. Raises ListError if it is none."""
     for mark, kind in _KNOWN_BINARIES:
         if content.startswith(mark):
             raise ListError(f"is {kind}")
@@ -105,7 +105,7 @@ def decoded(content: bytes, encoding: str = "") -> str:
 
 
 def _separator(lines: list[str]) -> str:
-    """The separator that gives the most rows of one length; a table with bars around it has bars."""
+    """The separator that gives the most rows of equal length; bars for a table with bars around it."""
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
@@ -122,7 +122,7 @@ def _separator(lines: list[str]) -> str:
 
 
 def _of_json(text: str) -> Sheet:
-    """The sheet of a list of objects; its columns are their keys."""
+    """The sheet of a JSON list of objects. Its columns are their keys."""
     data = json_data(text)
     if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
         raise ListError("is JSON, and no list of objects")

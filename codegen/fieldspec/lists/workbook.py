@@ -1,4 +1,4 @@
-"""Lists as XLSX, as they are read. This is the one module that knows openpyxl."""
+"""Reads lists from XLSX. No other module knows openpyxl."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MAGIC = b"PK\x03\x04"
 
 
 def workbook_sheet(content: bytes, named: str = "") -> Sheet:
-    """A sheet of a workbook: the one with a name, or the first that is not empty."""
+    """A sheet of a workbook: the one with a name, or the first one that is not empty. Raises ListError."""
     check_workbook(content)
     import openpyxl
 
@@ -60,7 +60,7 @@ def _sheet(sheet: Worksheet) -> Sheet:
 
 
 def _text(value: object) -> str:
-    """What a cell shows: whole numbers without a point."""
+    """The text of a cell: whole numbers have no point."""
     if value is None:
         return ""
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:

@@ -108,15 +108,15 @@ def number_changed(comparison: Comparison) -> Iterator[Change]:
             effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
             text = f"{named(pair.new)}: {difference_text('the number', old, new)}"
             yield change("number_changed", effect, pair, "number", text, old, new)
-    for held in comparison.of(ParameterSet):
-        space = held.new.name if held.old.space == held.old.name else held.old.space
+    for set_pair in comparison.of(ParameterSet):
+        space = set_pair.new.name if set_pair.old.space == set_pair.old.name else set_pair.old.space
         for key, what, before, after in (
-            ("base", "what is added to its numbers", held.old.base, held.new.base),
-            ("space", "the space of its numbers", space, held.new.space),
+            ("base", "what is added to its numbers", set_pair.old.base, set_pair.new.base),
+            ("space", "the space of its numbers", space, set_pair.new.space),
         ):
             if before != after:
-                text = f"{named(held.new)}: {difference_text(what, before, after)}"
-                yield change("number_changed", Effect.WIRE, held, key, text, before, after)
+                text = f"{named(set_pair.new)}: {difference_text(what, before, after)}"
+                yield change("number_changed", Effect.WIRE, set_pair, key, text, before, after)
 
 
 _OF_SPACE = (

@@ -158,16 +158,16 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
             if old != new:
                 text = f"{named(pair.new)} {_HANDLING_TEXTS[key, new]}"
                 yield change("handling_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
-    for held in comparison.any_of(Register, Field, Parameter, Table, Message, Bit):
-        if held.old.handling == held.new.handling:
+    for handled in comparison.any_of(Register, Field, Parameter, Table, Message, Bit):
+        if handled.old.handling == handled.new.handling:
             continue
         for key in attributes(Handling):
-            before, after = getattr(held.old.handling, key), getattr(held.new.handling, key)
+            before, after = getattr(handled.old.handling, key), getattr(handled.new.handling, key)
             if key in _PATHS and before:
                 before = comparison.renamed_path(before)
             if before != after:
-                text = f"{named(held.new)}: {difference_text(_ASKED[key], before, after)}"
-                yield change("handling_changed", Effect.BEHAVIOUR, held, key, text, before, after)
+                text = f"{named(handled.new)}: {difference_text(_ASKED[key], before, after)}"
+                yield change("handling_changed", Effect.BEHAVIOUR, handled, key, text, before, after)
 
 
 def restart_changed(comparison: Comparison) -> Iterator[Change]:
