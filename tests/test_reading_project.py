@@ -18,7 +18,7 @@ links:
     byte_order: big
     doc: Of the protocol.
     request:
-      - {name: station, role: station, type: u8}
+      - {name: station, role: unit_address, type: u8}
       - {name: function, role: code, type: u8, doc: Says which message it is.}
       - {name: body, role: body}
   - {name: ascii, encoding: hex_ascii}
@@ -179,7 +179,7 @@ def test_what_a_device_says_is_laid_over_its_protocol_by_name_and_deeply() -> No
 uses: [{protocol: wire}]
 links:
   - name: rtu
-    stations: {range: 1..16}
+    unit_addresses: {range: 1..16}
     request: [{name: function, label: 功能}]
 messages:
   - {name: read, request: [{name: count, range: 1..16}]}
@@ -191,9 +191,9 @@ enums:
     )
     rtu = model.links["rtu"]
     assert (rtu.encoding, rtu.doc) == ("binary", "Of the protocol.")
-    assert rtu.stations is not None
+    assert rtu.unit_addresses is not None
     assert [(part.name, part.role, part.label) for part in rtu.request] == [
-        ("station", "station", ""),
+        ("station", "unit_address", ""),
         ("function", "code", "功能"),
         ("body", "body", ""),
     ]

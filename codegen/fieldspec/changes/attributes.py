@@ -136,9 +136,9 @@ _KEYS = {"sources": "source", "silence_sources": "silence"}
 """Attributes whose keys in the spec have other names."""
 
 _TEXTS_OF_LINKS: dict[str, Text] = {
-    "stations": _of("stations", "rule", "notes", "sources"),
+    "unit_addresses": _of("unit_addresses", "rule", "notes", "sources"),
     "serial": _of("serial", "sources"),
-    "error": _of("error", "sources"),
+    "exception_response": _of("exception_response", "sources"),
 }
 
 

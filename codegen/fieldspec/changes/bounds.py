@@ -50,9 +50,9 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
         if before is not None and after is not None:
             yield BoundsPair(field, named(field.new), "the number of elements", "repeat", before, after)
     for link in comparison.of(Link):
-        before, after = (each.stations.ranges if each.stations else None for each in (link.old, link.new))
+        before, after = (each.unit_addresses.ranges if each.unit_addresses else None for each in (link.old, link.new))
         if before is not None or after is not None:
-            yield BoundsPair(link, named(link.new), "the address of a station", "stations", before or ANY, after or ANY)
+            yield BoundsPair(link, named(link.new), "the unit address", "unit_addresses", before or ANY, after or ANY)
     for word in comparison.of(Flags):
         if word.old.type == word.new.type and (word.old.ranges is not None or word.new.ranges is not None):
             whole = _whole(word.new.type)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.classes import dataclass
 from fieldspec.model.device import Device
-from fieldspec.model.link import CHECK_SIZES, Part
+from fieldspec.model.link import CHECKSUM_SIZES, Part
 from fieldspec.model.record import Field
 
 
@@ -43,7 +43,7 @@ class Sizes:
         """The size of a field with all its elements, or of a part of a frame; 0 for the body, and for a choice."""
         if isinstance(field, Part):
             if field.algorithm:
-                return CHECK_SIZES.get(field.algorithm, 0)
+                return CHECKSUM_SIZES.get(field.algorithm, 0)
             return field.value.size if field.value is not None else 0
         # A choice is the last field, so its size moves no other one.
         size = field.value.size if field.value is not None else self.record(field.record)

@@ -178,7 +178,7 @@ class _Frame:
 
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
         """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
-        length, check = self.shape.role("length"), self.shape.check
+        length, check = self.shape.role("length"), self.shape.checksum
         if length is None or check is None or not self.wrapped.whole:
             return data, b""
         number = whole(data[length.offset : length.offset + length.size], length.order)
@@ -211,7 +211,7 @@ class _Frame:
 
     def _part_text(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """The value of a part, judged by its role."""
-        if part.role == "check":
+        if part.role == "checksum":
             return self._checked(part, raw)
         assert part.value is not None
         if part.reserved:
@@ -225,7 +225,7 @@ class _Frame:
         self.values[part.name] = read.number
         if part.role == "code":
             return self._code(part, read)
-        if part.role == "station":
+        if part.role == "unit_address":
             return self._station(read)
         return read
 
@@ -247,7 +247,7 @@ class _Frame:
 
     def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
         """The message that a code names. An exception response marks the code."""
-        code, refusal = read.number, self.link.error
+        code, refusal = read.number, self.link.exception_response
         assert isinstance(code, int)
         if refusal is not None and self.direction == "response" and code & refusal.flag:
             self.error = True
@@ -270,7 +270,7 @@ class _Frame:
         return read.judged(False, f"{expected.message.code:02X}", "unknown_code")
 
     def _station(self, read: DecodedValue) -> DecodedValue:
-        stations = self.link.stations
+        stations = self.link.unit_addresses
         if stations is None or stations.ranges is None:
             return read
         if read.number == stations.broadcast:
@@ -281,8 +281,8 @@ class _Frame:
 
     def _record(self) -> RecordLayout | None:
         """The record of the body; None if nothing tells what it is."""
-        if self.error and self.link.error is not None:
-            return self.layout.records[self.link.error.record]
+        if self.error and self.link.exception_response is not None:
+            return self.layout.records[self.link.exception_response.record]
         return self.message.data(self.direction) if self.message else None
 
     def _body(self) -> tuple[list[ExplanationRow], tuple[ExplanationRow, ...]]:

@@ -69,7 +69,7 @@ class Example:
     link: str
     direction: str
     message: str
-    error: bool
+    exception_response: bool
     refused: str
     reply_to: str
     frame: bytes

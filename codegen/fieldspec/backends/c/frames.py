@@ -117,7 +117,7 @@ def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[De
         inside += [describe_fact(part.part), declare_value(part_value(part), frame_member(part.name))]
     if frame.role("code") is not None:
         inside += [comment("The code, without the flag of an error reply."), Variable(CODE_TYPE, "code")]
-    if direction == "response" and link.link.error is not None:
+    if direction == "response" and link.link.exception_response is not None:
         about = comment("The frame refuses a request; its body is an error record.")
         inside += [about, Variable(Type("bool"), "error")]
     inside += [Variable(INPUT_BYTES, "body"), Variable(SIZE_TYPE, "body_length")]
@@ -180,7 +180,7 @@ def _check_frame(naming: Naming, frame: FrameLayout) -> Body:
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
         number, unrepresentable = _length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
-    checksum = frame.check
+    checksum = frame.checksum
     if checksum is not None:
         received = Call(naming.own(f"load_{_checksum_access(checksum)}"), (part_pointer(IN, checksum, LENGTH),))
         computed = _compute_checksum(naming, checksum, IN, LENGTH)
@@ -228,8 +228,8 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     code, error = PointerMember(OUT, "code"), PointerMember(OUT, "error")
     body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
     guard: list[Expression] = []
-    if link.link.error is not None and frame.direction == "response":
-        flag = unsigned(link.link.error.flag)
+    if link.link.exception_response is not None and frame.direction == "response":
+        flag = unsigned(link.link.exception_response.flag)
         without_flag = Assignment(code, Unary("~", Cast(CODE_TYPE.name, flag)), "&=")
         body += (
             assign(error, different(Operation("&", (code, flag)), ZERO)),
@@ -271,9 +271,9 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         body.append(Variable(SIZE_TYPE, "at"))
     body += _check_capacity(naming, width, around, delimiters)
     for part in frame.parts:
-        if part.role != "check":
+        if part.role != "checksum":
             body += _write_part(naming, layout, link, frame, part)
-    checksum = frame.check
+    checksum = frame.checksum
     if checksum is not None:
         target = part_pointer(OUT, checksum, _TOTAL)
         body.append(store(naming, _checksum_access(checksum), target, _compute_checksum(naming, checksum, OUT, _TOTAL)))
@@ -327,7 +327,7 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: F
         return store_constant(naming, wire, part.constant, target)
     value = Identifier(argument(part.name))
     unknown = unknown_value_test(naming, layout.device, wire.value, value)
-    outside = _station_test(link, wire, value) if part.role == "station" else None
+    outside = _station_test(link, wire, value) if part.role == "unit_address" else None
     if outside is None and not enum_implies_range(layout.device, wire.value):
         outside = out_of_range_test(wire.value, value)
     return (
@@ -339,7 +339,7 @@ def _write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: F
 
 def _station_test(link: LinkLayout, wire: WireValue, station: Expression) -> Expression | None:
     """`!((station >= 1 && station <= 16) || (station == 0))`: whether a unit address is none of the link's."""
-    stations = link.link.stations
+    stations = link.link.unit_addresses
     if stations is None or stations.ranges is None:
         return None
     inside: list[Expression] = []

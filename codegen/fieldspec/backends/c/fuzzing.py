@@ -214,7 +214,9 @@ def _open_call(naming: Naming, link: LinkLayout, direction: str, data: Expressio
 
 def _flag_of(link: LinkLayout, direction: str) -> int:
     """The flag that an exception response has in its code, 0 for requests and for links without one."""
-    return link.link.error.flag if link.link.error is not None and direction == "response" else 0
+    return (
+        link.link.exception_response.flag if link.link.exception_response is not None and direction == "response" else 0
+    )
 
 
 def _frame_function(number: int, body: list[Statement]) -> Function:

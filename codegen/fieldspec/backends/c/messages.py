@@ -56,7 +56,7 @@ def declare_messages(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> 
             code = message.message.code if link.frame(direction).role("code") is not None else None
             data = message.data(direction)
             declarations += [BLANK, *_declare_message(naming, link, direction, data, message.name, code)]
-    if link.link.error is not None:
+    if link.link.exception_response is not None:
         declarations += [BLANK, *_declare_exception_response(naming, layout, link)]
     return declarations
 
@@ -76,7 +76,7 @@ def _declare_message(
 
 def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list[Declaration]:
     """The function that writes an exception response to a code: `code | 128u`"""
-    error = link.link.error
+    error = link.link.exception_response
     assert error is not None
     function = naming.function("link", link.name, "encode", "error")
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag)))]

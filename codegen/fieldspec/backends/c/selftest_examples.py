@@ -87,7 +87,7 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     opened = Call(open_frame, (*_OPEN_ARGUMENTS, *buffer, address_of(_OPENED)))
     if example.refused:
         return [*body, *_expect_refusal(layout, naming, example, opened)]
-    record = body_of(layout, link.name, example.direction, example.message, example.error)
+    record = body_of(layout, link.name, example.direction, example.message, example.exception_response)
     values = raw_values(layout, example)
     form = form_of_values(record, values)
     struct_values: dict[str, Any] = {name: value for name, value in values.items() if record.named(name) is not None}
@@ -127,8 +127,10 @@ def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], w
         body.append(expect_equal(f"{what}: {part.name}", Member(_OPENED, frame_member(part.name)), number))
     if frame.role("code") is not None:
         body.append(expect_equal(f"{what}: code", Member(_OPENED, "code"), _code(link, example)))
-    if example.direction == "response" and link.link.error is not None:
-        body.append(expect_equal(f"{what}: error", Member(_OPENED, "error"), TRUE if example.error else FALSE))
+    if example.direction == "response" and link.link.exception_response is not None:
+        body.append(
+            expect_equal(f"{what}: error", Member(_OPENED, "error"), TRUE if example.exception_response else FALSE)
+        )
     return body
 
 
@@ -148,7 +150,7 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     if part is None or len(data) < part.offset + part.size:
         return None, False
     number = int.from_bytes(data[part.offset : part.offset + part.size], "big" if part.order == "big" else "little")
-    error = link.link.error
+    error = link.link.exception_response
     if error is None or example.direction == "request" or not number & error.flag:
         return number, False
     return number & ~error.flag, True
@@ -158,10 +160,10 @@ def _refused_body(layout: DeviceLayout, example: Example) -> RecordLayout | None
     """The record in the body of a frame that may be wrong, None where nothing says which it is."""
     link = layout.links[example.link]
     if example.message:
-        return body_of(layout, link.name, example.direction, example.message, example.error)
+        return body_of(layout, link.name, example.direction, example.message, example.exception_response)
     code, is_error = _frame_code(link, example)
-    if is_error and link.link.error is not None:
-        return layout.records[link.link.error.record]
+    if is_error and link.link.exception_response is not None:
+        return layout.records[link.link.exception_response.record]
     message = link.message_with_code(code) if code is not None else None
     return message.data(example.direction) if message is not None else None
 
@@ -196,11 +198,11 @@ def _encode_frame(
     arguments: list[Expression] = [
         integer(int(values[part.name]), part.size, part_value(part).value.type.signed) for part in header_parts(frame)
     ]
-    if example.error and frame.role("code") is not None:
+    if example.exception_response and frame.role("code") is not None:
         arguments.append(_code(link, example))
     if members(record):
         arguments.append(_IN_POINTER)
-    name = "error" if example.error else example.message
-    direction = () if example.error else (example.direction,)
+    name = "error" if example.exception_response else example.message
+    direction = () if example.exception_response else (example.direction,)
     function = naming.function("link", link.name, "encode", name, *direction)
     return function, (*arguments, *_ENCODE_ARGUMENTS)

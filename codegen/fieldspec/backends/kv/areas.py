@@ -274,7 +274,7 @@ def _message(layout: DeviceLayout, link: LinkLayout, laid: MessageLayout) -> Ite
         if held:
             name = f"{laid.name} on {link.name}" if several else laid.name
             # A frame with a check goes through a serial port, byte by byte; anything else is exchanged as words.
-            unit = 1 if shape.check else 2
+            unit = 1 if shape.checksum else 2
             each = tuple(one for some in held for one in some.regular(unit))
             yield Area(f"{name} {direction}", f"{laid.name}{sign}", unit, size, each)
 

@@ -232,7 +232,7 @@ _KEYS = (
     "link",
     "direction",
     "message",
-    "error",
+    "exception_response",
     "refused",
     "reply_to",
     "frame",

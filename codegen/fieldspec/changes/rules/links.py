@@ -10,7 +10,7 @@ from fieldspec.changes.comparison import Comparison, Pair
 from fieldspec.changes.descriptions import change, difference_text, named
 from fieldspec.changes.evidence import hexadecimal
 from fieldspec.model.device import Device, VersionLine
-from fieldspec.model.link import ErrorReply, Link, Part, Serial
+from fieldspec.model.link import ExceptionResponse, Link, Part, Serial
 from fieldspec.model.record import Field, Measure, Message
 from fieldspec.model.value import ParameterPart
 
@@ -54,7 +54,7 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
             yield change("check_changed", Effect.WIRE, pair, "algorithm", text, old, new)
         old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new:
-            check = "check" in (pair.old.role, pair.new.role)
+            check = "checksum" in (pair.old.role, pair.new.role)
             what, key = ("what it covers", "covers") if check else ("what it counts", "counts")
             yield change(
                 "check_changed",
@@ -72,7 +72,7 @@ def _span_text(part: Part) -> str:
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
-    if part.role == "check":
+    if part.role == "checksum":
         return " ".join(words) or "all before it"
     text = " ".join(["words" if part.unit_size == 2 else "bytes", *(words or ["of the frame"])])
     return f"{text} {'plus' if part.plus > 0 else 'minus'} {abs(part.plus)}" if part.plus else text
@@ -112,13 +112,16 @@ def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Link):
-        old, new = _error_text(comparison, pair.old.error, True), _error_text(comparison, pair.new.error, False)
+        old, new = (
+            _error_text(comparison, pair.old.exception_response, True),
+            _error_text(comparison, pair.new.exception_response, False),
+        )
         if old != new:
             text = f"{named(pair.new)}: {difference_text('the exception response', old, new)}"
-            yield change("error_reply_changed", Effect.WIRE, pair, "error", text, old, new)
+            yield change("error_reply_changed", Effect.WIRE, pair, "exception_response", text, old, new)
 
 
-def _error_text(comparison: Comparison, error: ErrorReply | None, before: bool) -> str:
+def _error_text(comparison: Comparison, error: ExceptionResponse | None, before: bool) -> str:
     if error is None:
         return ""
     record = comparison.renamed_to("records", error.record) if before else error.record
@@ -130,8 +133,8 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
 
     Why: the same bytes are read as a length, a code, an address or an ordinary value.
 
-    Example: `role: plain` that becomes `role: station`, or `measures: {bytes: values}` that becomes `measures: {items:
-    values}`.
+    Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes `measures:
+    {items: values}`.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
@@ -280,17 +283,17 @@ def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
 
     Why: all devices carry out a request that was for one of them, or none does.
 
-    Example: `broadcast: 0` that becomes `broadcast: 255` at the stations of a link.
+    Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
 
     Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
     own.
     """
 
     for link in comparison.of(Link):
-        old, new = (side.stations.broadcast if side.stations else None for side in (link.old, link.new))
+        old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
         if old != new:
             text = f"{named(link.new)}: {difference_text('the address of all stations', old, new)}"
-            yield change("broadcast_changed", Effect.WIRE, link, "stations", text, old, new)
+            yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
     for message in comparison.of(Message):
         if message.old.broadcast != message.new.broadcast:
             text = "can be sent to all stations" if message.new.broadcast else "can no longer be sent to all stations"

@@ -76,7 +76,7 @@ def example(entry: Entry) -> Example:
         link=entry.text("link"),
         direction=entry.text("direction"),
         message=entry.text("message"),
-        error=entry.flag("error"),
+        exception_response=entry.flag("exception_response"),
         refused=entry.text("refused"),
         reply_to=entry.text("reply_to"),
         frame=_frame(entry),
