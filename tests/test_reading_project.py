@@ -304,7 +304,7 @@ def test_parameters_take_what_they_lack_from_the_defaults_of_their_set() -> None
         ("flags: [{name: a, type: u8, bits: [{name: b, bits: «5..1»}]}]\n", "wrong_form"),
         ("flags: [{name: a, type: u8, bits: [{bit: «1»}]}]\n", "missing_key"),
         ("lookups: [{name: a, columns: [{name: b}], rows: [{cells: «[1, 2]»}]}]\n", "wrong_size"),
-        ("links: [{name: a, request: [{name: b, role: «check»}]}]\n", "wrong_form"),
+        ("links: [{name: a, request: [{name: b, role: «checksum»}]}]\n", "wrong_form"),
         (
             "registers: [{group: a, rows: [{at: 1, name: b, type: u8, count: 3, element_sources: «L5-99999»}]}]\n",
             "sources_present",

@@ -8,7 +8,7 @@ from fieldspec.checks.finding import enumeration, hexadecimal, interval
 from fieldspec.checks.sizes import Sizes, sent_on
 from fieldspec.model.device import Device
 from fieldspec.model.enums import Bit, Enum, Flags, Member
-from fieldspec.model.fact import Fact, PlainValue
+from fieldspec.model.fact import Fact, ScalarValue
 from fieldspec.model.link import CHECKSUM_STARTS, Link, Part
 from fieldspec.model.record import Case, Field, Message, Record
 from fieldspec.model.registers import Parameter, ParameterSet, Register, Subindex, Table
@@ -22,7 +22,7 @@ _NAMES = ("applies_to", "messages", "available_since")
 Intervals = tuple[tuple[Decimal, Decimal], ...]
 
 
-def claimed_value(key: str, written: PlainValue) -> object:
+def claimed_value(key: str, written: ScalarValue) -> object:
     """What a claim says under a key, in the form that `said` gives."""
     if key in _RANGES:
         pairs = intervals(str(written))

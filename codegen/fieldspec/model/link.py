@@ -108,7 +108,7 @@ class Link(Fact):
         after itself extends to the end.
         """
         parts = self.parts(direction)
-        names = [one.name for one in parts]
+        names = [inner.name for inner in parts]
         if not {part.span.first, part.span.last} <= {"", *names}:
             return None
         own, end = names.index(part.name), len(parts) - 1

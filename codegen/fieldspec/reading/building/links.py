@@ -91,29 +91,29 @@ def _part(entry: Entry) -> Part:
 
 
 def _unit_addresses(entry: Entry) -> UnitAddresses | None:
-    held = entry.entry("unit_addresses")
-    if held is None:
+    addresses = entry.entry("unit_addresses")
+    if addresses is None:
         return None
     return UnitAddresses(
-        place=held.place(),
-        ranges=held.whole_ranges("range"),
-        broadcast=held.integer("broadcast"),
-        rule=held.text("rule"),
-        notes=held.texts("notes"),
-        sources=held.sources,
+        place=addresses.place(),
+        ranges=addresses.whole_ranges("range"),
+        broadcast=addresses.integer("broadcast"),
+        rule=addresses.text("rule"),
+        notes=addresses.texts("notes"),
+        sources=addresses.sources,
     )
 
 
 def _serial(entry: Entry) -> Serial | None:
-    held = entry.entry("serial")
-    if held is None:
+    serial = entry.entry("serial")
+    if serial is None:
         return None
     return Serial(
-        baud=held.integers("baud"),
-        default_baud=held.integer("default_baud"),
-        data_bits=held.integers("data_bits"),
-        parity=held.texts("parity"),
-        stop_bits=held.integers("stop_bits"),
-        start_bits=held.integer("start_bits"),
-        sources=held.sources,
+        baud=serial.integers("baud"),
+        default_baud=serial.integer("default_baud"),
+        data_bits=serial.integers("data_bits"),
+        parity=serial.texts("parity"),
+        stop_bits=serial.integers("stop_bits"),
+        start_bits=serial.integer("start_bits"),
+        sources=serial.sources,
     )

@@ -23,8 +23,8 @@ def lookup(entry: Entry) -> Lookup:
 
 
 def _row(entry: Entry, width: int) -> LookupRow:
-    held = entry.node.values.get("cells")
-    items = held.items if isinstance(held, Sequence) else ()
+    sequence = entry.node.values.get("cells")
+    items = sequence.items if isinstance(sequence, Sequence) else ()
     cells = tuple(item.value for item in items if isinstance(item, Scalar))
     if len(cells) != width:
         text = f"the row has {len(cells)} cells, the table {width} columns"
