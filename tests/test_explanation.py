@@ -129,6 +129,11 @@ def mended(laid: DeviceLayout, example: Example, frame: bytes) -> bytes:
     return link.link.start + inner + link.link.end
 
 
+def test_characters_of_a_part_that_is_cut_off_by_others_have_a_row() -> None:
+    laid, example = next(param.values for param in EXAMPLES if param.values[1].id == "words-write")
+    assert_agrees(laid, example, example.frame[:3] + b"*" + example.frame[4:])
+
+
 @settings(deadline=None)
 @given(st.data())
 def test_damaged_examples_are_explained_as_far_as_the_reference_takes_them(data: st.DataObject) -> None:

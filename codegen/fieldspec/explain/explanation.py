@@ -196,7 +196,7 @@ class _Frame:
         for part in self.shape.head:
             data = self.data[part.offset : part.offset + part.size]
             if len(data) < part.size:
-                if self.wrapped.whole:
+                if self.wrapped.whole or data:
                     yield self._short(part, part.offset, data)
                 return
             yield self._part(part, part.offset, data, self._part_text(part, data))
