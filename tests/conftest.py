@@ -44,7 +44,7 @@ SLOW = (
     "test_versions_bad_input.py",
     "test_versions_example.py",
 )
-"""The files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
+"""Files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
 
 # The same inputs on every machine; the other profile looks for new ones.
 settings.register_profile("fixed", derandomize=True, deadline=None)

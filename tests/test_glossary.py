@@ -76,7 +76,8 @@ def names(path: Path) -> Iterator[tuple[int, str]]:
             if node.id not in EXEMPT or not is_attribute(node):
                 yield node.lineno, node.id
         elif isinstance(node, ast.arg):
-            yield node.lineno, node.arg
+            if node.arg != "frozen":  # the argument of `dataclass`, which `classes` has too
+                yield node.lineno, node.arg
         elif isinstance(node, ast.alias):
             yield from ((node.lineno, name) for name in (node.asname or "",) if name)
         elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:

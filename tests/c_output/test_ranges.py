@@ -24,7 +24,7 @@ def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
     sentinels = {sentinel.value for sentinel in value.sentinels}
     enum = layout.device.enums[value.enum] if value.enum else None
     closed = enum is not None and not enum.open
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if enum is not None and closed:
         numbers = {member.value for member in enum.members if not member.unavailable}
     else:

@@ -34,7 +34,7 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
         old, new = _of_values(value_pair)
         if old is not None and new is not None:
             yield BoundsPair(value_pair, name, "the range", "range", old, new)
-        old, new = value_pair.old.written_ranges, value_pair.new.written_ranges
+        old, new = value_pair.old.writable_ranges, value_pair.new.writable_ranges
         if (
             (value_pair.old.write_ranges or value_pair.new.write_ranges)
             and (old or new)

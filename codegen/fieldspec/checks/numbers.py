@@ -29,7 +29,7 @@ class Legal:
         `written` says that the number is written, for which a value may have a range of its own.
         """
         if written:
-            value = value.as_written()
+            value = value.for_writing()
         if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
             return "" if number in value.ranges else f"lies outside of {value.ranges.text()}"
         if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN):

@@ -199,7 +199,7 @@ def _row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Spot, opera
     piece = span.bytes_of(occupant.address, occupant.value.size)
     at, raw = piece if piece else (0, b"")
     if piece:
-        value = occupant.value.as_written() if operation == "write" else occupant.value
+        value = occupant.value.for_writing() if operation == "write" else occupant.value
         read = decode_value(layout.device, value, raw, occupant.order, occupant.swapped, occupant.reserved)
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written

@@ -1,4 +1,4 @@
-"""How frames look on one kind of line."""
+"""Links: the frames of one kind of line."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Serial:
 class Link(Fact):
     """A frame: `start`, the encoded parts, `end`. Requests go to the device, responses come from it.
 
-    `message_name`, `request_name` and `response_name` are what the manual calls a message and the two directions.
+    `message_name`, `request_name` and `response_name` are the manual's names of a message and of the two directions.
     """
 
     title: str
@@ -102,10 +102,10 @@ class Link(Fact):
     silence_sources: tuple[Citation, ...]
 
     def span(self, direction: str, part: Part) -> tuple[int, int] | None:
-        """The numbers of the first and the last part that a length counts or a checksum covers; None for unknown names.
+        """The indices of the first and the last part that a length counts or a checksum covers; None for unknown names.
 
-        Without names, a length counts the whole frame, and a checksum covers what is before it. One that begins
-        after itself extends to the end.
+        Without names, a length counts the whole frame, and a checksum covers everything before it. A span that begins
+        after its own part extends to the end of the frame.
         """
         parts = self.parts(direction)
         names = [inner.name for inner in parts]
@@ -121,5 +121,5 @@ class Link(Fact):
         return self.request if direction == "request" else self.response
 
     def direction_name(self, direction: str) -> str:
-        """What the manual calls a direction."""
+        """The name of a direction in the manual."""
         return self.request_name if direction == "request" else self.response_name

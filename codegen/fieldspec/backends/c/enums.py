@@ -176,7 +176,7 @@ def unknown_value_test(naming: Naming, device: Device, value: Value, number: Exp
 
 def enum_implies_range(device: Device, value: Value) -> bool:
     """Whether every number that the value's closed enum takes may be written: then the range need not be tested."""
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if not value.enum or device.enums[value.enum].open or ranges is None:
         return False
     sentinels = {sentinel.value for sentinel in value.sentinels}

@@ -90,7 +90,7 @@ def high_value(device: Device, value: Value) -> Any:
 
 def legal_numbers(device: Device, value: Value) -> list[int]:
     """Numbers that are taken, the least and the greatest of each interval among them."""
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if value.enum and not device.enums[value.enum].open:
         numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
         inside = [number for number in numbers if ranges is None or number in ranges]

@@ -156,7 +156,7 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
     Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
     beside the range is taken.
     """
-    ranges = value.written_ranges
+    ranges = value.writable_ranges
     if ranges is None:
         return None
     kind = value.type
