@@ -227,7 +227,7 @@ def test_values_of_which_nothing_says_the_type_are_left_as_they_are(run: Command
     found = run("decode", "glider-x", "07 01 00 03 01 00 00", "--link", "channel", "--direction", "response")
     assert found.code == 1
     assert "wrong: format at byte 3: should be one of 1, 2, 4, 6, 8, 66" in found.lines
-    assert "wrong: values at byte 5: format 3 does not say what lies here" in found.lines
+    assert "wrong: values at byte 5: format 3 does not decide the type of values" in found.lines
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from importlib import import_module
 
 from fieldspec.changes import RULES, changes
-from fieldspec.changes.judging import Compared, accepts_used, judged, rules_known
+from fieldspec.changes.acceptances import ComparedVersions, accepts_used, judged_changes, rules_known
 from fieldspec.changes.rules.facts import device_added, device_removed
 from fieldspec.classes import dataclass
 from fieldspec.commands.spec_states import SpecState, spec_state
@@ -54,7 +54,7 @@ class _Compared:
 
     old: str
     new: str
-    by_version: dict[str, Compared]
+    by_version: dict[str, ComparedVersions]
 
 
 def _compared(old: SpecState, new: SpecState) -> Iterator[_Compared]:
@@ -102,10 +102,10 @@ def _pair(old: SpecState, new: SpecState, device: str) -> _Compared:
     return _Compared(old.label(device, before), new.label(device, after), {after: pair})
 
 
-def _of(old: SpecState, new: SpecState, device: str, before: str, after: str) -> Compared:
+def _of(old: SpecState, new: SpecState, device: str, before: str, after: str) -> ComparedVersions:
     first, second = old.at(device, before), new.at(device, after)
     spec = new.spec(device)
-    return Compared(first, second, changes(first, second), step=previous(spec, after) == before)
+    return ComparedVersions(first, second, changes(first, second), step=previous(spec, after) == before)
 
 
 def _difference(compared: _Compared) -> Difference:
@@ -113,7 +113,7 @@ def _difference(compared: _Compared) -> Difference:
     versions_of: dict[tuple[object, ...], list[str]] = {}
     change_of: dict[tuple[object, ...], AcceptedChange] = {}
     for version, step in compared.by_version.items():
-        for each in judged(step):
+        for each in judged_changes(step):
             change = each.change
             key = (
                 change.rule,
@@ -154,7 +154,7 @@ def _devices(old: SpecState, new: SpecState) -> Iterator[Difference]:
 def _unused(compared: list[_Compared]) -> list[Diagnostic]:
     """The findings about acceptances that accept nothing."""
     rules = {name for name, _, _ in RULES}
-    by_device: dict[str, list[Compared]] = {}
+    by_device: dict[str, list[ComparedVersions]] = {}
     for step in (step for each in compared for step in each.by_version.values()):
         by_device.setdefault(step.new.id, []).append(step)
     findings: list[Diagnostic] = []

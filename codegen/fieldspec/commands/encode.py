@@ -14,7 +14,7 @@ from fieldspec.commands.usage import UsageError, unknown
 from fieldspec.explain.explanation import explained
 from fieldspec.explain.parameters import nearest, parameter_number
 from fieldspec.explain.readings import DIRECTIONS
-from fieldspec.explain.registers import Holder, accessed, forbidden, holder_at
+from fieldspec.explain.registers import Occupant, accessed, forbidden, occupant_at
 from fieldspec.explain.row import ExplanationRow
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
@@ -109,15 +109,15 @@ def _nested(pairs: list[str]) -> dict[str, object]:
         if not equals or not name:
             raise UsageError(f"{pair} is not of the form NAME=VALUE")
         *path, last = name.split(".")
-        holder = root
+        occupant = root
         for step in path:
-            inner = holder.setdefault(step, {})
+            inner = occupant.setdefault(step, {})
             if not isinstance(inner, dict):
                 raise UsageError(f"{name}: {step} has a value of its own")
-            holder = inner
-        if last in holder:
+            occupant = inner
+        if last in occupant:
             raise UsageError(f"{name} has two values")
-        holder[last] = value
+        occupant[last] = value
     return {name: _lists_of(value) for name, value in root.items()}
 
 
@@ -264,20 +264,20 @@ def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str
     if count is not None and 0 <= count <= 0xFFFF:
         yield count
         return
-    holder = holder_at(layout, access.space, address)
-    if holder is None or holder.value.size % 2:
+    occupant = occupant_at(layout, access.space, address)
+    if occupant is None or occupant.value.size % 2:
         raise UsageError(f"no register or field of words begins at 0x{address:04X}, so that `{item}` has no meaning")
-    data = _bytes(layout, holder, item)
+    data = _bytes(layout, occupant, item)
     big = layout.device.byte_order == "big"
     for at in range(0, len(data), 2):
         yield int.from_bytes(data[at : at + 2], "big" if big else "little")
 
 
-def _bytes(layout: DeviceLayout, holder: Holder, item: str) -> bytes:
+def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
     """The bytes of a value in the order of the registers."""
     from fieldspec.reference.records import encoded_value, value_construct
 
-    raw = raw_value(layout.device, holder.path, holder.value, item)
-    known = encoded_value(holder.path, holder.value, raw, layout.device)
-    built: bytes = value_construct(holder.value, holder.order, holder.swapped).build(known)
+    raw = raw_value(layout.device, occupant.path, occupant.value, item)
+    known = encoded_value(occupant.path, occupant.value, raw, layout.device)
+    built: bytes = value_construct(occupant.value, occupant.order, occupant.swapped).build(known)
     return built
