@@ -212,7 +212,7 @@ def test_a_change_that_the_old_version_accepts_no_longer_counts(run: Run, tmp_pa
     [
         (ACCEPTS.replace("registers/speed", "registers/sped"), "finds no change at `registers/sped`"),
         (ACCEPTS.replace("register_moved", "scale_changed"), "`scale_changed` finds no change"),
-        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule `register_move`"),
+        (ACCEPTS.replace("register_moved", "register_move"), "there is no rule of changes `register_move`"),
     ],
 )
 def test_accepting_what_has_not_happened_is_an_error(run: Run, tmp_path: Path, accepts: str, message: str) -> None:

@@ -131,7 +131,9 @@ def test_a_frame_of_characters_is_read_as_it_stands(text: str) -> None:
 )
 def test_a_missing_end_delimiter_is_added_and_reported(text: str, lacks: str) -> None:
     line = log_line(text, LINKS)
-    assert line == LogLine(CHARACTERS, "", (f"the text lacks {lacks} at the end of the frame, which is taken as sent",))
+    assert line == LogLine(
+        CHARACTERS, "", (f"{lacks} is missing at the end of the text and is assumed to have been sent",)
+    )
 
 
 @pytest.mark.parametrize("text", ["", " \t\n", "# a comment", "   // a comment", "\r\n"])
@@ -151,10 +153,10 @@ def test_a_line_may_state_only_the_direction_of_the_next_one(text: str, directio
     ("text", "why"),
     [
         ("hello", "there are no bytes in it"),
-        ("01 06 ?? 1E", "`??` is no byte in hexadecimal digits"),
-        ("01 06 1G", "`1G` is no byte in hexadecimal digits"),
+        ("01 06 ?? 1E", "`??` is not a byte in hexadecimal digits"),
+        ("01 06 1G", "`1G` is not a byte in hexadecimal digits"),
         ("0106201", "`0106201` has an odd number of digits"),
-        ("TX: 01 0xx", "`0xx` is no byte in hexadecimal digits"),
+        ("TX: 01 0xx", "`0xx` is not a byte in hexadecimal digits"),
         ("0x", "there are no bytes in it"),
     ],
 )

@@ -138,7 +138,7 @@ def test_the_html_matrix_escapes_hostile_texts(capsys: pytest.CaptureFixture[str
         (("resolve", "glider-x@1.0+9"), "there is no version of glider-x 9"),
         (("blame", "glider-x", "registers/nothing"), "glider-x has no fact registers/nothing at 1.1"),
         (("blame", "glider-x", "registers"), "glider-x has no fact registers at 1.1, only a list"),
-        (("matrix", "glider-x@1.0"), "the matrix is of all versions; leave out @1.0"),
+        (("matrix", "glider-x@1.0"), "the matrix shows all versions; leave out @1.0"),
     ],
 )
 def test_an_unknown_device_or_version_is_wrong_use(

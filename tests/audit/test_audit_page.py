@@ -220,7 +220,7 @@ def test_a_page_is_printed_by_the_command(
 
 def test_a_page_is_of_the_whole_audit(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     ran = CommandLine(capsys, monkeypatch, SPECS)("audit", "esc11", "--format", "html", "--table", "ledger")
-    assert (ran.code, ran.err[:44]) == (2, "fieldspec: html is of the whole audit; give ")
+    assert (ran.code, ran.err[:43]) == (2, "fieldspec: html shows the whole audit; use ")
 
 
 @pytest.fixture(scope="module")

@@ -154,10 +154,10 @@ def test_hostile_cells_are_no_formulas_and_stay_in_their_rows(text: str) -> None
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--format", "csv"), "csv holds one table; name it with --table"),
-        (("--table", "ledger", "--format", "sarif"), "give --table with text, json, csv or xlsx"),
+        (("--format", "csv"), "csv holds a single table; name it with --table"),
+        (("--table", "ledger", "--format", "sarif"), "use --table with text, json, csv or xlsx"),
         (("--out", "x.csv"), "such as --table ledger"),
-        (("--table", "ledger", "--out", "x"), "a table in a file has a format"),
+        (("--table", "ledger", "--out", "x"), "--out needs a format for the table"),
         (("--table", "legder"), "there is no table legder; did you mean ledger?"),
         (("--as-printed", "--table", "ledger"), "there is no table ledger"),
     ],

@@ -110,7 +110,7 @@ def test_a_chapter_stands_for_its_sections() -> None:
         f"      - {{at: {n}, name: r{n}, type: u16, source: {s}}}\n" for n, s in enumerate(sections.values())
     )
     sections_by_name = state("registers:\n  - group: all\n    rows:\n" + rows)
-    from fieldspec.commands.signing import _picked
+    from fieldspec.commands.audit_files import _picked
 
     assert list(_picked(sections_by_name, "9")) == ["9", "9.1", "9.10"]
 
@@ -118,16 +118,16 @@ def test_a_chapter_stands_for_its_sections() -> None:
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (("--sign", "1"), "--sign needs to know who has compared it"),
-        (("--sign", "1", "--by", " "), "--sign needs to know who has compared it"),
+        (("--sign", "1"), "--sign records who made the comparison"),
+        (("--sign", "1", "--by", " "), "--sign records who made the comparison"),
         (("--sign", "7", "--by", "x"), "there is no section of the manual that facts cite 7"),
-        (("--sign", "1", "--by", "x", "--on", "2026-02-30"), "--on 2026-02-30 is no day"),
-        (("--sign", "1", "--by", "x", "--on", "9998-02-03"), "--on 9998-02-03 is still to come"),
-        (("--sign", "1", "--by", "x", "--dump", "d.csv"), "--sign and --dump do not go together"),
-        (("--sign", "1", "--by", "x", "--as-printed"), "--sign and --as-printed do not go together"),
-        (("--sign", "1", "--by", "x", "--manual", "m.txt"), "--sign looks into no manual, so --manual has no use"),
-        (("--sign", "1", "--by", "x", "--format", "json"), "--sign prints no report, so --format has no use"),
-        (("--record", "--manual", "m.txt", "--table", "ledger"), "--record prints no report, so --table has no use"),
+        (("--sign", "1", "--by", "x", "--on", "2026-02-30"), "--on 2026-02-30 is not a date"),
+        (("--sign", "1", "--by", "x", "--on", "9998-02-03"), "--on 9998-02-03 is in the future"),
+        (("--sign", "1", "--by", "x", "--dump", "d.csv"), "--sign and --dump cannot be combined"),
+        (("--sign", "1", "--by", "x", "--as-printed"), "--sign and --as-printed cannot be combined"),
+        (("--sign", "1", "--by", "x", "--manual", "m.txt"), "--sign reads no manual, so --manual has no effect"),
+        (("--sign", "1", "--by", "x", "--format", "json"), "--sign prints no report, so --format has no effect"),
+        (("--record", "--manual", "m.txt", "--table", "ledger"), "--record prints no report, so --table has no effect"),
         (("--by", "x"), "--by goes with --sign SECTION"),
         (("--on", "2026-02-03"), "--on goes with --sign SECTION"),
     ],

@@ -191,6 +191,9 @@ MOST_FINDINGS = 200
 
 _BY_NAME = dict(CHECKS)
 
+INSTALLED: dict[str, Check] = {}
+"""The checks of installed packages, by their codes; `commands` adds them."""
+
 
 def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     """The findings of all checks, `without` those of some, in order."""
@@ -199,9 +202,10 @@ def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     for allowance in all_allowances:
         by_check.setdefault(allowance.check, []).append(allowance)
     used: set[Allowance] = set()
-    names = [name for name, _ in CHECKS if name not in without]
+    names = [name for name in (*_BY_NAME, *INSTALLED) if name not in without]
     findings = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
-    unused = () if "allowances_used" in without else allowances_used(all_allowances, used, _BY_NAME)
+    checks = {**_BY_NAME, **INSTALLED}
+    unused = () if "allowances_used" in without else allowances_used(all_allowances, used, checks)
     return in_order([*findings, *unused])
 
 
@@ -218,7 +222,7 @@ def _unallowed(
     """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
     own: list[tuple[Allowance, list[Span]]] = []
     count = 0
-    for finding in _BY_NAME[name](device):
+    for finding in (_BY_NAME.get(name) or INSTALLED[name])(device):
         own = own or [(allowance, allowance.spans()) for allowance in own_allowances]
         covering = [allowance for allowance, spans in own if covered(finding, spans)]
         used.update(covering)

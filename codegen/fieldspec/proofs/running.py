@@ -17,7 +17,7 @@ from fieldspec.proofs.examples import FindingsCache
 from fieldspec.reading.project import DeviceSpec
 
 if TYPE_CHECKING:
-    from fieldspec.changes.judging import Compared
+    from fieldspec.changes.acceptances import ComparedVersions
 
 
 def previous(spec: DeviceSpec, version: str) -> str | None:
@@ -34,7 +34,7 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
     if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
         return []
     from fieldspec.changes import RULES
-    from fieldspec.changes.judging import accepts_used, rules_known
+    from fieldspec.changes.acceptances import accepts_used, rules_known
 
     devices = {version: spec.at(version)[0] for version in spec.versions()}
     rules = {name for name, _, _ in RULES}
@@ -42,15 +42,15 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
     return [*rules_known(named, rules), *accepts_used([*_steps(spec, devices)])]
 
 
-def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared]:
+def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[ComparedVersions]:
     from fieldspec.changes import changes
-    from fieldspec.changes.judging import Compared
+    from fieldspec.changes.acceptances import ComparedVersions
 
     for version, new in devices.items():
         before = previous(spec, version)
         if before is not None and any(version in acceptance.since for acceptance in new.accepts):
             old = devices[before] if before in devices else spec.at(before)[0]
-            yield Compared(old, new, changes(old, new), step=True)
+            yield ComparedVersions(old, new, changes(old, new), step=True)
 
 
 EXAMPLE_PROOFS = (
@@ -99,7 +99,8 @@ def everything(
 
 def known() -> frozenset[str]:
     """The names of all checks that an erratum may name as its proof."""
-    return frozenset(name for name, _ in checks.CHECKS) | frozenset(EXAMPLE_PROOFS + READING_PROOFS)
+    names = [*(name for name, _ in checks.CHECKS), *checks.INSTALLED, *EXAMPLE_PROOFS, *READING_PROOFS]
+    return frozenset(names)
 
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:

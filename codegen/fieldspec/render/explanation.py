@@ -8,7 +8,8 @@ from decimal import Decimal
 from itertools import groupby
 
 from fieldspec.classes import replace
-from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading, printed
+from fieldspec.explain.examples import printed
+from fieldspec.explain.explanation import Explanation, ExplanationRow, Meaning, Reading
 from fieldspec.explain.row import citations
 from fieldspec.layout.device import DeviceLayout
 from fieldspec.model.texts import Example

@@ -25,8 +25,8 @@ from fieldspec.backends.docs.document import (
     text_piece,
 )
 from fieldspec.backends.docs.identity import version_title
+from fieldspec.changes.acceptances import ComparedVersions, JudgedChange, judged_changes
 from fieldspec.changes.change import Change, Effect
-from fieldspec.changes.judging import Compared, Judged, judged
 from fieldspec.classes import dataclass
 from fieldspec.html_text import clean
 from fieldspec.layout.device import DeviceLayout
@@ -62,7 +62,7 @@ class Step:
 
     old: DeviceLayout
     new: DeviceLayout
-    changes: tuple[Judged, ...]
+    changes: tuple[JudgedChange, ...]
 
     def counts(self) -> str:
         """`2 on the wire, 1 in behaviour`"""
@@ -83,8 +83,8 @@ def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
 def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
     from fieldspec.changes import changes  # with all rules, for which a device of one version has no use
 
-    compared = Compared(old.device, new.device, changes(old.device, new.device), step=True)
-    return Step(old, new, tuple(judged(compared)))
+    compared = ComparedVersions(old.device, new.device, changes(old.device, new.device), step=True)
+    return Step(old, new, tuple(judged_changes(compared)))
 
 
 def page_name(version: str) -> str:
@@ -162,7 +162,7 @@ def _effect(step: Step, effect: Effect, pages: _Pages) -> Section | None:
     )
 
 
-def _row(held: Judged, pages: _Pages) -> TableRow:
+def _row(held: JudgedChange, pages: _Pages) -> TableRow:
     change = held.change
     remarks: list[Line] = []
     if change.outputs:

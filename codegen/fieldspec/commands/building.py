@@ -1,4 +1,4 @@
-"""What a build makes: of every device what is not fresh any more, and nothing else."""
+"""Plans a build and carries it out: of every device only the outputs that are out of date."""
 
 from __future__ import annotations
 
@@ -6,53 +6,21 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import dataclass, replace
-from fieldspec.commands import sources
-from fieldspec.commands.fresh import Built, Earlier, Hashes, devices_in
-from fieldspec.commands.sources import INDEX
+from fieldspec.commands import spec_files
+from fieldspec.commands.freshness import BuildRequest, BuildResult, Built, EarlierBuild, Hashes, devices_in
+from fieldspec.commands.spec_files import INDEX
 from fieldspec.commands.usage import UsageError
 from fieldspec.source import Refused
 
 if TYPE_CHECKING:
     from fieldspec.audit.manual_lines import ManualIndex
-    from fieldspec.commands.placing import Beside
+    from fieldspec.commands.placement import Staging
     from fieldspec.diagnostics import Diagnostic
 
 
 @dataclass(frozen=True, slots=True)
-class BuildRequest:
-    """What is to be built: outputs, and devices with their versions, no version for all; no device for all."""
-
-    outputs: tuple[str, ...]
-    devices: dict[str, frozenset[str]]
-
-    @property
-    def whole(self) -> bool:
-        """Whether all devices are built, so that the files of others can be removed."""
-        return not self.devices
-
-    @property
-    def picked(self) -> bool:
-        """Whether devices are built at some of their versions only."""
-        return any(self.devices.values())
-
-
-@dataclass(frozen=True, slots=True)
-class BuildResult:
-    """What a build has found, the devices as they are now, and the files that were not as they should be.
-
-    `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
-    """
-
-    findings: list[Diagnostic]
-    devices: dict[str, Built]
-    shared: dict[str, Hashes]
-    stale: list[str]
-    quiet: bool
-
-
-@dataclass(frozen=True, slots=True)
 class _Plan:
-    """What is done for a device: whether it is checked, which outputs are made, and which are kept as they are."""
+    """What a build does for a device: whether it is checked, which outputs are rebuilt, and which are reused."""
 
     check: bool
     outputs: tuple[str, ...]
@@ -60,15 +28,15 @@ class _Plan:
 
 
 def build_result(
-    wanted: BuildRequest, path: str, files: Mapping[str, bytes], earlier: Earlier, beside: Beside | None = None
+    wanted: BuildRequest, path: str, files: Mapping[str, bytes], earlier: EarlierBuild, beside: Staging | None = None
 ) -> BuildResult:
-    """Makes what must be made of some spec files; nothing where something is found that stops a build.
+    """Builds what is out of date; nothing where a finding stops the build.
 
-    What is not the same as what lies there is written `beside` it.
+    Files that differ from the ones in place are written to `beside`. Raises UsageError.
     """
     plans = {device: _plan(device, wanted, earlier) for device in sorted(wanted.devices) or devices_in(files)}
-    kept = {name: earlier.unspoilt(earlier.shared.get(name)) for name in wanted.outputs}
-    shared = {name: held for name, held in kept.items() if held is not None}
+    reusable = {name: earlier.unchanged(earlier.shared.get(name)) for name in wanted.outputs}
+    shared = {name: hashes for name, hashes in reusable.items() if hashes is not None}
     stale = frozenset(device for device, plan in plans.items() if plan.check or plan.outputs)
     everything = wanted.whole and not earlier.confined()
     if not stale and not everything and len(shared) == len(wanted.outputs):
@@ -76,13 +44,13 @@ def build_result(
     return _anew(wanted, plans, shared, frozenset() if everything else stale, path, files, earlier, beside)
 
 
-def _plan(device: str, wanted: BuildRequest, earlier: Earlier) -> _Plan:
+def _plan(device: str, wanted: BuildRequest, earlier: EarlierBuild) -> _Plan:
     if earlier.changed(device):
         return _Plan(True, wanted.outputs, {})
     before = earlier.devices[device]
-    held = {name: earlier.unspoilt(files) for name, files in before.outputs.items()}
-    kept = {name: files for name, files in held.items() if files is not None}
-    return _Plan(before.warned, tuple(name for name in wanted.outputs if name not in kept), kept)
+    checked = {name: earlier.unchanged(files) for name, files in before.outputs.items()}
+    reused = {name: files for name, files in checked.items() if files is not None}
+    return _Plan(before.warned, tuple(name for name in wanted.outputs if name not in reused), reused)
 
 
 def _anew(
@@ -92,16 +60,18 @@ def _anew(
     only: frozenset[str],
     path: str,
     files: Mapping[str, bytes],
-    earlier: Earlier,
-    beside: Beside | None,
+    earlier: EarlierBuild,
+    beside: Staging | None,
 ) -> BuildResult:
-    """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
+    """Reads the specs, of all devices or of `only` some, and carries out the plans."""
     from fieldspec import pipeline
     from fieldspec.commands import specs
-    from fieldspec.commands.working import DOCUMENTATION, Task, Work, carried_out, settled
+    from fieldspec.commands.plugin_loading import load_checks
+    from fieldspec.commands.workers import DOCUMENTATION, Task, Work, stage_changes, task_results
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
+    load_checks()
     project = read(files, only)  # without the folder, which outputs must not depend on
     outputs = not has_errors(project.findings)
     tasks = []
@@ -114,32 +84,32 @@ def _anew(
     lacking = [name for name in wanted.outputs if name not in shared] if outputs else []
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
     work = Work(project, earlier.out, beside)
-    done = {one.device: one for one in carried_out(work, tasks, sum(map(len, files.values())))}
-    found = in_order([*project.findings, *(finding for one in done.values() for finding in one.findings)])
-    shown = _from_here(found, sources.relative_path(path))
-    if has_errors(found):
-        return BuildResult(shown, {}, {}, [], False)
-    stale = [path for one in done.values() for path in one.stale]
-    hashes = {name: settled(work, held, stale) for name, held in common.items()}
-    marked = {finding.span.file.path for finding in found}
+    done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
+    findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
+    located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
+    if has_errors(findings):
+        return BuildResult(located, {}, {}, [], False)
+    stale = [path for result in done.values() for path in result.stale]
+    hashes = {name: stage_changes(work, contents, stale) for name, contents in common.items()}
+    marked = {finding.span.file.path for finding in findings}
     devices = {}
     for device, plan in plans.items():
         if device not in done:
             devices[device] = earlier.devices[device]
             continue
         files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
-        one = done[device]
+        result = done[device]
         devices[device] = Built(
             {file: earlier.now[file] for file in sorted(files_read)},
-            one.identities or earlier.devices[device].identities,
+            result.identities or earlier.devices[device].identities,
             not marked.isdisjoint(files_read),
-            {**plan.reused, **one.hashes},
+            {**plan.reused, **result.hashes},
         )
-    return BuildResult(shown, devices, {**shared, **hashes}, stale, not found)
+    return BuildResult(located, devices, {**shared, **hashes}, stale, not findings)
 
 
-def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
-    """Findings that show the files below the folder of the specs as they are found from here."""
+def _from_here(findings: Iterable[Diagnostic], folder: str, origins: Mapping[str, str]) -> list[Diagnostic]:
+    """Findings that show the files by the paths by which they are found from here."""
     from fieldspec.source import SourceFile, Span
 
     files: dict[str, SourceFile] = {}
@@ -147,12 +117,17 @@ def _from_here(found: Iterable[Diagnostic], folder: str) -> list[Diagnostic]:
     def moved(span: Span) -> Span:
         file = span.file
         if file.path not in files:
-            files[file.path] = SourceFile(f"{folder}/{file.path}" if folder else file.path, file.text)
+            path = origins.get(file.path) or (f"{folder}/{file.path}" if folder else file.path)
+            files[file.path] = SourceFile(path, file.text)
         return Span(files[file.path], span.start, span.end)
 
     return [
-        replace(one, span=moved(one.span), labels=tuple(replace(label, span=moved(label.span)) for label in one.labels))
-        for one in found
+        replace(
+            finding,
+            span=moved(finding.span),
+            labels=tuple(replace(label, span=moved(label.span)) for label in finding.labels),
+        )
+        for finding in findings
     ]
 
 

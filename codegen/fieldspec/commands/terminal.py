@@ -1,4 +1,4 @@
-"""Printing: plain when piped, coloured on a terminal."""
+"""Prints findings, lines and tables: styled on a terminal, as bare text elsewhere."""
 
 from __future__ import annotations
 
@@ -20,26 +20,26 @@ FORMATS = ("text", "json", "sarif", "github", "junit")
 
 
 def on_terminal() -> bool:
-    """Whether a person looks at the output and wants colours."""
+    """Whether the output is a terminal and colours are welcome."""
     return sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
-def print_findings(found: Sequence[Diagnostic], form: str, when_none: str) -> None:
-    """Findings in one of FORMATS; in text, a line says so where there are none."""
-    if form == "text" and not found:
+def print_findings(findings: Sequence[Diagnostic], form: str, when_none: str) -> None:
+    """Prints findings in one of FORMATS. As text, `when_none` is printed where there are none."""
+    if form == "text" and not findings:
         print(when_none)
     elif form == "text" and on_terminal():
         from rich.text import Text
 
         from fieldspec.render.text import rendered
 
-        _console().print(Text.from_ansi(rendered(found, coloured=True)), soft_wrap=True)
+        _console().print(Text.from_ansi(rendered(findings, coloured=True)), soft_wrap=True)
     else:
-        print(import_module(f"fieldspec.render.{form}").rendered(found), end="")
+        print(import_module(f"fieldspec.render.{form}").rendered(findings), end="")
 
 
 def print_blocks(blocks: Iterable[Block]) -> None:
-    """Lines and tables: on a terminal with rich, in styles and broken between words; else plain."""
+    """Prints lines and tables: on a terminal styled and wrapped, else as bare text."""
     pretty = on_terminal()
     for block in blocks:
         if pretty:

@@ -1,4 +1,4 @@
-"""The cache folder of the verbs, and the hash of the compiler that its entries depend on."""
+"""The cache folder, and the hash of the compiler that its entries depend on."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
 
-# A file there begins with the hash of what it holds, so that one that is half written or changed by hand is as none. So
-# is one that another user owns or could write to. What it holds is data that is never executed. Where the folder cannot
-# be written to, nothing is kept.
+# A file in the cache begins with the hash of its content: one that is half written, or changed by hand, is ignored, and
+# so is one that another user owns or could write to. The content is data that is never executed. Where the folder
+# cannot be written to, nothing is cached.
 
 try:
     from _blake2 import blake2b  # `hashlib` loads OpenSSL first, which takes as long as to read a compiled device
@@ -25,11 +25,11 @@ except ImportError:
 
 VARIABLE = "FIELDSPEC_CACHE"
 MOST = 100
-"""Files of one kind that are kept; the oldest are removed."""
+"""The most files of one kind in the cache; older ones are removed."""
 
 
 def folder() -> str:
-    """The folder: by the environment, or where the system keeps caches. Raises OSError for a user without a home."""
+    """The folder: FIELDSPEC_CACHE, or where the system keeps caches. Raises OSError for a user without a home."""
     if named := os.environ.get(VARIABLE):
         return named
     home = os.path.expanduser("~")
@@ -42,16 +42,16 @@ def folder() -> str:
 
 
 def checksum(*contents: bytes) -> str:
-    """A hash of contents one after the other, and of where each of them ends."""
-    made = blake2b(digest_size=24)
+    """A hash of contents in their order, and of their sizes."""
+    hasher = blake2b(digest_size=24)
     for content in contents:
-        made.update(b"%d\n" % len(content))
-        made.update(content)
-    return made.hexdigest()
+        hasher.update(b"%d\n" % len(content))
+        hasher.update(content)
+    return hasher.hexdigest()
 
 
 def cached(kind: str, name: str) -> bytes | None:
-    """What is kept under a name; None where there is nothing, or nothing whole."""
+    """The content stored under a name; None where there is none, or where it is damaged."""
     try:
         number = os.open(_path(kind, name), _READ)
         try:
@@ -59,16 +59,16 @@ def cached(kind: str, name: str) -> bytes | None:
             if not _ours(state):
                 return None
             with open(number, "rb", closefd=False) as file:
-                held, _, content = file.read(state.st_size + 1).partition(b"\n")
+                expected, _, content = file.read(state.st_size + 1).partition(b"\n")
         finally:
             os.close(number)
     except OSError:
         return None
-    return content if held == checksum(content).encode() else None
+    return content if expected == checksum(content).encode() else None
 
 
 def store(kind: str, name: str, content: bytes) -> None:
-    """Keeps a content under a name, in place of what was there."""
+    """Stores a content under a name, replacing an earlier one. Does nothing where that is not possible."""
     try:
         _write(_path(kind, name), checksum(content).encode() + b"\n" + content)
     except OSError:
@@ -81,25 +81,24 @@ _BESIDE = ".new"
 
 
 def _write(path: str, content: bytes) -> None:
-    """Writes a file whole, one process at a time. Raises OSError; nothing is left then."""
-    from fieldspec.commands.locking import lock, unlock
-    from fieldspec.commands.storing import put
+    """Writes a file all or nothing, one process at a time. Raises OSError."""
+    from fieldspec.commands.storage import lock, unlock, write_through
 
     within = os.path.dirname(path)
     os.makedirs(within, mode=0o700, exist_ok=True)
     number = lock(within, patient=False)
     try:
         for entry in [*os.scandir(within)]:
-            if not entry.name.isalnum():  # a process was killed while it wrote
+            if not entry.name.isalnum():  # left by a process that was killed while it wrote
                 os.unlink(entry)
         try:
-            put(path + _BESIDE, content, 0o600)
+            write_through(path + _BESIDE, content, 0o600)
             os.replace(path + _BESIDE, path)
         except BaseException:
             with suppress(OSError):
                 os.unlink(path + _BESIDE)
             raise
-        files = sorted(os.scandir(within), key=lambda one: one.stat().st_mtime_ns)
+        files = sorted(os.scandir(within), key=lambda entry: entry.stat().st_mtime_ns)
         for old in files[:-MOST]:
             os.unlink(old)
     finally:
@@ -107,7 +106,7 @@ def _write(path: str, content: bytes) -> None:
 
 
 def _ours(state: os.stat_result) -> bool:
-    """Whether a file is a regular one, of a size that is read, that nobody else can have written."""
+    """Whether a file is regular, not too large, and writable by nobody else."""
     if not stat.S_ISREG(state.st_mode) or state.st_size > _LARGEST:
         return False
     if os.name != "posix":
@@ -128,26 +127,26 @@ LIBRARIES = {
     "xlsxwriter": "xlsxwriter",
     "yaml": "pyyaml",
 }
-"""The libraries that outputs and findings depend on: what is imported, and the name of the distribution."""
+"""The libraries that outputs and findings depend on: the module, and the name of the distribution."""
 
 
 LAYING_OUT = (
     *("checks", "commands", "layout", "model", "reading", "schema"),
     *("classes.py", "diagnostics.py", "names.py", "reserved.py", "source.py"),
 )
-"""What takes part when the specs of a device become its layout."""
+"""The parts of the compiler that turn specs into a layout."""
 WHOLE = ("",)
 """All of the compiler."""
 
 _PACKAGE = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 _OTHERS = ("__pycache__", "_specs")
-"""Folders of the package that are not of the compiler."""
+"""Folders of the package that do not belong to the compiler."""
 
 
 def identity() -> str:
     """A hash of every file of the compiler, of the versions of its libraries, and of Python.
 
-    It is that of the files as they are on disk now. Raises OSError where they cannot be read.
+    Files are taken as they are on disk now. Raises OSError where they cannot be read.
     """
     contents = [_python()]
     for path in _files(_PACKAGE):
@@ -160,8 +159,8 @@ def identity() -> str:
 def state(parts: Sequence[str] = LAYING_OUT) -> str:
     """A hash of the names, sizes and times of some files of the compiler, of the folders of libraries, and of Python.
 
-    It is another one whenever one of them is, and takes a tenth of the time of `identity`; that it is another one may
-    mean no more than that files were copied. Raises OSError where they cannot be looked at.
+    It changes whenever one of them does, and takes a tenth of the time of `identity`; it also changes when files are
+    only copied. Raises OSError where they cannot be read.
     """
     lines: list[str] = []
     for name in parts:
@@ -179,7 +178,7 @@ def _python() -> bytes:
 
 def _states(folder: str, within: str) -> Iterator[str]:
     with os.scandir(folder) as entries:
-        for entry in sorted(entries, key=lambda one: one.name):
+        for entry in sorted(entries, key=lambda entry: entry.name):
             if entry.is_dir():
                 if entry.name not in _OTHERS:
                     yield from _states(entry.path, f"{within}/{entry.name}")
@@ -187,17 +186,17 @@ def _states(folder: str, within: str) -> Iterator[str]:
                 yield _state(f"{within}/{entry.name}", entry.stat())
 
 
-def _state(name: str, held: os.stat_result) -> str:
-    return f"{name} {held.st_size} {held.st_mtime_ns} {held.st_ctime_ns} {held.st_ino}"
+def _state(name: str, status: os.stat_result) -> str:
+    return f"{name} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns} {status.st_ino}"
 
 
 def _files(package: str) -> list[str]:
-    """All files of the compiler but those that Python makes of them, in order."""
-    found = []
+    """All files of the compiler, without compiled ones, in order."""
+    paths = []
     for folder, inner, names in os.walk(package, onerror=_raised):
         inner[:] = sorted(name for name in inner if name not in _OTHERS)
-        found += [os.path.join(folder, name) for name in sorted(names) if not name.endswith((".pyc", ".pyo"))]
-    return found
+        paths += [os.path.join(folder, name) for name in sorted(names) if not name.endswith((".pyc", ".pyo"))]
+    return paths
 
 
 def _raised(error: OSError) -> None:
@@ -205,15 +204,15 @@ def _raised(error: OSError) -> None:
 
 
 def _version(module: str, distribution: str) -> str:
-    """The version of a library: the name of the folder that its installer left beside it, or its first file."""
+    """The version of a library: the name of its metadata folder, or else a hash of its first file."""
     spec = PathFinder.find_spec(module)
     if spec is None or not spec.origin:
         return ""
     around, name = os.path.split(spec.origin)
     around = os.path.dirname(around) if name.startswith("__init__.") else around
     for name in sorted(os.listdir(around)):
-        plain = name.lower().replace("-", "_")
-        if plain.startswith(f"{distribution}_") and plain.endswith("_info"):
+        lower_name = name.lower().replace("-", "_")
+        if lower_name.startswith(f"{distribution}_") and lower_name.endswith("_info"):
             return name
     with open(spec.origin, "rb") as file:
         return checksum(file.read())

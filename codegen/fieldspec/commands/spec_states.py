@@ -17,13 +17,13 @@ from fieldspec.render.text import place
 
 
 class NoRevision(UsageError):
-    """A name that is that of no revision."""
+    """A name that is not a revision."""
 
 
 @dataclass(frozen=True, slots=True)
 class Tree:
-    """The spec files of a folder at a revision, by path below it. `path` is the folder's own in the repository, empty
-    for its root, and `device` the one that was asked for, empty for all."""
+    """The spec files of a folder at a revision, by path below it. `path` is the path of the folder in the repository,
+    empty for its root; `device` is the requested device, empty for all."""
 
     path: str
     device: str
@@ -31,37 +31,37 @@ class Tree:
 
 
 def tree(revision: str, path: str | None, specs: Path | None) -> Tree:
-    """The specs at a revision: in a folder of the repository, or where `specs`, the folder of the specs, lies in it.
+    """The specs at a revision: in a folder of the repository, or where the folder `specs` is in it. Raises UsageError.
 
-    The folder may be that of all specs, that of one device, or one that has the folder `specs`.
+    The folder may contain all specs, or be the folder of a device, or contain the folder `specs`.
     """
     here = specs if specs is not None and path is None else Path.cwd()
     _verified(here, revision)
-    found = path if path is not None else _git(here, "rev-parse", "--show-prefix").decode().strip("\n/")
-    listed = _contents(here, revision, found)
-    if MAIN in listed and found:
-        above, _, device = found.rpartition("/")
+    folder = path if path is not None else _git(here, "rev-parse", "--show-prefix").decode().strip("\n/")
+    blobs = _contents(here, revision, folder)
+    if MAIN in blobs and folder:
+        above, _, device = folder.rpartition("/")
         return Tree(above, device, _read(here, _contents(here, revision, above)))
-    if not _devices(listed) and _devices(_below(listed, "specs")):
-        found, listed = posixpath.join(found, "specs"), _below(listed, "specs")
-    if not _devices(listed):
-        where = f"{revision}:{found}" if found else revision
+    if not _devices(blobs) and _devices(_below(blobs, "specs")):
+        folder, blobs = posixpath.join(folder, "specs"), _below(blobs, "specs")
+    if not _devices(blobs):
+        where = f"{revision}:{folder}" if folder else revision
         raise UsageError(f"{where} holds no specs; a device is a folder with a {MAIN}: give REVISION:FOLDER")
-    return Tree(found, "", _read(here, listed))
+    return Tree(folder, "", _read(here, blobs))
 
 
-def _devices(listed: dict[str, str]) -> set[str]:
+def _devices(blobs: dict[str, str]) -> set[str]:
     """The folders of devices."""
-    return {path.partition("/")[0] for path in listed if path.partition("/")[2] == MAIN}
+    return {path.partition("/")[0] for path in blobs if path.partition("/")[2] == MAIN}
 
 
-def _below(listed: dict[str, str], folder: str) -> dict[str, str]:
+def _below(blobs: dict[str, str], folder: str) -> dict[str, str]:
     start = folder + "/"
-    return {path.removeprefix(start): blob for path, blob in listed.items() if path.startswith(start)}
+    return {path.removeprefix(start): blob for path, blob in blobs.items() if path.startswith(start)}
 
 
 def _verified(here: Path, revision: str) -> None:
-    """Refuses what is no revision."""
+    """Refuses a name that is not a revision. Raises NoRevision."""
     try:
         _git(here, "rev-parse", "--git-dir")
     except _Failed:
@@ -82,24 +82,24 @@ def _contents(here: Path, revision: str, path: str) -> dict[str, str]:
         lines = _git(here, "ls-tree", "-r", "-z", "--full-tree", folder).decode("utf-8", "replace")
     except _Failed:
         raise UsageError(f"the revision {revision} has no folder {path}") from None
-    found = {}
+    blobs = {}
     for line in filter(None, lines.split("\0")):
         mode, kind, blob = line.partition("\t")[0].split()
         name = line.partition("\t")[2]
         if kind == "blob" and mode != "120000" and name.endswith(".yaml") and not _hidden(name):
-            found[name] = blob
-    return found
+            blobs[name] = blob
+    return blobs
 
 
 def _hidden(path: str) -> bool:
     return posixpath.basename(path).startswith(".")
 
 
-def _read(here: Path, listed: dict[str, str]) -> dict[str, bytes]:
+def _read(here: Path, blobs: dict[str, str]) -> dict[str, bytes]:
     """The contents of the spec files among some files."""
-    specs = {path: blob for path, blob in listed.items() if _of_specs(path.split("/"))}
+    specs = {path: blob for path, blob in blobs.items() if _of_specs(path.split("/"))}
     asked = "".join(f"{blob}\n" for blob in specs.values()).encode()
-    answer = _git(here, "cat-file", "--batch", given=asked)
+    answer = _git(here, "cat-file", "--batch", data=asked)
     files = {}
     at = 0
     for path in specs:
@@ -116,12 +116,12 @@ def _of_specs(steps: list[str]) -> bool:
 
 
 class _Failed(Exception):
-    """Git did not do what it was asked for."""
+    """Git reported an error."""
 
 
-def _git(here: Path, *arguments: str, given: bytes = b"") -> bytes:
+def _git(here: Path, *arguments: str, data: bytes = b"") -> bytes:
     try:
-        ran = subprocess.run(["git", "-C", str(here), *arguments], input=given, capture_output=True, check=False)
+        ran = subprocess.run(["git", "-C", str(here), *arguments], input=data, capture_output=True, check=False)
     except FileNotFoundError:
         raise UsageError("git is not installed, so there are no revisions to compare") from None
     if ran.returncode:
@@ -131,7 +131,7 @@ def _git(here: Path, *arguments: str, given: bytes = b"") -> bytes:
 
 @dataclass(frozen=True, slots=True)
 class SpecState:
-    """One side of a comparison, by the name that the user gave it.
+    """The old or the new state of a comparison, by the name that the user gave it.
 
     `device` and `version` are empty where all are meant. `wide` says that it is a state of specs, not a version.
     """
@@ -143,20 +143,20 @@ class SpecState:
     wide: bool
 
     def spec(self, device: str) -> DeviceSpec:
-        """The spec of a device, which must be there."""
+        """The spec of a device. Raises UsageError where there is none."""
         if device not in self.project.devices:
             raise UsageError(f"{self.name} holds no device {device}; there are {', '.join(self.project.devices)}")
         return self.project.devices[device]
 
     def at(self, device: str, version: str) -> Device:
-        """A device at a version. Its spec must be one that can be read."""
+        """A device at a version. Raises UsageError for a spec that cannot be read."""
         spec = self.spec(device)
-        model, found = spec.at(specs.picked(spec, version))
-        _sound(self.name, Project({}, found))
+        model, findings = spec.at(specs.picked(spec, version))
+        _sound(self.name, Project({}, findings))
         return model
 
     def label(self, device: str, version: str = "") -> str:
-        """How this side is called for a device, at a version or at several."""
+        """What this state is called for a device, at a version or at several."""
         at = f"@{version}" if version else ""
         if not self.wide:
             return f"{device}{at}"
@@ -165,26 +165,26 @@ class SpecState:
         return f"{self.name} {device}{at}"
 
 
-def spec_state(text: str, given: str | None, plain: bool) -> SpecState:
-    """The side that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, tried in this order.
+def spec_state(text: str, specs_option: str | None, bare_paths: bool) -> SpecState:
+    """The state that `DEVICE[@VERSION]`, `FOLDER[@VERSION]` or `REVISION[:FOLDER][@VERSION]` means, in this order.
 
-    With `plain`, the files of a revision are shown by their paths in the repository, without the revision.
+    With `bare_paths`, files of a revision are shown by their paths in the repository, without the revision.
     """
     try:
-        here: Path | None = specs.folder(given)
+        here: Path | None = specs.folder(specs_option)
     except UsageError:
-        if given:
+        if specs_option:
             raise
         here = None
     name, version = specs.split(text)
     if here is not None and (here / name / MAIN).is_file() and "/" not in name and name not in ("", ".", ".."):
-        return _named(text, specs.project(given, frozenset([name])), name, version)
+        return _named(text, specs.project(specs_option, frozenset([name])), name, version)
     for path, picked in ((text, ""), text.rpartition("@")[::2]):
         if path and Path(path).is_dir():
             return _folder(text, Path(path), picked)
 
     try:
-        return _revision(text, here, plain)
+        return _revision(text, here, bare_paths)
     except NoRevision:
         if here is not None and name and version and "{" not in version:
             raise unknown("device", name, (file.parent.name for file in here.glob(f"*/{MAIN}"))) from None
@@ -199,7 +199,7 @@ def _named(text: str, project: Project, device: str, version: str) -> SpecState:
 
 
 def _folder(text: str, path: Path, version: str) -> SpecState:
-    """A folder of specs, that of one device, or one with the folder `specs` in it."""
+    """A folder of specs, the folder of a device, or one that contains the folder `specs`."""
     device = ""
     if (path / MAIN).is_file():
         path = path.resolve()
@@ -209,11 +209,11 @@ def _folder(text: str, path: Path, version: str) -> SpecState:
     if not any(path.glob(f"*/{MAIN}")):
         raise UsageError(f"the folder {text} holds no specs; a device is a folder with a {MAIN}")
     only = frozenset([device]) if device else frozenset[str]()
-    files = _of_devices(specs.files(path, only))
-    return _wide(text, read(files, only, specs.relative_path(path)), device, version)
+    files = specs.with_protocols(_of_devices(specs.files(path, only)))
+    return _wide(text, read(files, only, specs.relative_path(path), specs.origins(files)), device, version)
 
 
-def _revision(text: str, here: Path | None, plain: bool) -> SpecState:
+def _revision(text: str, here: Path | None, bare_paths: bool) -> SpecState:
 
     name, version = text, ""
     before, joint, after = text.rpartition("@")
@@ -222,16 +222,17 @@ def _revision(text: str, here: Path | None, plain: bool) -> SpecState:
     revision, colon, path = name.partition(":")
     if not revision:
         raise UsageError(f"there is no device, no folder and no git revision {text}")
-    found = tree(revision, path.strip("/") if colon else None, here)
-    folder = found.path if plain else f"{revision}:{found.path}"
-    only = frozenset([found.device]) if found.device else frozenset[str]()
-    return _wide(text, read(_of_devices(found.files), only, folder), found.device, version)
+    spec_tree = tree(revision, path.strip("/") if colon else None, here)
+    folder = spec_tree.path if bare_paths else f"{revision}:{spec_tree.path}"
+    only = frozenset([spec_tree.device]) if spec_tree.device else frozenset[str]()
+    files = specs.with_protocols(_of_devices(spec_tree.files))
+    return _wide(text, read(files, only, folder, specs.origins(files)), spec_tree.device, version)
 
 
 def _of_devices(files: dict[str, bytes]) -> dict[str, bytes]:
-    """Spec files without those of folders that are no device, or none yet."""
+    """The spec files in folders of devices and of protocols."""
     folders = {path.partition("/")[0] for path in files if path.partition("/")[2] == MAIN} | {PROTOCOLS}
-    return {path: held for path, held in files.items() if path.partition("/")[0] in folders}
+    return {path: data for path, data in files.items() if path.partition("/")[0] in folders}
 
 
 def _wide(text: str, project: Project, device: str, version: str) -> SpecState:
@@ -240,7 +241,7 @@ def _wide(text: str, project: Project, device: str, version: str) -> SpecState:
 
 
 def _sound(name: str, project: Project) -> None:
-    """Refuses specs that cannot be read; whether they are right is not asked."""
+    """Refuses specs that cannot be read, right or wrong. Raises UsageError."""
     if has_errors(project.findings):
         first = project.findings[0]
         raise UsageError(f"the specs of {name} cannot be read: {place(first.span)}: {first.message}")
