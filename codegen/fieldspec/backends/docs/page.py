@@ -69,13 +69,13 @@ def _order(section: str) -> list[tuple[int, str]]:
 
 def _merged(lines: set[tuple[int, int]]) -> str:
     """Intervals of lines, those that touch in one."""
-    found: list[tuple[int, int]] = []
+    intervals: list[tuple[int, int]] = []
     for first, last in sorted(lines):
-        if found and first <= found[-1][1] + 1:
-            found[-1] = (found[-1][0], max(found[-1][1], last))
+        if intervals and first <= intervals[-1][1] + 1:
+            intervals[-1] = (intervals[-1][0], max(intervals[-1][1], last))
         else:
-            found.append((first, last))
-    return Citation("", tuple(found)).text()
+            intervals.append((first, last))
+    return Citation("", tuple(intervals)).text()
 
 
 SECTIONS = (
@@ -107,8 +107,8 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
     """The page of a device at one version. Sections in which nothing would stand are left out."""
     context = Context(layout, holding)
     device = layout.device
-    made = [section(context) for section in SECTIONS]
-    sections = tuple(_shared(section, holding) for section in made if section.blocks or section.sections)
+    all_sections = [section(context) for section in SECTIONS]
+    sections = tuple(_shared(section, holding) for section in all_sections if section.blocks or section.sections)
     title = f"{device.name}, {version_title(device)}" if device.lines else device.name
     return Document(
         clean(title),
@@ -130,7 +130,11 @@ def _summary(layout: DeviceLayout) -> Iterator[Line]:
     counts = (
         ("registers", sum(register.count for register in device.registers()), "registers"),
         ("messages", len(device.messages), "messages"),
-        ("parameters", sum(len(held.parameters) for held in device.parameters.values()), "parameters"),
+        (
+            "parameters",
+            sum(len(parameter_set.parameters) for parameter_set in device.parameters.values()),
+            "parameters",
+        ),
         ("example frames", len(device.examples), "examples"),
         ("errata", len(device.errata), "errata"),
     )
