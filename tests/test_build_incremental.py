@@ -198,7 +198,7 @@ def test_a_compiler_that_changes_while_it_runs_notes_nothing(place: Place, monke
 
 def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     names = {Path(path).name for path in caching._files(caching._PACKAGE)}
-    assert {"cli.py", "page.html.in", "page.css", "spec.schema.json", "_frames.py"} <= names
+    assert {"cli.py", "page.html.j2", "page.css", "spec.schema.json", "_frames.py"} <= names
     assert not any(name.endswith(".pyc") for name in names)
     assert all("info" in caching._version(*one) for one in caching.LIBRARIES.items())
     first = caching.identity()

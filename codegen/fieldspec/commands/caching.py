@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 # A file there begins with the hash of what it holds, so that one that is half written or changed by hand is as none. So
-# is one that another user owns or could write to. What it holds is data that is never executed. Where the folder cannot
-# be written to, nothing is kept.
+# is one that another user owns or could write to. What it holds is never executed, but for compiled templates. Where
+# the folder cannot be written to, nothing is kept.
 
 try:
     from _blake2 import blake2b  # `hashlib` loads OpenSSL first, which takes as long as to read a compiled device

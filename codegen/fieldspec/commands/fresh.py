@@ -65,6 +65,7 @@ class Earlier:
         self._specs: Hashes = {}
         self._held: dict[str, Any] = {}
         self._found: dict[str, str | None] = {}
+        self.trusted = trusted
         self._compiler = _running() if trusted else ""
         kept = caching.cached(KIND, self._name) if self._compiler else None
         held = json.loads(kept) if kept else {}

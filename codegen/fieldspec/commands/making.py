@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 from fieldspec.classes import dataclass, replace
@@ -16,6 +17,10 @@ if TYPE_CHECKING:
     from fieldspec.audit.manual_lines import ManualIndex
     from fieldspec.commands.placing import Beside
     from fieldspec.diagnostics import Diagnostic
+
+
+TEMPLATES = "templates"
+"""The kind of entries of the cache that are compiled templates."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,11 +102,14 @@ def _anew(
 ) -> BuildResult:
     """Reads the specs, of all devices or of `only` some, and makes what the plans say."""
     from fieldspec import pipeline
-    from fieldspec.commands import specs
+    from fieldspec.backends import templates
+    from fieldspec.commands import caching, specs
     from fieldspec.commands.working import DOCUMENTATION, Task, Work, carried_out, settled
     from fieldspec.diagnostics import has_errors, in_order
     from fieldspec.reading.project import read
 
+    if earlier.trusted:
+        templates.use_cache(partial(caching.cached, TEMPLATES), partial(caching.store, TEMPLATES))
     project = read(files, only)  # without the folder, which outputs must not depend on
     outputs = not has_errors(project.findings)
     tasks = []

@@ -9,7 +9,7 @@ from fieldspec.audit.address_map import Space
 from fieldspec.audit.section import Cell, Figure, Report, Section, SectionTable
 from fieldspec.backends.docs.document import clean
 from fieldspec.backends.docs.html import escaped
-from fieldspec.backends.forms import filled, text
+from fieldspec.backends.templates import fill, text
 from fieldspec.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.model.device import Device
 from fieldspec.model.fact import Citation
@@ -103,7 +103,7 @@ def _cell(cell: Cell, text: str, links: Mapping[str, str]) -> str:
     return text if link is None else f'<a href="{escaped(clean(link))}"><code>{text}</code></a>'
 
 
-# The form has what is on every page.
+# The template has what is on every page.
 
 OPEN = 100
 """A long table of so many rows is open, and printed; one that has more is folded until somebody opens it."""
@@ -116,16 +116,16 @@ def rendered(report: Report, device: Device, links: Mapping[str, str]) -> str:
     found = [(section, one) for section in report.sections for one in in_order(section.findings)]
     rows = {section.name: _rows_by_place(section) for section in report.sections if section.findings}
     findings = [_finding(number, section, one, rows[section.name]) for number, (section, one) in enumerate(found, 1)]
-    return filled(
-        "render/audit.html.in",
-        title=_visible(f"Audit of {report.title}"),
-        identity=_visible(report.identity),
+    return fill(
+        "audit.html.j2",
+        title=clean(f"Audit of {report.title}"),
+        identity=clean(report.identity),
         style=text("backends/docs/page.css") + text("render/audit.css"),
-        contents=map(_entry, report.sections),
+        contents="".join(map(_entry, report.sections)),
         head=_head(report, device, [one for _, one in found]),
-        glance=map(_glance, report.sections),
-        findings=['<ol class="findings">\n', *findings, "</ol>\n"] if findings else "<p>There is none.</p>\n",
-        parts=[held for section in report.sections for held in _part(section, links)],
+        glance="".join(map(_glance, report.sections)),
+        findings="".join(['<ol class="findings">\n', *findings, "</ol>\n"]) if findings else "<p>There is none.</p>\n",
+        parts="".join([held for section in report.sections for held in _part(section, links)]),
     )
 
 

@@ -287,15 +287,15 @@ def table(
 ) -> DocumentTable:
     """A table without the columns that nothing stands in; the cell of column `heading` names its row."""
     rows = list(rows)
-    shown_columns = [
+    used_columns = [
         n for n, column in enumerate(columns) if column.unbroken or any(not row.cells[n].empty for row in rows)
     ]
-    if len(shown_columns) < len(columns):
-        rows = [row._replace(cells=tuple([row.cells[n] for n in shown_columns])) for row in rows]
+    if len(used_columns) < len(columns):
+        rows = [row._replace(cells=tuple([row.cells[n] for n in used_columns])) for row in rows]
     return DocumentTable(
         clean(caption),
-        tuple([_cleaned(columns[n]) for n in shown_columns]),
-        shown_columns.index(heading) if heading in shown_columns else -1,
+        tuple([_cleaned(columns[n]) for n in used_columns]),
+        used_columns.index(heading) if heading in used_columns else -1,
         tuple(rows),
         tuple(footnotes),
     )
@@ -334,18 +334,18 @@ def every(sections: tuple[Section, ...]) -> Iterator[str]:
 
 def paths_of(section: Section) -> frozenset[str]:
     """Where the links in a section lead that lead within the page."""
-    found_paths = set(paths(section.title))
+    linked_paths = set(paths(section.title))
     for block in section.blocks:
         if isinstance(block, DocumentTable):
-            found_paths.update(path for row in block.rows for table_cell in row.cells for path in table_cell.paths)
-            found_paths.update(path for note in block.footnotes for path in paths(note.line))
+            linked_paths.update(path for row in block.rows for table_cell in row.cells for path in table_cell.paths)
+            linked_paths.update(path for note in block.footnotes for path in paths(note.line))
         elif isinstance(block, Paragraph):
-            found_paths.update(paths(block.line))
+            linked_paths.update(paths(block.line))
         elif isinstance(block, Facts):
-            found_paths.update(path for _, lines in block.rows for line in lines for path in paths(line))
+            linked_paths.update(path for _, lines in block.rows for line in lines for path in paths(line))
         elif isinstance(block, Bits):
-            found_paths.update(box.link[1:] for row in block.rows for box in row.boxes if box.link)
-    return frozenset(found_paths).union(*map(paths_of, section.sections))
+            linked_paths.update(box.link[1:] for row in block.rows for box in row.boxes if box.link)
+    return frozenset(linked_paths).union(*map(paths_of, section.sections))
 
 
 class Anchors:

@@ -1,7 +1,4 @@
-"""A document as HTML: every text escaped, every block as lines.
-
-The form has what is on every page.
-"""
+"""A document as HTML: every text escaped, every block as lines. The template has what is on every page."""
 
 from __future__ import annotations
 
@@ -25,7 +22,7 @@ from fieldspec.backends.docs.document import (
     Strips,
     paths_of,
 )
-from fieldspec.backends.forms import filled, text
+from fieldspec.backends.templates import fill, text
 
 _TAGS = {
     "": ("", ""),
@@ -41,15 +38,15 @@ def page(document: Document) -> str:
     writer = _Page(document)
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>\n' if document.subtitle else ""
     summary = "".join([f"<li>{_writer(document.language).line(line)}</li>" for line in document.summary])
-    return filled(
-        "backends/docs/page.html.in",
-        title=escaped(document.title),
-        identity=escaped(document.identity),
+    return fill(
+        "docs/page.html.j2",
+        title=document.title,
+        identity=document.identity,
         style=text("backends/docs/page.css"),
         script=text("backends/docs/filter.js"),
         head=subtitle + (f'<ul class="summary">{summary}</ul>\n' if summary else ""),
         contents="".join(map(writer.entry, document.sections)),
-        sections=[piece for section in document.sections for piece in writer.section(section, 2)],
+        sections="".join([piece for section in document.sections for piece in writer.section(section, 2)]),
     )
 
 

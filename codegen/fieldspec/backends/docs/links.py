@@ -328,14 +328,14 @@ def _link(context: Context, link_layout: LinkLayout) -> Section:
 def _alike(link: Link) -> bool:
     """Whether requests and responses have the same parts."""
 
-    def told(part: Part) -> tuple[object, ...]:
+    def facts_of(part: Part) -> tuple[object, ...]:
         return (
             (part.name, part.role, part.value, part.algorithm, part.byte_order, part.reserved),
             (part.span, part.unit_size, part.plus),
             (part.doc, part.label, part.notes, part.sources),
         )
 
-    return [told(part) for part in link.request] == [told(part) for part in link.response]
+    return [facts_of(part) for part in link.request] == [facts_of(part) for part in link.response]
 
 
 def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:

@@ -25,7 +25,7 @@ from fieldspec.backends.docs.document import (
     paths,
     paths_of,
 )
-from fieldspec.backends.forms import filled
+from fieldspec.backends.templates import fill
 
 _ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
 _SPECIAL = re.compile(r"[&<>]|[\\`*\[\]|~$!]|(?<![0-9A-Za-z])_|_(?![0-9A-Za-z])|:(?=\w)|@(?=\w)")
@@ -37,13 +37,13 @@ def page(document: Document) -> str:
     """A whole page."""
     subtitle = f"{escaped(document.subtitle)}\n\n" if document.subtitle else ""
     summary = "".join([f"- {line(pieces)}\n" for pieces in document.summary])
-    return filled(
-        "backends/docs/page.md.in",
+    return fill(
+        "docs/page.md.j2",
         title=escaped(document.title),
         identity=document.identity,
         head=subtitle + (f"{summary}\n" if summary else ""),
-        contents=_contents(document.sections, ""),
-        sections=_sections(document.sections, "##", _Page(document)),
+        contents="".join(_contents(document.sections, "")),
+        sections="".join(_sections(document.sections, "##", _Page(document))),
     )
 
 

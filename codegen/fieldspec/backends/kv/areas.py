@@ -162,7 +162,7 @@ def _elements(
     fact = typed.case if isinstance(typed, CaseLayout) else typed.field
     spec = field.field
 
-    def one(named: str, at: int, elements: int) -> PlacedValue:
+    def value_at(named: str, at: int, elements: int) -> PlacedValue:
         return PlacedValue(
             named,
             at,
@@ -181,12 +181,12 @@ def _elements(
         )
 
     if not field.is_list:
-        yield one(name, start, 1)
+        yield value_at(name, start, 1)
     elif as_elements and count > 1:
-        yield one(f"{name}[{{}}]", start, count)
+        yield value_at(f"{name}[{{}}]", start, count)
     else:
         for number in range(count):
-            yield one(f"{name}[{number}]", start + number * value.size, 1)
+            yield value_at(f"{name}[{number}]", start + number * value.size, 1)
 
 
 @dataclass(frozen=True, slots=True)

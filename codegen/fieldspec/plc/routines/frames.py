@@ -155,15 +155,15 @@ def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[State
 
 def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
     """What a length part holds in a frame of `total` bytes, and the conditions under which no number says it."""
-    counted_size = plus(total, -part.base)
+    size_from_base = plus(total, -part.base)
     tests: list[Expression] = (
-        [compared(counted_size, "<", number(0))] if part.base > shape.head_size + shape.tail_size else []
+        [compared(size_from_base, "<", number(0))] if part.base > shape.head_size + shape.tail_size else []
     )
     if part.unit_size == 1:
-        return counted_size, tests
+        return size_from_base, tests
     size = number(part.unit_size)
-    tests.append(compared(Operation("MOD", (counted_size, size), INT), "<>", number(0)))
-    return Operation("/", (counted_size, size), INT), tests
+    tests.append(compared(Operation("MOD", (size_from_base, size), INT), "<>", number(0)))
+    return Operation("/", (size_from_base, size), INT), tests
 
 
 def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: Variable) -> list[Statement]:

@@ -75,13 +75,13 @@ def read_field(
         return []
     target = place(field) if is_user_field(field) else None
 
-    def one(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
+    def element_statements(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
         if field.record is not None:
             assert variable is not None
             return read_fields(draft, world, field.record, at.behind(offset), members_of(world, field.record, variable))
         return read(draft, world, Wire.of_field(field), at, offset, variable)
 
-    return _each(draft, field, holder, target, count, one)
+    return _each(draft, field, holder, target, count, element_statements)
 
 
 def write_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
@@ -100,7 +100,7 @@ def write_field(
     if not is_user_field(field):
         return write_number(Wire.of_field(field), holder, field.offset, field.count or 0)
 
-    def one(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
+    def element_statements(at: Holder, offset: int, variable: Expression | None) -> list[Statement]:
         assert variable is not None
         if field.record is not None:
             return write_fields(
@@ -108,7 +108,7 @@ def write_field(
             )
         return write(draft, world, Wire.of_field(field), at, offset, variable)
 
-    return _each(draft, field, holder, place(field), count, one)
+    return _each(draft, field, holder, place(field), count, element_statements)
 
 
 _Element = Callable[[Holder, int, Expression | None], list[Statement]]

@@ -308,10 +308,12 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for register in registers:
 
-        def one(words: Words, variable: Expression, register: RegisterLayout = register) -> list[Statement]:
+        def register_statements(
+            words: Words, variable: Expression, register: RegisterLayout = register
+        ) -> list[Statement]:
             return read(draft, world, Wire.of_answer(register), words, 0, variable)
 
-        draft.add(words_range.each(register, struct, answer_type(world, register), one))
+        draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
     draft.refuse(compared(words_range.taken, "=", number(0)), "not_covered")
     return draft.finished()
 
@@ -329,10 +331,12 @@ def _group_to_words(world: World, group: RegisterGroup, registers: list[Register
     words_range = _Range(world, group, draft, "receives the words")
     for register in registers:
 
-        def one(words: Words, variable: Expression, register: RegisterLayout = register) -> list[Statement]:
+        def register_statements(
+            words: Words, variable: Expression, register: RegisterLayout = register
+        ) -> list[Statement]:
             return write(draft, world, Wire.of_register(register), words, 0, variable)
 
-        draft.add(words_range.each(register, struct, None, one))
+        draft.add(words_range.each(register, struct, None, register_statements))
     wrong = [compared(words_range.count, "<=", number(0)), compared(words_range.taken, "<>", words_range.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()
